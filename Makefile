@@ -1,5 +1,6 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
 # make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
+# make tools  an environment of its own with all that developers need; what follows makes it when it is missing
 # make test   whether all is well, in five minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
 # make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
@@ -9,13 +10,18 @@
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
-#                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
+#                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
+#                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+#             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
+# make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
+# make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
+# make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does
@@ -35,7 +41,7 @@ TEACHING := $(LEARNING),teach
 # fails, pip does it. The pins hold for the build backend, too: pip before 25.3 reads the first, later ones the second.
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt python -m pip install --disable-pip-version-check
 install = PATH=$(abspath $1/bin):$$PATH; \
-	{ $(PIP) -q uv && uv pip install -q --python $1/bin/python -c constraints.txt -b constraints.txt -e '.[$2]' $(3:%=--group %); } || \
+	{ $(PIP) -q uv && uv pip install -q --python $1/bin/python -c constraints.txt -b constraints.txt -e '.[$2]' $(3:%=--group %) 2>/dev/null; } || \
 	{ $(PIP) -q 'pip>=25.1' && $(PIP) -e '.[$2]' $(3:%=--group %) $(BRIEFLY); }
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
@@ -43,7 +49,7 @@ PYTEST := $(DEV) -m pytest --numprocesses auto --dist loadfile --no-loadscope-re
 	--nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg
 INPUTS ?= 100000
 SEED ?= $(shell date +%s)
-# make test-pythons
+# make test-pythons, make release
 VERSIONS ?= 3.11 3.12 3.13 3.14
 # make coverage runs the tests of the library and its robots, and leaves out what is not about its lines
 COVERING := tests/library tests/robots tests/ros tests/browser/test_show.py tests/browser/test_pages.py tests/course/test_grade.py
@@ -53,10 +59,9 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
-	$(RUN) -m rlrobot_course compile
 	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
@@ -134,24 +139,32 @@ docs: $(TOOLS)/tools.done
 slides: $(VENV)/lab.done
 	$(RUN) docs/site/make_slides.py $(LESSON)
 
+tools: $(TOOLS)/tools.done
+
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done
 	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(TOOLS)/tools.done
-	$(DEV) lite/make_lite.py
+	$(DEV) lite/make_lite.py $(PYODIDE:%=--pyodide %)
 
-# the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
-# platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5
-pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade pip setuptools uv \
-		&& .pin/bin/pip install --quiet '.[all]' --group test --group docs --group lite
-	{ .pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu; cat constraints.txt; } \
-		| sed -E ':a; s/^([^=]*)_/\1-/; ta; s/^[^=]+/\L&/' | LC_ALL=C sort -s -u -t= -k1,1 > .pin/constraints.txt
-	mv .pin/constraints.txt constraints.txt && rm -rf .pin
+release: $(TOOLS)/tools.done
+	rm -rf dist
+	$(DEV) -m build --no-isolation
+	$(DEV) -m twine check --strict dist/*
+	$(DEV) tests/release/try_wheel.py $(VERSIONS)
+
+# the newest versions that go together become the tested ones: wheels only, one list for all platforms and Pythons
+pin: $(TOOLS)/tools.done
+	$(DEV) -m uv pip compile --quiet --upgrade --universal --python-version 3.11 --fork-strategy fewest --only-binary :all: \
+		--no-header --no-annotate --no-emit-index-url pyproject.toml --extra all --group test --group docs --group lite \
+		--group fuzz --group baselines -o constraints.txt
+
+platforms: $(TOOLS)/tools.done
+	$(DEV) docs/site/platforms.py
 
 clean:
-	rm -rf .venv .venv-* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
+	rm -rf .venv .venv-* build dist docs/_build homework/build lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails

@@ -16,7 +16,7 @@ project = "RLROBOT-EDU"
 author = copyright = "the RLROBOT-EDU developers"
 version = release = rl.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.githubpages"]
 root_doc = "docs/index"
 html_theme = "furo"
 html_favicon = "site/favicon.svg"
@@ -41,7 +41,7 @@ autodoc_typehints = "none"  # numpydoc's sections say the types in words
 autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = napoleon_use_rtype = False  # in a type, [s] is a unit and no name
-exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
+exclude_patterns = ["to_the_root"]  # what is copied as it is
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
@@ -62,8 +62,8 @@ def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
         folder = (here / link[2]).resolve()
         if not folder.is_dir():
             return link[0]
-        room = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
-        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), room)}.md"
+        other = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
+        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), other)}.md"
         return f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
 
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])

@@ -1,5 +1,6 @@
 """The commands of the course, and the library's: ``rlrobot-edu``, or ``python -m rlrobot_course``."""
 
+import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -22,7 +23,10 @@ def open_lab(more: list[str]) -> None:
     """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
     from rlrobot_course.my_course import open_lab
 
-    sys.exit(open_lab(more))
+    compiling = [sys.executable, "-m", "rlrobot_course", "compile"]  # while JupyterLab starts
+    with subprocess.Popen(compiling, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+        code = open_lab(more)
+    sys.exit(code)
 
 
 def freshen(lesson: list[str]) -> None:

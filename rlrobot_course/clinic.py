@@ -1,4 +1,4 @@
-"""A clinic for a task: what agents earn on it, beside who does not look, and beside the best that could be had."""
+"""A clinic for a task: what agents earn on it, compared with blind ones and with the best possible."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,7 +39,7 @@ class Clinic(Tabled):
     rewards: np.ndarray
 
     def table(self) -> Table:
-        """Who earns how much a step, in the end."""
+        """How much each agent earns a step, in the end."""
         learner = self.check.learner
         rows = [(who, mean, side) for who, mean, _, side, _ in learner.rows]
         rows.append(("the best loop in a model of what one robot met", self.best, ""))

@@ -1,6 +1,6 @@
 """Files of the learner's that the toolkit writes to, too: what it does not understand in them is never lost.
 
-What cannot be read is put aside, under a name beside it that did not exist before, and the learner is told.
+What cannot be read is put aside, under a name beside it that did not exist before, and the learner gets a message.
 """
 
 import errno

@@ -85,7 +85,7 @@ class _Asked(Prediction):
         super().__init__(f"{lesson}: {question.name}", question.ask, question.answers)
 
     def choose(self, answer: str) -> None:
-        """Take `answer`, if it is the first: after that the right one is told."""
+        """Take `answer`, if it is the first: after that the right one is shown."""
         if not self.chosen:
             super().choose(answer)
 

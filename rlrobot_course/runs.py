@@ -1,4 +1,4 @@
-"""What a learner's own functions earn on a robot, as curves beside the library's."""
+"""What a learner's own functions earn on a robot, as curves, compared with the library's."""
 
 from collections.abc import Mapping, Sequence
 

@@ -2,8 +2,8 @@
 
     import rlrobot_edu as rl
 
-The public names, and the files they come from, stand in ``__init__.pyi``; they load when they are first used, so
-importing the package is quick. Where to begin reading:
+``__init__.pyi`` lists the public names and their files; they load when they are first used, so importing the package
+is quick. Where to begin reading:
 
 environments  `make_env`, with which most programs begin
 task/         what a robot senses, does and is rewarded for
@@ -13,7 +13,7 @@ models/       recordings and sample models, what they do not know, planning; for
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above; in3d/
 
-Upon this core stand
+On top of this core:
 
 widgets/      what a notebook shows and a learner touches
 tools/        new-task, check-task and doctor; transfer/ and credit/

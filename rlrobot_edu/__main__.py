@@ -113,7 +113,7 @@ def run_command(parse: Callable[..., Any], given: Sequence[str] | None) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except (ValueError, OSError, ImportError) as error:  # one sentence that says what to do
-        sys.exit(str(error))
+        sys.exit(str(error).removeprefix(f"[Errno {getattr(error, 'errno', '')}] "))
 
 
 def main(given: Sequence[str] | None = None) -> None:

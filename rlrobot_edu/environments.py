@@ -29,7 +29,7 @@ def as_world(world: World | str | Path) -> World:
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
-        raise ValueError(f"{world} must be made anew each time: give its id, or a function that makes it")
+        raise ValueError(f"{world} must be a new one each time: give its id, or a function that makes it")
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
         try:
             return gymnasium.spec(world)
@@ -64,7 +64,7 @@ def make_env(
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : RenderMode, optional
-        ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
+        ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`.
     link : RobotLink, optional
         A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
     **options

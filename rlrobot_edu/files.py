@@ -25,6 +25,8 @@ LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
+# What the system says too shortly where a file cannot be written
+BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "part of it is a file"}
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
@@ -86,11 +88,11 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     except OSError as error:
         if error.errno is not None and (error.filename is None or str(error.filename).endswith(".part")):
             error.filename = str(path)  # a full disk does not say what did not fit
+        error.strerror = BLOCKED.get(error.errno or 0, error.strerror)
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            for part in temporary:
-                part.unlink(missing_ok=True)
+            remove_old(temporary, -float("inf"))
 
 
 def _what_is_at(path: Path) -> os.stat_result | None:
@@ -103,7 +105,7 @@ def _what_is_at(path: Path) -> os.stat_result | None:
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
     # root may write everywhere, but had better not
     if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
-        raise PermissionError(errno.EACCES, "protected from writing; give another name", str(path))
+        raise PermissionError(errno.EPERM, "protected from writing; give another name", str(path))
     return old
 
 

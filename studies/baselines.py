@@ -1,4 +1,4 @@
-"""Tables beside neural networks: writes studies/baselines.json (the numbers), docs/baselines.md and its figure.
+"""Tables and neural networks compared: writes studies/baselines.json (the numbers), docs/baselines.md and its figure.
 
 ``python studies/baselines.py`` measures for half an hour on two cores and needs ``pip install --group baselines``.
 ``--quick`` prints the page of two short repetitions and writes nothing; ``--page`` writes the page from the numbers.
@@ -179,7 +179,7 @@ def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
     times = seconds[best] / seconds[table]
     return (
         f'In the last ten minutes the best network is "{best}": with {means[best]} a step it gets {more}\n'
-        f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). To learn takes it {times:.0f} times as long.\n"
+        f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). Its learning takes {times:.0f} times as long.\n"
         f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, chance "
         f"{means[TABLES[2]]}."
     )

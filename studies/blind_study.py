@@ -27,7 +27,7 @@ DOCS = HERE.parent / "docs"
 SEED, REPETITIONS, LEVEL = 0, 30, 0.05
 BLIND = "blind"
 OTHERS = ("SR", "QBIASSR", "VBIASSR")
-# The labels are those of bias_study.py, and with them the random numbers: these are the robots of docs/bias.md.
+# The labels decide the random numbers: these are the robots of the first study in docs/a_better_bias.md.
 METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS[:-1]} | {
     "VBIASSR": {"method": rl.Method("TOSL", VBIASSR)}
 }
@@ -56,7 +56,7 @@ class World(NamedTuple):
 
 
 def worlds() -> dict[str, World]:
-    """The worlds by name. docs/bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
+    """The worlds by name. docs/a_better_bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
     four = rl.load_task("wander_4k")
     return {
         "wander_1k": World(rl.load_task("wander_1k"), 3600),
@@ -127,14 +127,14 @@ def verdicts(found: Found) -> str:
     return "\n".join(f"- It earns {word} VBIASSR in: {'; '.join(names)}." for word, names in said.items() if names)
 
 
-PAGE = """# How much does a robot earn that sees nothing?
+PAGE = """# How much does a blind robot earn?
 
 Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection may earn much because
-it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot learns with
-TOSL+SR to which all places are one state, without loop evasion, which looks at states. {n} robots each, seed {seed};
-mean final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left
-out, [the study of the bias](bias.md) has their averages; its robots with VBIASSR, and the blind ones, are the same as
-here.
+it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot with TOSL+SR
+learns while all places are one state. It has no loop evasion, which looks at states. {n} robots each, seed {seed}; mean
+final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. [The page on a
+better bias](a_better_bias.md#how-the-question-arose) has the averages of SR and QBIASSR that are missing here; its
+robots with VBIASSR, and the blind ones, are the same.
 
 {table}
 
@@ -146,8 +146,8 @@ ours doubles [each wheel's speed](differences.md), so that two more of the 25 ac
 single action* is the best of all in 300 steps.
 
 If one action, repeated for ever, earns as much as any behaviour, the reward does not measure what a selection knows.
-The reward of wander_4k only asks the robot to move and not to touch. This study does not tell how much of VBIASSR's
-gain there is due to circling; [what is left where no circle pays](a_better_bias.md) is a study of its own.
+The reward of wander_4k only asks the robot to move and not to touch. This study does not show how much of VBIASSR's
+gain there comes from circling; [another study](a_better_bias.md) measures what is left where no circle pays.
 """
 
 

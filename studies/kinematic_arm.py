@@ -162,20 +162,19 @@ def figure(found: dict[str, Episode]) -> Picture:
 
 PAGE = """# How far is the kinematic arm from PyBullet's?
 
-Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet,
-and so does `rl.make_env("arm_1k")` where PyBullet is not installed; it then says so, once. Its joints turn by speed ×
-time and stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
+Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet.
+So does `rl.make_env("arm_1k")` where PyBullet is not installed; it warns you once. Its joints turn by speed × time and
+stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
 [a formula](../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
 [manipulator](../rlrobot_edu/robots/arm/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are
 no weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the
-walls. (The manipulator's base does bump into walls and table.)
+walls. The manipulator's base does bump into walls and table.
 
 ## The same actions in both
 
 {episodes} episodes of 120 random actions each, the same in both engines. ± is the 95 % interval of the mean over
-episodes. *Touched*: something has held PyBullet's arm up, a joint was more than {held} rad from where it was told to
-turn; the columns after it are about the steps before that. *On a border*: an input was within 0.1 mm, or 0.0001 rad, of
-a border between two bins.
+episodes. *Touched*: a joint of PyBullet's arm was more than {held} rad from its command; the columns after it are about
+the steps before that. *On a border*: an input was within 0.1 mm, or 0.0001 rad, of a border between two bins.
 
 | task | states that differ | rewards that differ | touched | until then: grippers apart | states differ in \
 | on a border |
@@ -188,8 +187,7 @@ a border between two bins.
 
 ## An arm that stops at what it touches
 
-We also tried an arm that we did not choose: in each step it moves only as far as its gripper stays outside table and
-object.
+We also tried an arm that in each step moves only as far as its gripper stays outside table and object.
 
 | task | states that differ: it bumps into nothing | it stops at what it touches |
 |---|---|---|
@@ -210,14 +208,14 @@ test.
 """
 # Written after looking at the numbers.
 TEXT = """\
-Until PyBullet's arm touches something, the two grippers of the arm tasks are the same to less than 0.01 mm, and every
-state that differs has its gripper on a border between two bins (at arm = 0, three steps from the start, y = 0 is one):
-in PyBullet the last digits decide. Once a joint was stopped, its error remains until the joint reaches a limit. On the
+Until PyBullet's arm touches something, the two grippers of the arm tasks differ by less than 0.01 mm, and every state
+that differs has its gripper on a border between two bins, where PyBullet's last digits decide. One border is y = 0, at
+arm = 0, three steps from the start. Once a joint was stopped, its error remains until the joint reaches a limit. On the
 manipulator two thirds of the early differences lie on a border, too: from its limit at 0 the forearm turns to 0.16 rad,
-which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
+which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's drives exact arcs."""
 CHOICE = """\
-With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
-gripper can lean on the table, more often: there the intervals hardly meet. So we took the simpler one."""
+With two joints it differs from PyBullet's arm a little less often, within the intervals. With three joints the gripper
+can lean on the table; there it differs more often, and the intervals hardly meet. So we chose the simpler arm."""
 ENDS = """\
 None of these differences is significant at 0.05, so their signs are no finding: other seeds may reverse them. With 30
 agents we cannot rule out that with TOSL+QBIASSR the engines differ by one or two. So a study of arms should say which

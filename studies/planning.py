@@ -209,40 +209,40 @@ def main() -> None:
 PAGE = """\
 # What does planning gain?
 
-Written by `python studies/planning.py`. An agent with a planner remembers the steps it has made, and learns from 10
-imagined steps after each real one: [Dyna-Q](../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All
-other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
-repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by
-Holm for all tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.
+Written by `python studies/planning.py`. An agent with a planner remembers its steps, and learns from 10 imagined steps
+after each real one: [Dyna-Q](../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
+[prioritized sweeping](../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All other
+parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model} repetitions;
+*robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by Holm for all
+tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.
 
-## What came of it
+## What we found
 
-Planning does not always help. We wrote this section after we had seen the tables below. They hold 88 tests, and their p
-is corrected for all of them; an earlier version of this page did not do so, and showed more.
+Planning does not always help. We wrote this section after we had seen the tables below. Their 88 p are corrected for
+all 88 tests; an earlier version of this page did not correct them, and showed more.
 
 - **Where the reward is far away, it gains per real step.** In navigation_1k Q+SR and Q+QBIASSR are better with
   sweeping, after 300 steps and at the end, and at the end Q+QBIASSR with dyna, too. In giraff_wander_1k Q+EG ends
-  higher with sweeping. More is not shown there: neither that TOSL+QBIASSR gains in navigation_1k, nor that any method
-  is ahead in giraff_wander_1k after 300 steps.
-- **Where rewards come at once, no gain is found.** On the model of wander_1k nothing differs significantly, neither
+  higher with sweeping. We found no significant gain of TOSL+QBIASSR in navigation_1k, nor of any method in
+  giraff_wander_1k after 300 steps.
+- **Where rewards come at once, we found no gain.** On the model of wander_1k nothing differs significantly, neither
   after 300 steps nor after 3600.
-- **On the simulated robot of wander_1k it can hurt.** With sweeping Q+SR ends lower. That Q+EG does is not shown
-  (p = 0.113 with dyna). On the model of the same task Q+SR is not shown to lose. On a model the next state depends on
-  the present one alone; in the simulator many places look alike to the bins of five lasers. This may be the cause; we
-  have not tested it.
+- **On the simulated robot of wander_1k it can hurt.** With sweeping Q+SR ends lower. For Q+EG this is not significant
+  (p = 0.113 with dyna), nor for Q+SR on the model of the same task. On a model the next state depends only on the
+  present one; in the simulator many places look alike to the bins of five lasers. This may be the cause; we have not
+  tested it.
 - **With a softmax it can end far lower.** On the model of arm_1k Q+SR falls from 9.61 to 6.04 and 3.98, and in
-  wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner.
-  The larger the differences of Q are, the greedier a softmax is. Planning makes them large in a few steps, and an agent
-  that is greedy so soon stops trying other actions. This explanation fits, but no experiment here isolates it.
+  wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner. A
+  softmax is greedier when the differences of Q are larger. Planning makes them large in a few steps, and an agent that
+  is greedy so soon stops trying other actions. This explanation fits, but no experiment here isolates it.
 - **Sweeping or dyna?** In most cases sweeping has the higher mean where planning gains, and the lower one where it
   loses. The two were not tested against each other.
-- **Per second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
-  costs as much as some more steps, and no difference in the last table is significant: 30 repetitions do not show which
-  of the two is worth more.
+- **Per second.** On a robot that takes a second for each step, the cost of planning is negligible. On a sample model
+  planning takes the time of some more steps. No difference in the last table is significant: 30 repetitions do not show
+  which of the two is worth more.
 
-Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning is
-nowhere shown to be worse.
+Before you use a planner, compare it on your own task. Q+EG explores as often however large Q is; planning is nowhere
+significantly worse for it.
 
 ## After the first 300 steps
 
@@ -262,12 +262,12 @@ Dots are means, bars 95 % intervals.
 
 ## What it costs
 
-The computing time; without a planner in µs (on one machine: only the ratios apply to other machines).
+The computing time; without a planner in µs on our machine. On others only the ratios apply.
 
 {costs}
 
-And per second, on the model of wander_1k, where a step costs nothing but learning: the average reward of the last 300
-steps, beside that of agents without a planner that took so many more steps as fit into the same time.
+Per second, on the model of wander_1k, where learning is the only cost of a step: the average reward of the last 300
+steps, and that of agents without a planner that took as many more steps as fit into the same time.
 
 {equal}
 """

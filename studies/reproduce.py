@@ -1,11 +1,18 @@
-"""Run the paper's experiments and write docs/reproduction/: ``python studies/reproduce.py [--quick]``."""
+"""Run the paper's experiments and write docs/reproduction/: ``python studies/reproduce.py [--quick | --page]``."""
 
 from argparse import ArgumentParser
+from pathlib import Path
 
+from paper.report import write_page
 from paper.run import reproduce
 
 if __name__ == "__main__":
     parser = ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
     parser.add_argument("--engine", default="", help="of the robots, as kinematic; into a folder of its own")
-    reproduce(**vars(parser.parse_args()))
+    parser.add_argument("--page", action="store_true", help="run nothing; write the tables anew from averages.csv")
+    given = parser.parse_args()
+    if given.page:
+        write_page(Path("docs/reproduction"), {}, has_prose=True)
+    else:
+        reproduce(given.quick, engine=given.engine)

@@ -147,18 +147,18 @@ def main() -> None:
 PAGE = """\
 # Textbook results
 
-Written by `python studies/textbook.py`. Each row is a result that is published, and what comes out here: the mean of
-{runs} runs with its 95 % interval, and of {walks} runs for the random walk. The rows of the Dyna maze are read off the
-mean of {runs} runs. There is no chance in the last three rows. The worlds are in
-[textbook_worlds.py](../studies/textbook_worlds.py), and small versions of all rows are tests.
+Written by `python studies/textbook.py`. Each row compares a published result with ours: the mean of {runs} runs with
+its 95 % interval, and of {walks} runs for the random walk. The rows of the Dyna maze are read off the mean of {runs}
+runs. The last three rows are exact. The worlds are in [textbook_worlds.py](../studies/textbook_worlds.py), and small
+versions of all rows are tests.
 
 | result | published | where | here |
 |---|---|---|---|
 {table}
 
-Most of the book's results are curves, so the numbers read off them are not exact. Its examples are without
-discounting, but for the maze; here γ is 1 − 10⁻⁹, which changes no digit that is shown. "Table of Gymnasium, solved" is
-the value that any planner must find in the environment's own table of outcomes.
+Most of the book's results are curves, so the numbers read off them are approximate. Its examples do not discount,
+except the maze; here γ is 1 − 10⁻⁹, which changes no digit shown. "Table of Gymnasium, solved" is the value that any
+planner must find in the environment's own table of outcomes.
 
 The book: R. S. Sutton and A. G. Barto, *Reinforcement Learning: An Introduction*, second edition, MIT Press, 2018.
 """

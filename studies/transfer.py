@@ -82,20 +82,19 @@ def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.n
 PAGE = """# Does it help to transfer knowledge?
 
 Written by `python studies/transfer.py`. `rl.transfer` begins a new agent with the Q of another: bins by the overlap of
-their physical intervals, actions by what the robot is told to do. Here it is measured in four carries, and in one to
-the same robot for comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,}
-steps, in the sample model {model_steps:,}), each by itself; from each of them one agent of the target begins, and
-beside it one begins from scratch. All have random numbers of their own. Every step is one second, so {source_steps:,}
-steps are an hour.
+their physical intervals, actions by the robot's command. We measured four transfers, and one to the same robot for
+comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,} steps, in the sample
+model {model_steps:,}), each by itself. From each of them one agent of the target begins, and another begins from
+scratch. All have random numbers of their own. Every step is one second, so {source_steps:,} steps are an hour.
 
 ![{alt}](pictures/transfer.png)
 
-Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are 95 %
-intervals, too. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape
-of the distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of
-agents, one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p <
-0.05 / {tests}, for the {tests} tests on this page (Bonferroni). *Halved* is the carry with all Q times ½, which is as
-if the temperature were twice as high at first: a way to rely less on what was learned elsewhere.
+Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are 95 % intervals,
+too. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape of the
+distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of agents,
+one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p < 0.05 /
+{tests}, for the {tests} tests on this page (Bonferroni). *Halved* is the transfer with all Q times ½, as if the
+temperature were twice as high at first: a way to rely less on what was learned elsewhere.
 
 {tables}
 
@@ -107,27 +106,27 @@ Share of the target's pairs (s, a) that rest on visited ones of the source, mean
 VERDICT = """## What it shows
 
 - *wander_1k to wander_4k* gains most, and at once: in their first 100 steps the agents with knowledge earn more than
-  those from scratch in the last 500 of their hour, {scratch_4k:.2f}. But the hour in which the source learned is not
-  counted here. It was spent on another task; whether it is cheap depends on what you want to learn.
+  those from scratch in the last 500 of their hour, {scratch_4k:.2f}. But the hour in which the source learned another
+  task is not counted here.
 - *Pioneer to Giraff* gains, too, though not in the first 100 steps: in the first 1,000 significantly, plain and halved.
-  In the first 300 the plain carry alone is significant, in the whole hour the halved one alone: these p are so near to
-  the strict limit that other seeds may fall on its other side. By its intervals, all that the Giraff calls near (up to
-  0.25 m) is the Pioneer's nearest bin (up to 0.27 m), and its slow speeds lie between the Pioneer's driving and
-  standing still. *Number for number* does without physics: bin 2 is bin 2 and action 8 is action 8, for the Giraff's
-  task is the Pioneer's in thirds of 0.25 m instead of 0.80 m. That gains nothing that these 20 agents could show.
-- *Sample model to simulator* gains nothing significant. In the model, the source agents earn {in_model:.2f} a step at
-  last, and 10 is the maximum: they have found loops that rest on a single lucky sample, of which `model.diagnose()`
-  warns. Their largest values are wrong for the robot. Halving them is not better either.
+  In the first 300 only the plain transfer is significant, in the whole hour only the halved one. These p are so near to
+  the strict limit that other seeds may change this. By its intervals, all that the Giraff calls near (up to 0.25 m) is
+  the Pioneer's nearest bin (up to 0.27 m), and its slow speeds lie between the Pioneer's driving and standing still.
+  *Number for number* ignores physics: bin 2 is bin 2 and action 8 is action 8, since the Giraff's task is the Pioneer's
+  in thirds of 0.25 m instead of 0.80 m. These 20 agents show no gain from that.
+- *Sample model to simulator* gains nothing significant. In the model, the source agents finally earn {in_model:.2f} a
+  step, the maximum: they have found loops that depend on a single lucky sample, of which `model.diagnose()` warns.
+  Their largest values are wrong for the robot. Halving them is not better either.
 - *pymunk to PyBullet* gains little, if anything: nothing significant in 300 steps, where agents like them, on *the same
-  robot*, earn far more. So the carry itself does not cause the loss. The curve begins high and falls. In free space
-  both engines move the robot alike, to the millimetre; that leaves what happens at walls, but we have not shown it.
-- *Halved* was not tested against the plain carry. Its mean is lower in the first 300 steps where the carry gains much
-  (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. There is no rule for all cases, so
-  `rl.transfer` carries Q over as it is; `agent.q[:] *= 0.5` is one line.
+  robot*, earn far more. So the transfer itself does not cause the loss. The curve begins high and falls. In free space
+  both engines move the robot alike, to the millimetre; so the cause may be the walls, but we have not shown it.
+- *Halved* was not tested against the plain transfer. Its mean is lower in the first 300 steps where the transfer gains
+  much (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. So `rl.transfer` copies Q as it
+  is; `agent.q[:] *= 0.5` is one line.
 
-In none of the carries were agents with knowledge significantly worse. That is no promise: an agent with a low
-temperature would need long to forget wrong values, and so would an agent whose source had learned large values that are
-wrong in the target.
+In none of the transfers were agents with knowledge significantly worse. Others may be: an agent with a low temperature
+would need long to forget wrong values, and so would one whose source had learned large values that are wrong in the
+target.
 """
 
 

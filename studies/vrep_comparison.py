@@ -113,15 +113,15 @@ def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
 PAGE = """# How close is our physics to V-REP's?
 
 Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP,
-chosen by an agent that learned with TOSL+SR. Here our robot does the same task: in each state it takes the actions that
-were taken there in V-REP, as often. This compares the simulations, not the agents. For each pair (s, a) seen at least
-30 times in both, we take the total variation distance between the two distributions of what came after (s' and r), and
-average with V-REP's visits as weights. 0 means that the simulations are the same, 1 that they have nothing in common.
+chosen by an agent that learned with TOSL+SR. Our robot does the same task: in each state it takes the same actions as
+in V-REP, as often. This compares the simulations, not the agents. For each pair (s, a) seen at least 30 times in both,
+we take the total variation distance between the two distributions of the outcome (s' and r), and average with V-REP's
+visits as weights. 0 means that the simulations are the same, 1 that they have nothing in common.
 
 ## How low it can get
 
-Even two recordings of the same simulation do not give 0, since samples vary, and they depend on where in the maze the
-robot happens to be.
+Even two recordings of the same simulation do not give 0, since samples vary and depend on the robot's place in the
+maze.
 
 | two recordings of one simulation | distance |
 |---|---|
@@ -130,8 +130,7 @@ robot happens to be.
 | V-REP's even against its odd blocks of 10 minutes, at least 15 visits | {floor_blocks:.3f} |
 | one of ours against {others} with other seeds, at least 30 visits | {lowest_seed:.3f} to {highest_seed:.3f} |
 
-The last row was measured in the same way as the table below, so it is what a perfect simulation of V-REP would show
-there.
+The last row was measured in the same way as the table below: a perfect simulation of V-REP would show this value there.
 
 ## What brings it closer
 
@@ -146,10 +145,10 @@ the columns after it, are the {pairs} that were seen often enough in all rows; Â
 
 {verdict}
 
-Robot and maze have the measures of those in the authors' scene file, lag and friction those that were seen there; none
-of these numbers was fitted. How walls turn the robot is a choice: a uniform plate, pushed where it touches. It was made
-after such distances had been seen for several others, so take the third digit with care. Lag and friction are off by
-default: our robot keeps to exact arcs, which the course can calculate by hand.
+Robot and maze have the dimensions in the authors' scene file, lag and friction the values seen there; none of these
+numbers was fitted. How walls turn the robot is our choice: a uniform plate, pushed where it touches. We made it after
+we had seen such distances for several others, so take the third digit with care. Lag and friction are off by default:
+our robot drives exact arcs, which the course can calculate by hand.
 
 ## Learning, hour by hour
 
@@ -160,7 +159,7 @@ the lowest and the highest of them.
 |---|---|---|---|
 {hours}
 
-V-REP's row is one agent: its recording cannot tell how much such agents differ there.
+V-REP's row is one agent: its recording does not show how much such agents differ there.
 
 ## What still differs
 
@@ -170,9 +169,9 @@ V-REP's row is one agent: its recording cannot tell how much such agents differ 
 - *Turning.* After turning on the spot the state was the same in {vrep_spin:.0%} of V-REP's steps, in {our_spin:.0%} of
   ours and in {preset_spin:.0%} with `Realism.vrep()`. V-REP's robot turns by 0.46 rad in such a step, where the radius
   of the wheels and their distance say 0.59. After a turn the other way its state was the same in {vrep_other:.0%},
-  after one the same way in {vrep_again:.0%}: that speaks for commands which come late rather than for other measures.
-  But the lag of `Realism.vrep()` does not suffice for it, and with a longer one, we expect, the robot would drive on
-  too far after a stop. Not settled.
+  after one the same way in {vrep_again:.0%}: this suggests late commands rather than other dimensions. But the lag of
+  `Realism.vrep()` is too short for it, and with a longer one, we expect, the robot would drive on too far after a stop.
+  The cause is open.
 - *Turning about one wheel.* Here the ideal robot differs most: the state was the same in {vrep_pivot:.0%} of V-REP's
   steps, in {our_pivot:.0%} of ours and in {preset_pivot:.0%} with `Realism.vrep()`.
 """

@@ -50,7 +50,7 @@ SLOW_FILES = [  # the slowest first
     "test_arm.py",
     "test_bullet_base.py",
     "test_compare.py",
-    "test_packaging.py",
+    "test_release.py",
     "test_cluster.py",
 ]
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from api_pages import write_api
 from front_page import write_playground
 from galleries import write_galleries
-from launch import add_buttons
+from launch import SOURCE, add_buttons, in_colab, write_colab
 from live_pages import enliven
 from stepper_pages import write_steppers
 
@@ -55,8 +55,12 @@ def write_source(source: Path) -> None:
     write_steppers(source / "docs", root / "docs")
     write_playground(source / "docs/index.md", root / "docs")
     for notebook in lessons(source).values():
-        enliven(notebook, root / notebook.parent.relative_to(source))
-        add_buttons(notebook, LITE)
+        name = notebook.relative_to(source)
+        enliven(notebook, root / name.parent)
+        colab = in_colab(name.as_posix(), SOURCE)
+        add_buttons(notebook, LITE, colab)
+        if colab:
+            write_colab(name.as_posix(), root / "colab", SOURCE)
 
 
 def main() -> int:

@@ -1,4 +1,4 @@
-"""Right answers and tapes of assignment 2; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of assignment 2; the pages of this folder have the tasks, hints and mistakes."""
 
 import numpy as np
 
@@ -60,7 +60,7 @@ def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
 
 
 class Coin:
-    """Falls as it was told beforehand, again and again."""
+    """Falls as given beforehand, again and again."""
 
     def __init__(self, *falls: bool) -> None:
         self.falls, self.n = falls, 0

@@ -1,4 +1,4 @@
-"""Right answers and tapes of assignment 3; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of assignment 3; the pages of this folder have the tasks, hints and mistakes."""
 
 import numpy as np
 

@@ -7,7 +7,7 @@ LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 
 
 def words(before: Readings, after: Readings) -> str:
-    """What a step is told by: its way, and the lasers."""
+    """What describes a step: its way, and the lasers."""
     front, left, right = (after[laser] for laser in LASERS)
     told = f"front {front:.2f} (before {before['laser_front']:.2f}), front left {left:.2f}, front right {right:.2f} m"
     return f"{way(before, after)}; after it {told}"

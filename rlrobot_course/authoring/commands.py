@@ -47,7 +47,7 @@ def command_of(number: str, notebook: Path) -> list[str]:
     Raises ValueError if what the tests need is not installed.
     """
     if missing := [name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)]:
-        raise ValueError(f"this needs {', '.join(missing)}: make .venv-tools/tools.done installs it")
+        raise ValueError(f"this needs {', '.join(missing)}: make tools installs it")
     return [
         sys.executable, "-m", "pytest", "-q", "--tb=line", "-rfE", "-p", "no:cacheprovider",
         "-p", "rlrobot_course.authoring.one_lesson", "--lesson", number,

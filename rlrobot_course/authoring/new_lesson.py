@@ -17,7 +17,7 @@ LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
 Left to you: in the notebook's metadata, what the learner writes, the minutes, and the lessons that it needs; course
 table writes them into README.md. Let the last cell of notebooks/{before} lead on to it; write new symbols into
-docs/notation.md, and into lite/lessons.toml what a browser cannot do."""
+docs/notation.md, and into lite/lessons.toml the numbers that are too large for a browser."""
 
 
 def new_lesson(root: Path, number: str, title: str) -> str:

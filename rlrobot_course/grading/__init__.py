@@ -9,8 +9,8 @@ Read in this order:
 - `detectors`: how the hint for a wrong answer is found: an ordered list; `evidence`: what a detector is given.
 - `page`: the Markdown file of an exercise: what is asked, hints, mistakes and wrong answers.
 - `parts`: what the `exercises.py` of a lesson imports of all these.
-- `one_change`, `further_changes`, `as_if`: all functions that differ from the right one in one thing, and what is told
-  of an answer that does the same as one of them; `formula`: the same for a question in numbers.
+- `one_change`, `further_changes`, `as_if`: all functions that differ from the right one in one thing, and the message
+  for an answer that does the same as one of them; `formula`: the same for a question in numbers.
 - `events`: the calls that a loop makes, beside those of the right loop.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
 - `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames (`frames`).

@@ -92,7 +92,7 @@ def _types(name: str | None, seen: Evidence) -> set[str]:
 def _in_its_words(said: str, seen: Evidence) -> str:
     """`said` in the names of the answer; empty where it names something that the answer does not have.
 
-    The variables of the right function that the answer lacks are told by what they are set to, or by the variable of
+    The variables of the right function that the answer lacks are named by what they are set to, or by the variable of
     the answer that is set in the same way.
     """
     right, answer = seen.exercise.right, seen.answer

@@ -34,7 +34,7 @@ class Design(Exercise):
     A step of the tape holds two situations, `wanted` and `unwanted`; the function is called twice with each one's
     readings, for a reward may not depend on anything else.
 
-    words: the readings before and after a step as a learner is told them
+    words: the readings before and after a step, for a learner
     """
 
     words: Callable[[Readings, Readings], str] = way

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Hint(NamedTuple):
-    """What is told about a wrong answer; id: of the mistake, or the name of the detector that has found it."""
+    """What the check says about a wrong answer; id: of the mistake, or the name of the detector that has found it."""
 
     id: str
     text: str

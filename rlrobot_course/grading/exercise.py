@@ -29,7 +29,7 @@ COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array,
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise whose answer is a function; what is text in it stands on its page, see `page`.
+    """An exercise whose answer is a function; its texts are on its page, see `page`.
 
     right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps or cases, each a mapping from the names of the arguments to their values

@@ -74,7 +74,7 @@ def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) 
     """What a learner's function returns, what it raises, and what it prints.
 
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
-    SystemExit is told as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
+    SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
     if issubclass(type(answer), Elsewhere):  # isinstance would ask the answer, which may be anything
         return answer.ask(*arguments)
@@ -179,7 +179,7 @@ def _loops_within_a_line(code: CodeType) -> bool:
 
 @contextmanager
 def quietly(printed: io.StringIO) -> Iterator[None]:
-    """Keeps what is printed, and numpy's warnings, out of the notebook: the verdict tells what is to be told."""
+    """Keeps what is printed, and numpy's warnings, out of the notebook: the verdict says it all."""
     with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         yield

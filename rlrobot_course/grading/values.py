@@ -50,7 +50,7 @@ class Unkept:
 
 
 def kept(value: Any) -> Any:
-    """A copy of `value`, which no later step can change; `Unkept` if there is none to be had."""
+    """A copy of `value`, which no later step can change; `Unkept` if there is none."""
     copied = safely(None, _copied, as_data(value))
     return Unkept(show(value)) if copied is None and value is not None else copied
 

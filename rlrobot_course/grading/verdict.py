@@ -35,7 +35,7 @@ def side_by_side(table: Sequence[tuple[str, str, str]]) -> list[str]:
 class Verdict:
     """The judgement on one answer; true if the answer is right.
 
-    status: ``waiting``, ``right``, ``wrong``; ``hint`` for what is told on request, ``outcome`` of what was predicted;
+    status: ``waiting``, ``right``, ``wrong``; ``hint`` for a hint on request, ``outcome`` of what was predicted;
         ``score`` of an open challenge
     text: what is to be said, one sentence or two
     called: the arguments of the first case that differs, in words

@@ -58,7 +58,7 @@ class Intake:
     judge = __call__
 
     def hint(self, number: int = 1) -> None:
-        """Say nothing: hints are told while one learns."""
+        """Say nothing: hints are for learning."""
 
 
 class Given:

@@ -34,7 +34,7 @@ ONLY_THESE_NUMBERS = (
 
 
 def mark_file(path: Path, lesson: str, seed: int, limits: Limits, rules: Rules = NO_RULES) -> Marked:
-    """Run and judge one notebook; what is wrong with it is told in its scores."""
+    """Run and judge one notebook; its scores say what is wrong with it."""
     submission = read_submission(path, lesson)
     if submission.problem:
         names = list(submission.answered_in) or ["notebook"]

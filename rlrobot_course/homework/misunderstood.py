@@ -28,8 +28,8 @@ class Misunderstood(NamedTuple):
 def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
     """All mistakes, exercise by exercise in the order of the lesson, the most frequent first.
 
-    Wrong answers that fit no known mistake are together if one detector has found their hints, or if all were told the
-    same: a detector's hint may name variables of the learner's.
+    Wrong answers that fit no known mistake are together if one detector has found their hints, or if all got the same:
+    a detector's hint may name variables of the learner's.
     """
     found = []
     for (lesson, exercise), answers in _answers(marked).items():
@@ -56,7 +56,7 @@ def _answers(marked: Sequence[Marked]) -> dict[tuple[str, str], list[tuple[str, 
 
 
 def _mistake(lesson: str, score: Score) -> tuple[str, str]:
-    """What a mistake is called, and by which detector or hint it is told from others of this name."""
+    """What a mistake is called, and which detector or hint distinguishes it from others of this name."""
     if not score.is_answered:
         return "not answered", ""
     known = _known(lesson).get(score.exercise, set()) | {ONLY_THESE}

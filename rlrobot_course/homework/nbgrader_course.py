@@ -55,7 +55,7 @@ def export(
     """Write a course folder with an assignment for each notebook; returns the assignments' names.
 
     folder: if it has been exported to before, its settings stay, and its assignments are made anew
-    seed: of the hidden tests; drawn if not given; hints: how many are told for an exercise, all if not given
+    seed: of the hidden tests; drawn if not given; hints: how many an exercise shows, all if not given
     rules: path of a file that says what counts how much
     Raises ValueError for a notebook that does not fit, FileExistsError if the folder is another course's, or has a seed
     and another is given, ImportError without nbgrader, RuntimeError if nbgrader fails.

@@ -160,7 +160,7 @@ OWN = "from rlrobot_course.homework.own import own\n\nown(check, {student!r})"
 def export_each(notebooks: Sequence[Path], folder: Path, roster: str, hints: int | None = None) -> int:
     """Write each student's notebooks into students/, and their solutions into solutions/; returns how many students.
 
-    roster: path of the list of students; hints: how many are told for an exercise, all if not given
+    roster: path of the list of students; hints: how many an exercise shows, all if not given
     Raises ValueError if a notebook has no exercises, or an id cannot be part of a file's name; OSError.
     """
     import nbformat

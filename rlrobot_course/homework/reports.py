@@ -1,4 +1,4 @@
-"""What is told of graded notebooks: as text, as sheets, as Gradescope's ``results.json``; and where it is written."""
+"""Reports of graded notebooks: as text, as sheets, as Gradescope's ``results.json``; and where it is written."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LONGEST = 40  # of a line that is shown
 
 
 def as_text(one: Marked) -> str:
-    """What a terminal shows of one notebook: points, and of each exercise what there is to say."""
+    """What a terminal shows of one notebook: points, and remarks on each exercise."""
     where = f" ({_title(one)})" * bool(one.lesson)
     if one.problem:
         return "\n".join([f"{one.name}: not graded{where}", f"  {one.problem}", *_notes(one)])

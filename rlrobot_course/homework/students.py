@@ -67,7 +67,7 @@ NOBODY = Student()
 def read_students(path: str) -> list[Student]:
     """The students of a CSV file with a column id, and perhaps name, email, late; commas, semicolons or tabs part it.
 
-    Who has no id of their own goes by Moodle's number of the participant, else by the email address.
+    A student without an id goes by Moodle's number of the participant, else by the email address.
     Raises OSError, or ValueError if someone has none of these, or one twice, or if days are no numbers.
     """
     students: dict[str, Student] = {}

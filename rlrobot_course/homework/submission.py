@@ -38,7 +38,7 @@ class Submission:
     """One notebook as it was handed in.
 
     name: of its file; cells: source of its code cells, in their order
-    lesson: its number, or assignment_1 and so on; empty if it cannot be told
+    lesson: its number, or assignment_1 and so on; empty if unknown
     answered_in: for each exercise of the lesson, the places in `cells` that hand the answer to its check; where none
         does, those that define it, or at least name it and cannot be read
     defined_in: the places that define it

@@ -4,7 +4,7 @@ from rlrobot_course.grading.design import Readings, Situation, way
 
 
 def words(before: Readings, after: Readings) -> str:
-    """What a step is told by: its way, and the two lasers after it."""
+    """What describes a step: its way, and the two lasers after it."""
     left, right = after["laser_front_left"], after["laser_front_right"]
     return f"{way(before, after)}, lasers after it {left:.2f} and {right:.2f} m"
 

@@ -1,4 +1,4 @@
-"""Right answers and tapes of lesson 02; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of lesson 02; the pages of this folder have the tasks, hints and mistakes."""
 
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 

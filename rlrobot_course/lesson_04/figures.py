@@ -61,7 +61,7 @@ def learn_in_units(
 ) -> list[History]:
     """Let Q+SR agents learn `task` with all rewards times `factor`; the histories are in the task's own units again.
 
-    normalised: whether the agents are told the largest reward in the new units. If not, they normalise with the old
+    normalised: whether the agents get the largest reward in the new units. If not, they normalise with the old
         one, which is the same factor for all units: as good as none
     """
     histories = []

@@ -1,4 +1,4 @@
-"""Right answers and tapes of lesson 09; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of lesson 09; the pages of this folder have the tasks, hints and mistakes."""
 
 from itertools import chain, combinations
 
@@ -49,7 +49,7 @@ SITUATIONS = (
 
 
 def another_situation(rng: np.random.Generator, case: Case) -> Case:
-    """The same signs in other states, with other temperatures and sizes of rewards. Who is near the cap stays there."""
+    """The same signs in other states, with other temperatures and rewards. A robot near the cap stays there."""
     heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
     states = [s + shift for s in case["states"]]
     return {

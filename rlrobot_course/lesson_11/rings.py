@@ -26,7 +26,7 @@ Ring = tuple[float, float]  # where a bin begins and ends in a picture
 
 
 class Moment(NamedTuple):
-    """A robot at one instant. scene: what there is to see; readings: of its sensors, by name."""
+    """A robot at one instant. scene: the view; readings: of its sensors, by name."""
 
     scene: Scene
     readings: Mapping[str, float]

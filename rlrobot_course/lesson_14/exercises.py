@@ -1,4 +1,4 @@
-"""Right answers and tapes of lesson 14; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of lesson 14; the pages of this folder have the tasks, hints and mistakes."""
 
 from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 

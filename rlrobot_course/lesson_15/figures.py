@@ -1,4 +1,4 @@
-"""The figures of lesson 15: what chance alone does, and the paper's differences beside those of the report."""
+"""The figures of lesson 15: what chance alone does, and the paper's differences compared with the report's."""
 
 from collections.abc import Mapping, Sequence
 from itertools import combinations

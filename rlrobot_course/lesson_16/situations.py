@@ -6,7 +6,7 @@ LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
 
 
 def words(before: Readings, after: Readings) -> str:
-    """What a step is told by: its way, and the lasers after it."""
+    """What describes a step: its way, and the lasers after it."""
     front, front_right, right, left = (after[laser] for laser in LASERS)
     told = f"front {front:.2f}, front right {front_right:.2f}, right {right:.2f}, left {left:.2f} m"
     return f"{way(before, after)}; after it {told}"

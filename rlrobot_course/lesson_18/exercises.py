@@ -1,4 +1,4 @@
-"""Right answers and tapes of lesson 18; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of lesson 18; the pages of this folder have the tasks, hints and mistakes."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A kernel that drives a robot and is killed: what the robot is told after that."""
+"""A kernel that drives a robot and is killed: which commands the robot gets after that."""
 
 import queue
 import subprocess

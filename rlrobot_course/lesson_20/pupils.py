@@ -1,4 +1,4 @@
-"""Agents that are taught by a recording and then learn by themselves, beside those that only copy it."""
+"""Agents that are taught by a recording and then learn by themselves, and those that only copy it."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Right answers and tapes of lesson 21; what is asked, hints and mistakes stand on the pages beside."""
+"""Right answers and tapes of lesson 21; the pages of this folder have the tasks, hints and mistakes."""
 
 from rlrobot_course.grading.parts import Exercise, with_pages
 from rlrobot_course.tapes import rows

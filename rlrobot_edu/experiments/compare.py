@@ -43,7 +43,7 @@ def compare(
     share: tuple[int, int] = (1, 1),
     **settings: Any,
 ) -> Comparison:
-    """Let agents of several methods learn in the same world, many times each, and return what came of it.
+    """Let agents of several methods learn in the same world, many times each, and return the results.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot
+        For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
         have, episodes that do not end, and a store of another experiment, or a damaged one.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)

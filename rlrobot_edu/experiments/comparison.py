@@ -98,7 +98,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
 
     @cached_property
     def optimum(self) -> float | None:
-        """Best achievable average reward in a sample model; None for a robot, of which nobody knows it."""
+        """Best achievable average reward in a sample model; None for a robot, where it is unknown."""
         return self.world.best_average_reward() if isinstance(self.world, SampleModel) else None
 
     def anova(self) -> Anova:

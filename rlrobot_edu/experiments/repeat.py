@@ -152,7 +152,7 @@ def repeat(
     Raises
     ------
     ValueError
-        For an unknown world, method or setting, and for numbers that cannot be.
+        For an unknown world, method or setting, and for impossible numbers.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)

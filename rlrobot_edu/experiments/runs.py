@@ -16,7 +16,7 @@ def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 
 class Runs(UserList[History]):  # whose slices and sums are Runs, too
-    """The histories of one method's repetitions, in order: a list that also knows what they are together.
+    """The histories of one method's repetitions, in order: a list with their curves and final rewards.
 
     Parameters
     ----------

@@ -165,7 +165,7 @@ class Tukey(Tabled):
         return cls(tuple(pairs))
 
     def table(self) -> Table:
-        """The table in the paper's layout, and the size of each difference beside it."""
+        """The table in the paper's layout, with the size of each difference."""
         rows = []
         for p in self.pairs:
             rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)])

@@ -12,7 +12,7 @@ Step         (loop.py)         one step of learning, as it is seen from outside
 Transitions  (transitions.py)  columns of (s, a, r, s') and of the ends of episodes
 History      (history.py)      what one learning process was
 
-Begin with algorithms/q_learning.py and put algorithms/sarsa.py beside it: the update rule is what differs. In every
+Begin with algorithms/q_learning.py and compare it with algorithms/sarsa.py: only the update rule differs. In every
 kernel `m` is the agent's memory, see memory.py. Each algorithm and each selection has its own file; planning/ holds
 what only planners need. traces.py serves SARSA(λ) and true online SARSA(λ); loop_evasion.py raises the temperature of
 a softmax. methods.py lists them all and says what a method is. step.py makes one step of learning from an algorithm

@@ -26,7 +26,7 @@ from rlrobot_edu.task.task_file import load_task
 
 
 class Agent:
-    """A tabular learning agent. Its defaults are the paper's (section 3); they are said in `Parameters`.
+    """A tabular learning agent. Its defaults are the paper's (section 3); see `Parameters`.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class Agent:
         SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
     r_max : float, optional
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
-        the biased ones must be told it where no reward is above 0.
+        the biased ones need it where no reward is above 0.
     planner : str or Planner, optional
         ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was observed before.
     planning_steps : int
@@ -93,7 +93,7 @@ class Agent:
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)
-        if r_max is None:  # where all rewards are negative, only a softmax must be told a scale
+        if r_max is None:  # where all rewards are negative, only a softmax needs a scale
             r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
         self.parameters = self._checked(Parameters(*given, planning_steps))
@@ -138,12 +138,12 @@ class Agent:
 
     @property
     def policy(self) -> NDArray[np.intp]:
-        """The best action in each state (the first one, where several are), array (n_states,) of int."""
+        """The best action in each state, the first of several, array (n_states,) of int."""
         return np.asarray(self.q.argmax(axis=1))
 
     @property
     def probabilities(self) -> NDArray[np.float64]:
-        """With what probability the last selection could have taken each action, array (n_actions,)."""
+        """The probability of each action at the last selection, array (n_actions,)."""
         return self.memory.probabilities
 
     @property
@@ -229,9 +229,9 @@ class Agent:
         return delta
 
     def frozen(self) -> "Agent":
-        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
+        """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.
 
-        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
+        It draws the random numbers that the agent would draw next; from then on the two share nothing.
         """
         still = deepcopy(self)
         still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
@@ -244,7 +244,7 @@ class Agent:
         Parameters
         ----------
         **parameters
-            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
+            Any of the agent's, but not planner, gamma, lam and traces, which set the size of its memory.
 
         Raises
         ------
@@ -278,7 +278,7 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite, or otherwise such that they could not be read again.
+            If values are infinite, or could not be read again for another reason.
         """
         if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 
 class Algorithm(NamedTuple):
-    """A learning algorithm. The toolkit's own stand in methods.py; yours is one more.
+    """A learning algorithm. The toolkit's own are in methods.py; yours is one more.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ class KernelCache(NullCache):
     run, an edit anywhere else costs nothing, and versions side by side keep their own.
 
     A file that cannot be read is made anew, and what cannot be written is compiled again by the next process. The files
-    are as trustworthy as Python's own bytecode beside them: a user who can change the one can change the other.
+    are as trustworthy as Python's own bytecode next to them: a user who can change one can change the other.
     """
 
     def __init__(self, kernel: Any, folder: Any) -> None:

@@ -38,7 +38,7 @@ class Step(NamedTuple):
     delta : float
         The TD error; NaN of an agent that learns no more.
     probabilities : array (n_actions,)
-        With what probability each action could have been taken in s.
+        The probability of each action in s when a was chosen.
     bias : array (n_actions,), optional
         What a biased selection added to Q(s) when it chose a; None for other selections.
     temperature : float
@@ -152,7 +152,7 @@ def learn(
     progress : bool
         Show a progress bar.
     resume : bool
-        Go on where the last call left off: in the midst of its episode, or with the next one if it has ended.
+        Go on where the last call left off: in the middle of its episode, or with the next one if it has ended.
 
     Returns
     -------
@@ -166,10 +166,10 @@ def learn(
 
     Notes
     -----
-    What is resumed gives the numbers of one undisturbed call, or is refused: if Ctrl-C came within a step, for then the
-    robot may have moved without the agent knowing; and if the environment was reset or stepped by somebody else, or is
-    another one. This is seen by the state and the step of its episode, as far as the environment tells them as
-    attributes (the toolkit's, Gymnasium's own and its ``TimeLimit`` do).
+    A resumed call gives the numbers of one undisturbed call, or is refused: if Ctrl-C came within a step, when the
+    robot may have moved without the agent knowing; and if something else has reset or stepped the environment, or it
+    is another one. The state and the step of its episode show this, if they are attributes of the environment, as in
+    the toolkit's, Gymnasium's own and its ``TimeLimit``.
     """
     check_count("steps", steps, least=0)
     check_count("episodes", episodes, or_none=True)
@@ -194,7 +194,7 @@ def learn(
 
 
 def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False) -> History:
-    """Let a copy of `agent` act in `env` that learns no more, and return what happened; the agent stays as it is.
+    """Let a copy of `agent` act in `env` without learning, and return what happened; the agent stays as it is.
 
     Parameters
     ----------

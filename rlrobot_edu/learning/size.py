@@ -65,7 +65,7 @@ class Size(NamedTuple):
 
 
 def can_end(world: object) -> bool:
-    """Whether episodes can end for good, as far as it is told: those of a task by its goal, of a model as recorded."""
+    """Whether episodes can end for good: of a task by its goal, of a model as recorded, of others as far as known."""
     if task := task_of(world):
         return task.goal is not None
     inner = getattr(world, "unwrapped", world)

@@ -1,4 +1,4 @@
-"""The rows of a recording: which numbers may stand in them, and their text, which a spreadsheet can read."""
+"""The rows of a recording: which numbers they may hold, and their text, which a spreadsheet can read."""
 
 import re
 from collections.abc import Callable, Mapping

@@ -100,7 +100,7 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
         Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or
         earn nothing.
     tolerance : float
-        It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
+        It sweeps until no value is further than this from its limit, or than floating-point precision.
 
     Returns
     -------

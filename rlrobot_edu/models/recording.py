@@ -50,7 +50,7 @@ class Recording:
     Raises
     ------
     ValueError
-        If a row cannot be: the message names the first one and what was expected there.
+        If a row is impossible: the message names the first one and what was expected there.
 
     Notes
     -----

@@ -126,12 +126,12 @@ class SampleModel:
         Returns
         -------
         SampleModel
-            The model; each transition stands in it once.
+            The model; it holds each transition once.
 
         Raises
         ------
         ValueError
-            If `recording` is none, or if `unseen` is unknown.
+            If `recording` is not a Recording, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
             raise ValueError(f"a sample model is made from a Recording, not from {recording!r:.200}")

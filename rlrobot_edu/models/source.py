@@ -23,7 +23,7 @@ THIS_COMPUTER = {"version": __version__, "platform": f"{platform.system()} {plat
 
 @dataclass(frozen=True)
 class Source:
-    """What is known about a recording besides its rows. It stands alone: the task's file need not be at hand.
+    """What is known about a recording besides its rows. It does not need the task's file.
 
     task_name: name of the task, or of the Gymnasium environment
     states, actions: the variables with their bins, values and units

@@ -15,7 +15,7 @@ MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Gi
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
 
-wheels.py lists the chassis of each robot on wheels. arm/ holds all of the arm, engines/ the simulators beside pymunk:
+wheels.py lists the chassis of each robot on wheels. arm/ holds all of the arm, engines/ the other simulators:
 PyBullet, and geometry alone.
 
 Begin with robot.py and cell_robot.py, then robot_env.py; mobile_base.py holds the physics.

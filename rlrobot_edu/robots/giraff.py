@@ -18,7 +18,7 @@ STOP_DISTANCE = 0.18  # [m]
 class Giraff(MobileBase):
     """A mobile base with a safety stop: while a front laser sees something nearer than 0.18 m, it only turns.
 
-    Only the three front lasers count. A disc as near as that to a wall beside or behind it could never drive away.
+    Only the three front lasers count. A disc so near to a wall on its side or behind it could never drive away.
     """
 
     name = "giraff"

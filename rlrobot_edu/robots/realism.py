@@ -54,7 +54,7 @@ class Realism:
 
     @classmethod
     def vrep(cls) -> Self:
-        """What brings the mobile base nearer to the one in the paper's V-REP scenes: see docs/vrep_comparison.md.
+        """A lag and a friction as in the paper's V-REP scenes: see docs/vrep_comparison.md.
 
         Returns
         -------
@@ -69,7 +69,7 @@ class Realism:
         check_count("delay", self.delay, least=0)
 
     def check(self, card: RobotCard, engine: str, step_time: float) -> None:
-        """Find out whether a robot has what the weaknesses act on.
+        """Check that a robot has what the weaknesses act on.
 
         Parameters
         ----------

@@ -133,7 +133,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Parameters
         ----------
         seed : int, optional
-            Makes what follows repeatable; None goes on with the random numbers of before.
+            Makes what follows repeatable; None continues the random numbers.
         options : dict, optional
             Not used; Gymnasium hands it over.
 
@@ -253,7 +253,7 @@ def default_engine(robot: str) -> Engine:
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
+    """Whether PyBullet is installed. If not, says once on stderr what replaces it."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""Real robots that speak ROS: what they measured and were told, in the words of a task.
+"""Real robots that speak ROS: their measurements and commands, in the words of a task.
 
 messages.py  ROS's messages, and what they say in numbers
 scan.py      any laser scan as the readings of the robot's eight lasers

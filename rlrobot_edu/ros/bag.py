@@ -56,7 +56,7 @@ def recording_from_bag(
     path : str or Path
         A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it.
     task : str, Path or Task
-        The task whose states, actions and rewards the drive shall tell of; its robot must be one on wheels.
+        The task that gives the drive its states, actions and rewards; its robot must be one on wheels.
     odom, scan, cmd_vel : str
         Names of the topics: of type Odometry, LaserScan, and Twist or TwistStamped.
     mounting : tuple of float, float, float, bool, float

@@ -30,7 +30,7 @@ def stamp_of(message: Any) -> float:
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"a message without a readable time: {message!r:.200}") from error
     if not 0 <= time < math.inf:
-        raise ValueError(f"the time {time} s of a message cannot be")
+        raise ValueError(f"a message has the impossible time {time} s")
     return time
 
 

@@ -35,7 +35,7 @@ class Motions:
         if not 0 <= tolerance < math.inf:
             raise ValueError(f"tolerance must be a number of at least 0, got {tolerance!r:.200}")
         commands = [task.command_for(a) for a in range(task.actions.n)]
-        # of actions with the same motion the plainest counts: its outputs are what the wheels are told
+        # of actions with the same motion the plainest counts: its outputs are the wheels' commands
         plain = [task.actions.decode(a) == command for a, command in enumerate(commands)]
         self._actions = sorted(range(len(commands)), key=lambda a: (not plain[a], a))
         motions = np.array([self.chassis.twist(commands[a]) for a in self._actions])

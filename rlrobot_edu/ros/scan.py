@@ -143,8 +143,8 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
     has_rays = ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and math.isfinite(angle_min + increment) and increment
     if not has_rays or not nearest < most or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5:
         raise ValueError(
-            f"a laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of {increment}, which "
-            f"measures from {nearest} to {most} m, cannot be"
+            f"an impossible laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of "
+            f"{increment}, which measures from {nearest} to {most} m"
         )
     said = np.where(ranges < nearest, 0.0, ranges)
     said[(ranges == 0) | ((ranges > most) & np.isfinite(ranges))] = math.nan

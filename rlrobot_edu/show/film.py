@@ -35,7 +35,7 @@ class Film(Displayed):
     Parameters
     ----------
     frames : list of Scene
-        What was to be seen after each step.
+        What could be seen after each step.
     rewards : list of float
         One number a frame.
     seconds_per_frame : float
@@ -62,7 +62,7 @@ class Film(Displayed):
         return f"<Film of {len(self.frames)} steps>"
 
     def _captions(self) -> list[str]:
-        """One line a step; its reward is told in words and numbers, not by a colour."""
+        """One line a step; it gives the reward in words and numbers, not by a colour."""
         n = len(self.frames)
         texts = [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(self.rewards, 1)]
         if not self.notes:
@@ -144,7 +144,7 @@ class Film(Displayed):
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:
-    """Film the agent from the start of an episode while it acts, and goes on learning.
+    """Film the agent from the start of an episode while it acts and learns.
 
     Parameters
     ----------

@@ -80,7 +80,7 @@ class TopDown:
 
     def update(self, scene: Scene, path: np.ndarray) -> None:
         """Move everything to where it is in `scene`; path: array (n, 2 or 3) [m], the way to there."""
-        covered = len(path) < 2  # no start to be seen: the robot has not left it, or stands on it again
+        covered = len(path) < 2  # the start is hidden: the robot has not left it, or stands on it again
         for solid in scene.solids:
             if solid.name in self.patches:
                 self.patches[solid.name].set_xy(footprint(solid))
@@ -145,7 +145,7 @@ def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None)
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; by default those of a new figure.
     title : str, optional
-        What stands above the picture.
+        The line above the picture.
 
     Returns
     -------

@@ -114,7 +114,7 @@ class Drawing:
         return f"a drawing, each character {self.cell!r} m:\n{self.text}\n{floor}; {len(self.walls)} walls"
 
     def check_start(self, length: float, width: float) -> None:
-        """Find out whether a robot has room where it starts.
+        """Check that a robot has room where it starts.
 
         Parameters
         ----------

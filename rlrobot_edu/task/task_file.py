@@ -30,7 +30,7 @@ def load_task(task: str | Path | Task) -> Task:
     ----------
     task : str, Path or Task
         The name of a task that comes with the toolkit, or the path of your own Python file, which must define
-        ``task = Task(...)``. It is one file: what stands beside it cannot be imported, for a task may also run in other
+        ``task = Task(...)``. It is one file: it cannot import its neighbours, for a task may also run in other
         places. A `Task` is handed back as it is.
 
     Returns
@@ -68,7 +68,7 @@ def _task_of(path: Path, text: bytes) -> Task:
     # only while it runs: there, dataclasses and pickle look for its classes
     sys.modules[module.__name__] = module
     try:
-        # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
+        # Not a regular import: that would keep bytecode next to the file and miss an edit made within the same second.
         exec(compile(text, str(path), "exec"), vars(module))
     except ValueError as error:  # most likely one of our own sentences, which says it all
         raise ValueError(f"{where(path, error)}: {error}") from None

@@ -191,7 +191,7 @@ class InputVariable:
 
 @dataclass(frozen=True)
 class OutputVariable:
-    """Something that the robot can be commanded, and the values it may take.
+    """A command to the robot, and the values that it may take.
 
     Parameters
     ----------

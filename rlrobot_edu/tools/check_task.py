@@ -61,7 +61,7 @@ class TaskCheck:
 
 
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
-    """Let a task's robot act at random and agents learn on it, and tell what is odd.
+    """Let a task's robot act at random and agents learn on it, and report what is odd.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     significantly more, it pays not to look. An input is shown to be needed if agents without it earn significantly
     less. The report says nothing of inputs while agents do not beat chance. Of true differences of one standard
     deviation, eight agents each miss about every other. An input may also pay later, for it makes the table larger.
-    Longer trials may meet what these did not. So all this is worth a look, and no error.
+    Longer trials may find more. These are hints, not errors.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)

@@ -1,6 +1,6 @@
 """What is installed, what is missing, and what that disables: what ``python -m rlrobot_edu doctor`` says.
 
-What is needed stands in the package's own metadata, which pip has written from pyproject.toml; only the words for what
+What is needed comes from the package's own metadata, which pip has written from pyproject.toml; only the words for what
 an extra brings are ours.
 """
 

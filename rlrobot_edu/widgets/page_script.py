@@ -1,4 +1,4 @@
-"""What a page does by itself beside the sliders of a widget."""
+"""What a page does by itself next to the sliders of a widget."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ _SLIDERS = {
 
 
 class ParameterSliders(Displayed):
-    """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
+    """Learning curves on a sample model for parameters that the reader sets, compared with the defaults.
 
     Parameters
     ----------

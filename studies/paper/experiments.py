@@ -1,4 +1,4 @@
-"""The set-ups: every comparison that is run here, and what the paper says of it."""
+"""The set-ups: every comparison that is run here."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -42,7 +42,7 @@ class Experiment(NamedTuple):
     task: its name; on_model: in a sample model of it, or else on the robot
     methods: as in `compare`; repetitions: of the full set, and of the quick one
     lengths: all at which it is judged. The longest, the last one, is run: the others are its beginnings
-    says: the paper's finding, in words; pairs: what it says of pairs of methods; best: which value it chose
+    pairs: what the paper says of pairs of methods; best: which value it chose
     change: makes another world of the task or of its model, to show a cause
     seed: of the recording that the model is made of; None is the toolkit's own recording
     faulty: Q-learning is run once more with the fault of the paper's program
@@ -56,18 +56,12 @@ class Experiment(NamedTuple):
     methods: Mapping[str, Mapping] | tuple[str, ...]
     repetitions: tuple[int, int]
     lengths: tuple[Length, ...] = (Length(3600),)
-    says: str = "See its numbers beside ours."
     pairs: tuple[PaperPair, ...] = ()
     best: str | None = None
     change: Callable[[Task | SampleModel], Task | SampleModel] | None = None
     seed: int | None = None
     faulty: bool = False
     realism: Realism | None = None
-
-    @property
-    def where(self) -> str:
-        """On what it is run, in words."""
-        return f"sample model of {self.task}" if self.on_model else f"robot, {self.task}"
 
 
 def sweep(name: str, symbol: str, values: tuple[float, ...], more: Callable[[float], dict] = lambda x: {}) -> dict:
@@ -79,30 +73,23 @@ _GAMMAS = (0.5, 0.8, 0.9, 0.95)
 # Softmax divides Q by Qmax = Rmax / (1 − γ), so γ sets the temperature, too. With this Rmax, Qmax is 100 for every γ.
 _SAME_TEMPERATURE = sweep("gamma", "γ", _GAMMAS, lambda gamma: {"r_max": 100 * (1 - gamma)})
 PRELIMINARIES = (
-    ("algorithms", "Which algorithm?", ("TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR"), "TOSL+SR",
-     "TOSL is the best algorithm."),
-    ("lambda", "How long a trace?", sweep("lam", "λ", (0, 0.3, 0.5, 0.7, 0.9, 0.95)), "λ = 0.9",
-     "λ = 0.9 works well for different tasks."),
-    ("alpha", "How fast to learn?", sweep("alpha", "α", (0.03, 0.1, 0.3, 0.5)), "α = 0.1",
-     "α = 0.1 works well for different tasks."),
-    ("gamma", "How far to look ahead?", sweep("gamma", "γ", _GAMMAS), "γ = 0.9",
-     "γ = 0.9 works well for different tasks."),
-    ("gamma_alone", "How far to look ahead, at one temperature?", _SAME_TEMPERATURE, "γ = 0.9",
-     "γ = 0.9 works well for different tasks."),
-    ("temperature", "How hot?", sweep("temperature", "T", (0.3, 1, 3, 10)), "T = 1",
-     "the best results have T = 1."),
-    ("exploration", "How to explore?", ("TOSL+SR", "TOSL+EG"), "TOSL+SR",
-     "softmax has the best results."),
+    ("algorithms", "Which algorithm?", ("TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR"), "TOSL+SR"),
+    ("lambda", "How long a trace?", sweep("lam", "λ", (0, 0.3, 0.5, 0.7, 0.9, 0.95)), "λ = 0.9"),
+    ("alpha", "How fast to learn?", sweep("alpha", "α", (0.03, 0.1, 0.3, 0.5)), "α = 0.1"),
+    ("gamma", "How far to look ahead?", sweep("gamma", "γ", _GAMMAS), "γ = 0.9"),
+    ("gamma_alone", "How far to look ahead, at one temperature?", _SAME_TEMPERATURE, "γ = 0.9"),
+    ("temperature", "How hot?", sweep("temperature", "T", (0.3, 1, 3, 10)), "T = 1"),
+    ("exploration", "How to explore?", ("TOSL+SR", "TOSL+EG"), "TOSL+SR"),
 )  # fmt: skip
 
 
-def _preliminary(on_model: bool, key: str, title: str, methods, best: str, says: str) -> Experiment:
+def _preliminary(on_model: bool, key: str, title: str, methods, best: str) -> Experiment:
     pairs = () if "=" in best else tuple(PaperPair(best, other) for other in methods if other != best)
     key, title = f"preliminary_{key}", f"{title} On {'the sample model' if on_model else 'the robot'}"
     repetitions = (1000, 50) if on_model else (30, 4)
     key += "" if on_model else "_robot"
     return Experiment(
-        key, title, "wander_1k", on_model, methods, repetitions, says=says, pairs=pairs, best=None if pairs else best
+        key, title, "wander_1k", on_model, methods, repetitions, pairs=pairs, best=None if pairs else best
     )
 
 
@@ -122,12 +109,10 @@ _ON_ROBOTS = (
 )  # fmt: skip
 _ON_ROBOT = {"wander_simple": (100, 30), "arm_1k": (30, 3), "arm_4k": (30, 3)}
 _TRACES = {traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduced", "full")}
-_AMONG = "TOSL+QBIASSR outperforms TOSL+SR in two of the four tasks (its figure; it does not say which)."
 FAULTY = "Q+SR with the fault"
 HELD = ("wander_1k", "wander_4k")  # tasks that are run once more with friction and lag as in V-REP
 ARMS = ("arm_1k", "arm_4k")  # tasks that are run once more with another reward, and without traces
 _WITHOUT_TRACES = {label: {"method": label, "lam": 0.0} for label in THREE}
-_OTHERWISE = "these numbers of its are for {}."
 RECORDINGS = (1, 2, 3)  # seeds of further recordings of wander_1k
 CUT = ("uniform", "siblings", "stay")  # what an unknown pair does in a model without its lucky loops
 EVADED = ("wander_simple", "wander_1k", "wander_4k", "giraff_wander_1k")  # with loop evasion as in the paper's program
@@ -139,7 +124,7 @@ EXPERIMENTS = (
     *(
         Experiment(
             f"model_{task}", f"On a sample model: {task}", task, True, THREE,
-            (200, 20) if task == "navigation_1k" else (1000, 50), LENGTHS.get(task, _HOUR), _AMONG,
+            (200, 20) if task == "navigation_1k" else (1000, 50), LENGTHS.get(task, _HOUR),
         )
         for task in _ON_MODELS
     ),
@@ -152,24 +137,22 @@ EXPERIMENTS = (
     ),
     Experiment(
         "traces", "Reduced against full traces", "wander_1k", True, _TRACES, (1000, 50), (Length(600),),
-        "reduced traces have a negligible effect on learning.",
     ),
     Experiment(
         "cause_fault", "Q-learning with the fault of the paper's program", "wander_1k", True, ("TOSL+SR", "Q+SR"),
-        (200, 20), says="TOSL is the best algorithm.", faulty=True,
+        (200, 20), faulty=True,
     ),
     *(
         Experiment(
             f"cause_loops_{unseen}", f"The sample model without its lucky loops, unknown pairs: {unseen}", "wander_1k",
-            True, ("TOSL+SR", "Q+SR"), (1000, 50), says="TOSL is the best algorithm.",
-            change=partial(without_lucky_loops, unseen=unseen),
+            True, ("TOSL+SR", "Q+SR"), (1000, 50), change=partial(without_lucky_loops, unseen=unseen),
         )
         for unseen in CUT
     ),
     *(
         Experiment(
             f"cause_recording_{seed}", f"A sample model of another recording ({seed})", "wander_1k", True, THREE,
-            (200, 20), says="different sample models had unexpectedly diverse results.", seed=seed,
+            (200, 20), seed=seed,
         )
         for seed in RECORDINGS
     ),
@@ -193,14 +176,14 @@ EXPERIMENTS = (
     *(
         Experiment(
             f"cause_contact_{task}", f"The arm, rewarded for contact alone: {task}", task, False, THREE, (30, 3),
-            LENGTHS[task], _OTHERWISE.format("a reward of the way, too"), TUKEY[task], change=contact_alone,
+            LENGTHS[task], TUKEY[task], change=contact_alone,
         )
         for task in ARMS
     ),
     *(
         Experiment(
             f"cause_traces_{task}", f"The arm, without traces: {task}", task, False, _WITHOUT_TRACES, (30, 3),
-            LENGTHS[task], _OTHERWISE.format("λ = 0.9"), TUKEY[task],
+            LENGTHS[task], TUKEY[task],
         )
         for task in ARMS
     ),

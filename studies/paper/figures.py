@@ -11,7 +11,7 @@ from paper.experiments import ARMS, PRELIMINARIES
 from paper.outcome import SHUTTLES, Outcome, half_width, interval, shuttles
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREY, VERMILION
+from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREY
 from rlrobot_edu.show.picture import Picture
 
 THREE = paper.THREE
@@ -23,9 +23,10 @@ Outcomes = Mapping[str, Outcome]
 def write_figures(folder: Path, outcomes: Outcomes) -> dict[str, str]:
     """Write all figures for which there are outcomes; returns them by name, in Markdown."""
     drawn = {
-        "differences": differences_figure(outcomes), "preliminaries": preliminaries_figure(outcomes),
-        "shuttle": shuttle_figure(outcomes), "stuck": stuck_figure(outcomes),
-    }  # fmt: skip
+        "differences": differences_figure(outcomes),
+        "preliminaries": preliminaries_figure(outcomes),
+        "shuttle": shuttle_figure(outcomes),
+    }
     for name, picture in drawn.items():
         if picture:
             write_whole(folder / f"{name}.png", picture.png())
@@ -60,7 +61,7 @@ def differences_figure(outcomes: Outcomes) -> Picture | None:
     picture.legend(loc="outside lower center", ncols=2)
     picture.alt = (
         f"Differences of the mean final average rewards of three pairs of methods in {len(rows)} set-ups: the paper's "
-        "as open diamonds, ours as full circles, with 95 % intervals. The table below has the numbers."
+        "as open diamonds, ours as full circles, with 95 % intervals. The tables of the tasks have the numbers."
     )
     return picture
 
@@ -75,7 +76,7 @@ def _papers(experiment, first: str, second: str) -> tuple[float, float]:
 def preliminaries_figure(outcomes: Outcomes) -> Picture | None:
     """Every preliminary comparison on the model and on the robot."""
     found = []
-    for key, title, _, best, _ in PRELIMINARIES:
+    for key, title, _, best in PRELIMINARIES:
         both = [outcomes.get(f"preliminary_{key}{end}") for end in ("", "_robot")]
         if all(both):
             found.append((title, best, both))
@@ -135,32 +136,4 @@ def shuttle_figure(outcomes: Outcomes) -> Picture | None:
         ax.set_title(f"{name}, {outcome.longest}", pad=16, fontsize=10)
     picture.legend(loc="outside lower center", ncols=3)
     picture.alt = f"Histograms of final average rewards of the arm, 2.0 and 4.5 marked. {'; '.join(told)}."
-    return picture
-
-
-def stuck_figure(outcomes: Outcomes) -> Picture | None:
-    """The path of an arm that shuttles: its distance to the object in its last episode."""
-    stuck = next((o.stuck for key, o in outcomes.items() if o.stuck and key.startswith("robot_")), None)
-    if stuck is None:
-        return None
-    picture = Picture((9, 3.4))
-    ax = picture.subplots()
-    ax.plot(stuck.distances * 100, color=BLUE, marker=".", label="distance of the gripper to the object")
-    ax.axhline(5, color=VERMILION, linestyle="--", label="5 cm: contact, reward 10")
-    last = min(24, len(stuck.rewards))
-    for t, r in enumerate(stuck.rewards[:last], start=1):
-        below = -12 if stuck.distances[t] < stuck.distances[t - 1] else 5
-        at = (t, stuck.distances[t] * 100)
-        ax.annotate(f"{r:g}", at, (0, below), textcoords="offset points", ha="center", size=7)
-    ax.set(xlabel="step of the last episode (1 s each)", ylabel="distance (cm)",
-           title=f"{stuck.label}, final average {stuck.final:.2f}: to and fro (numbers: rewards)")  # fmt: skip
-    ax.title.set_fontsize(10)
-    ax.set_ylim(bottom=0)
-    ax.grid(alpha=0.3)
-    picture.legend(loc="outside lower center", ncols=2)
-    near, far = np.sort(stuck.distances[-40:])[[0, -1]] * 100
-    picture.alt = (
-        f"Distance of the gripper to the object over the {len(stuck.rewards)} steps of an episode of an arm that is "
-        f"stuck at {stuck.final:.2f} a step: in the last 40 steps it stays between {near:.1f} and {far:.1f} cm."
-    )
     return picture

@@ -1,4 +1,4 @@
-"""Run the paper's experiments, and write a page on which ours stand beside the paper's: ``make reproduce``."""
+"""Run the paper's experiments, and put ours beside the paper's into the page of the report: ``make reproduce``."""
 
 import csv
 import io
@@ -14,13 +14,9 @@ from pathlib import Path
 import numpy as np
 from tqdm.auto import tqdm
 
-from paper.claims import cost_table
-from paper.experiments import EXPERIMENTS, FAULTY, Experiment
-from paper.figures import write_figures
-from paper.outcome import Outcome
+from paper.experiments import EXPERIMENTS, FAULTY, Experiment, Length
 from paper.paper import COST
-from paper.report import page
-from paper.sections import section
+from paper.report import write_page
 from paper.worlds import PreviousAction
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare
@@ -52,17 +48,18 @@ def reproduce(
     only: Collection = (),
     engine: str = "",
 ) -> Path:
-    """Run all experiments of the paper and write the report; returns its path.
+    """Run all experiments of the paper and write averages, figures and the tables of the report; returns its path.
 
-    quick: few repetitions, written to `folder`/quick
-    engine: that simulates the robots, written to `folder`/engine; a robot that it cannot simulate is left out. Empty:
-        each robot's own. Experiments in sample models are the same with any
+    quick: few repetitions, written to `folder`/quick, with a page of tables and figures alone
+    engine: that simulates the robots, written to `folder`/engine, likewise; a robot that it cannot simulate is left
+        out. Empty: each robot's own. Experiments in sample models are the same with any
     stores: folder of the finished repetitions; a call that was stopped goes on from there
     only: keys of the experiments to run, see `experiments.EXPERIMENTS`; none: all
     """
     words = [*filter(None, [engine, "quick" if quick else ""])]
     folder, stores = Path(folder, *words), Path(stores, "_".join(["reproduction", *words]))
-    outcomes, skipped = {}, {}
+    averages: list[tuple] = []
+    skipped, pictures = {}, {}
     wanted = [experiment for experiment in EXPERIMENTS if not only or experiment.key in only]
     layout = "{desc} {percentage:3.0f} % |{bar}| {elapsed} passed, about {remaining} left"
     with tqdm(total=sum(expected(e, quick) for e in wanted), bar_format=layout, smoothing=0.1) as bar:
@@ -74,18 +71,17 @@ def reproduce(
                 skipped[experiment.key] = str(reason.args[0])
                 bar.write(f"{experiment.key} is skipped: {skipped[experiment.key]}")
             else:
-                figure = result.plot(title=experiment.title)
-                write_whole(folder / f"{experiment.key}.png", figure.png())
-                outcomes[experiment.key] = Outcome.of(experiment, result, section(experiment, result, figure.alt))
+                averages += _rows(experiment, result)
+                if experiment.key.startswith("robot_"):
+                    figure, name = result.plot(title=experiment.title), f"{experiment.key}.png"
+                    write_whole(folder / name, figure.png())
+                    pictures[name] = f"![{figure.alt}]({name})"
             bar.update(expected(experiment, quick))
-    costs, about = None if only or engine else measure_costs(), _environment(quick, engine)
-    figures = write_figures(folder, outcomes)
-    write_whole(folder / "averages.csv", _as_csv(outcomes))
+    about = {"command": "python studies/reproduce.py" + " --quick" * quick + f" --engine {engine}" * bool(engine)}
+    about |= {"versions": _versions(), "skipped": skipped, "seconds a step": [] if only or engine else measure_costs()}
+    write_whole(folder / "averages.csv", _as_csv(averages))
     write_whole(folder / "environment.json", json.dumps(about, indent=1) + "\n")
-    if costs is not None:
-        write_whole(folder / "cost.md", cost_table(costs).markdown + "\n")
-    path = folder / "README.md"
-    write_whole(path, page(outcomes, figures, skipped, costs, about))
+    path = write_page(folder, pictures, has_prose=not words)
     print(f"Written: {path}")
     return path
 
@@ -131,7 +127,6 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
     result = compare(
         world, experiment.methods, repetitions, **{unit: number}, seed=SEED, store=stores / experiment.key,
         realism=experiment.realism, engine=None if experiment.on_model else engine or None,
-        keep=experiment.task.startswith("arm") and not experiment.on_model,  # to look at an arm that is stuck
     )  # fmt: skip
     if not experiment.faulty:
         return result
@@ -166,22 +161,32 @@ def _model(task: str, stores: Path, seed: int | None = None) -> SampleModel:
     return SampleModel.from_recording(recording)
 
 
-def _as_csv(outcomes: dict[str, Outcome]) -> str:
+def _rows(experiment: Experiment, result: Comparison) -> list[tuple]:
+    """Rows of averages.csv."""
+    return [
+        (experiment.key, length, label, i, f"{x:.8g}")
+        for length in experiment.lengths
+        for label, final in shortened(result, length).final.items() for i, x in enumerate(final)
+    ]  # fmt: skip
+
+
+def shortened(result: Comparison, length: Length) -> Comparison:
+    """The comparison of the same agents, stopped sooner."""
+    groups = {label: Runs(length.beginning(history) for history in runs) for label, runs in result.groups.items()}
+    return Comparison(result.world, groups)
+
+
+def _as_csv(rows: list[tuple]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("experiment", "length", "method", "repetition", "final_average_reward"))
-    for key, outcome in outcomes.items():
-        for length, groups in outcome.final.items():
-            for label, final in groups.items():
-                writer.writerows((key, length, label, i, f"{x:.8g}") for i, x in enumerate(final))
+    writer.writerows([("experiment", "length", "method", "repetition", "final_average_reward"), *rows])
     return text.getvalue()
 
 
-def _environment(quick: bool, engine: str) -> dict:
+def _versions() -> dict[str, str]:
     packages = ("numpy", "scipy", "numba", "gymnasium", "joblib", "pymunk")
     return {
-        "rlrobot_edu": __version__, "set": "quick" if quick else "full", "seed": SEED,
-        **({"engine": engine} if engine else {}),
+        "rlrobot_edu": __version__, "seed": str(SEED),
         "platform": f"{platform.system()} {platform.machine()}", "python": platform.python_version(),
         **{name: metadata.version(name) for name in packages},
     }  # fmt: skip

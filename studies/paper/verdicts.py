@@ -5,27 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from paper.paper import PaperPair
 from rlrobot_edu.experiments.statistics import Pair
 
 AGREES, DIRECTION, UNDECIDED = "agrees", "agrees in direction", "undecided"
 OPPOSITE, REVERSED = "opposite, not significant", "significantly the opposite"
-CLASSES = (AGREES, DIRECTION, UNDECIDED, OPPOSITE, REVERSED)
 LEVEL = 0.05
-
-LEGEND = f"""Significant means p < {LEVEL} in Tukey's test of the experiment. What a verdict says:
-
-- **{AGREES}**: the same method is better, significantly in both;
-- **{DIRECTION}**: the same method is better, but only one of the two is significant (it says whose);
-- **{UNDECIDED}**: neither is significant, whatever the signs;
-- **{OPPOSITE}**: the other method is better here, but not significantly: nothing is shown, either way;
-- **{REVERSED}**: the other method is better here, significantly.
-
-Where the paper gives no test of a pair, its word counts as significant."""
 
 
 class Verdict(NamedTuple):
-    """One of CLASSES, and what must be added to it."""
+    """Its name is one of the five above; detail: what must be added to it."""
 
     name: str
     detail: str = ""
@@ -56,19 +44,16 @@ def verdict(gain: float, p: float, paper_p: float | None) -> Verdict:
     return Verdict(REVERSED if ours else OPPOSITE, untested if papers else "the paper's is not significant")
 
 
-def gain(pair: Pair, paper: PaperPair) -> float:
-    """Our mean of the paper's better method less our mean of its worse one."""
-    return pair.difference if pair.first == paper.better else -pair.difference
+EVERYWHERE, SOMEWHERE, TENDENCY, NOT = "✔", "(✔)", "~", "✘"
 
 
-def of_pair(pair: Pair, paper: PaperPair) -> Verdict:
-    """The verdict on our pair."""
-    return verdict(gain(pair, paper), pair.p, paper.p)
-
-
-def papers(pair: Pair, pairs: Iterable[PaperPair]) -> PaperPair | None:
-    """What the paper says about these two methods."""
-    return next((p for p in pairs if {p.better, p.worse} == {pair.first, pair.second}), None)
+def mark(verdicts: Iterable[Verdict]) -> str:
+    """What became of a pair that the paper finds significant, by the verdicts in all set-ups of its task."""
+    verdicts = list(verdicts)
+    agree = [verdict.name == AGREES for verdict in verdicts]
+    if any(agree):
+        return EVERYWHERE if all(agree) else SOMEWHERE
+    return NOT if any(verdict.is_opposite for verdict in verdicts) else TENDENCY
 
 
 BEST, AS_GOOD, BEATEN = "the best here", "not the best here, but not significantly worse", "significantly worse here"

@@ -23,7 +23,6 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 FOLDERS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_course").glob("lesson_*"))
 SOME = (
     "lite/lessons.toml",
-    "lite/make_lite.py",
     "tests/conftest.py",
     "tests/browser/test_browser.py",
     "docs/site/stepper_pages.py",

@@ -71,7 +71,7 @@ def test_settings_that_were_changed_while_it_learned_are_noticed():
     stepper.forward(50)
     asked = "return paidHtml(stepper.about, stepper.tape, { s: 0, a: 0 });"
     tried = f"{{ try {{ {asked} }} catch (error) {{ return error.message; }} }}"
-    assert "From step 51 on it cannot be told who paid" in on_its_page(stepper, f"(() => {tried})()")
+    assert "From step 51 on the payments are unknown" in on_its_page(stepper, f"(() => {tried})()")
 
 
 def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
@@ -83,7 +83,7 @@ def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
     stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=5)
     assert "a value times a value is no sum of rewards" in on_its_page(stepper, "updates.reason")
     planner = rl.Stepper(rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0), rl.make_env("worked_example"))
-    assert "who plans learns from imagined steps" in on_its_page(planner, "updates.reason")
+    assert "an agent that plans learns from imagined steps" in on_its_page(planner, "updates.reason")
 
 
 def relived(stepper: rl.Stepper, settings="{}", fork="{}") -> list[dict]:

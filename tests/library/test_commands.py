@@ -1,7 +1,9 @@
 """The command line: what --help teaches, in the course's commands and in the library's own."""
 
+import os
 import re
 import sys
+from unittest.mock import Mock
 
 import pytest
 
@@ -76,6 +78,13 @@ def test_a_wrong_task_is_told_in_a_sentence():
         commands.main(["check-task", "wander1k"])
     with pytest.raises(SystemExit, match="lesson"):
         commands.main(["fresh", "77"])
+
+
+def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems_number(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(os, "fsync", Mock(side_effect=PermissionError(13, "Permission denied")))
+    with pytest.raises(SystemExit, match=r"^not writable; choose a folder of your own: 'mine\.py'$"):
+        commands.main(["new-task", "mine"])
 
 
 @pytest.mark.parametrize("more", [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []])

@@ -48,6 +48,26 @@ def content(folder):
     return {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
 
 
+# Folders of any name
+
+NAMES = ["ä 日本 😀", "a#b%20c%", "[x] {y} it's $HOME", "n" * 120 + "/" + "m" * 120]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(name, model, film, tmp_path, monkeypatch):
+    pytest.importorskip("meshcat")
+    folder = tmp_path / name
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(folder)
+    for kind, write in writes(model, film).items():
+        write(folder / kind)
+    rl.playground("playground.html")
+    assert rl.Agent.load("agent").q.shape == (4, 4) and rl.SampleModel.load(folder / "model").n_states == 24
+    assert len(rl.read_recording(folder / "recording")) == len(rl.read_recording("worked_example"))
+    assert rl.load_task(folder / rl.new_task("mine")).name == "mine"
+    assert same(compared(model, store="store"), compared(model, store=folder / "store"))
+
+
 # A full disk
 
 
@@ -104,7 +124,7 @@ def test_a_folder_that_cannot_be_written_to_is_named(kind, model, film, read_onl
         pytest.importorskip("meshcat")
         film.show3d()  # what it imports, nobody might not be allowed to read
     write = writes(model, film)[kind]
-    with as_nobody(), pytest.raises(PermissionError) as refusal:
+    with as_nobody(), pytest.raises(PermissionError, match="choose a folder of your own") as refusal:
         write(read_only / "it")
     assert str(read_only) in str(refusal.value)
     with as_nobody(), pytest.raises(PermissionError) as refusal:

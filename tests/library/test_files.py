@@ -151,6 +151,13 @@ def test_what_a_killed_writer_left_is_removed_beside_the_file_itself(tmp_path):
     assert only(tmp_path, "real")
 
 
+def test_a_file_in_the_way_of_a_folder_is_named(tmp_path):
+    (tmp_path / "my_course").write_text("not a folder")
+    with pytest.raises(NotADirectoryError, match=r"part of it is a file.*my_course"):
+        write_whole(tmp_path / "my_course" / "lesson.ipynb", "x")
+    assert only(tmp_path, "my_course")
+
+
 def test_an_error_names_the_file_and_not_its_temporary_one(tmp_path, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(13, "Permission denied", str(tmp_path / ".mine.0.part"))

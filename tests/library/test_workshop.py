@@ -44,7 +44,7 @@ def test_the_template_names_every_sensor_with_its_unit(tmp_path):
 def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
     path = rl.new_task("mine", tmp_path, robot=robot)
     task, text = rl.load_task(path), path.read_text(encoding="utf-8")
-    assert task.robot == robot and "Each number must stand in `rewards`" in text
+    assert task.robot == robot and "`rewards` below must list each number" in text
     assert all(f"#   {name} " in text for name in ROBOTS[robot].sensors | ROBOTS[robot].commands)
     engine = "kinematic" if "kinematic" in ROBOTS[robot].engines else None
     with rl.make_env(task, seed=0, engine=engine) as env:

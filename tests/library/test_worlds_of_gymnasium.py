@@ -106,7 +106,7 @@ def test_episodes_that_do_not_end_in_time_are_said():
     [("CliffWalkin-v1", "Gymnasium has no environment 'CliffWalkin-v1': .*CliffWalking"),
      ("wander", "the toolkit has no task 'wander'; did you mean"), (3, "a task is a Task, the name of one"),
      (lambda: 3, "must return a new environment of Gymnasium, not 3"),
-     (gymnasium.make(CLIFF), "must be made anew each time: give its id, or a function that makes it"),
+     (gymnasium.make(CLIFF), "must be a new one each time: give its id, or a function that makes it"),
      ("CartPole-v1", "a tabular agent needs MultiDiscrete or Discrete observations")],
 )  # fmt: skip
 def test_what_is_no_world_is_refused_before_anything_runs(world, match):

@@ -1,5 +1,6 @@
 """ROS 2 over DDS: the names, bytes and manners of ROS 2, between threads, processes and foreign programs."""
 
+import atexit
 import importlib
 import math
 import subprocess
@@ -42,6 +43,7 @@ from rlrobot_edu.ros.live.dds import Dds
 from rlrobot_edu.ros.live.dds_types import TYPES
 
 DOMAIN, CLAIM = claimed()
+atexit.register(CLAIM.close)
 SILENT_DOMAIN = 101
 PATIENCE = 60.0  # [s], on a busy machine; all takes some milliseconds otherwise
 RELIABLE, BEST_EFFORT = Qos(Policy.Reliability.Reliable(10**8)), Qos(Policy.Reliability.BestEffort)
@@ -437,9 +439,9 @@ def test_the_domain_is_that_of_the_environment_unless_one_is_given(monkeypatch):
         ({"interface": ""}, "'' cannot be used"),
         ({"interface": None}, "None cannot be used"),
         ({"peers": "robot"}, r"peers must be a list of names or addresses, as in \['robot'\]"),
-        ({"peers": ["not a machine"]}, "there is no machine 'not a machine' to look for a robot on"),
-        ({"peers": [""]}, "there is no machine ''"),
-        ({"peers": [5]}, "there is no machine 5"),
+        ({"peers": ["not a machine"]}, "no computer is called 'not a machine'; give"),
+        ({"peers": [""]}, "no computer is called ''"),
+        ({"peers": [5]}, "no computer is called 5"),
         ({"peers": ["192.0.2.7"]}, "192.0.2.7 is not reached over 127.0.0.1; name the interface as well"),
     ],
 )

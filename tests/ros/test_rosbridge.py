@@ -614,7 +614,7 @@ def test_many_who_do_not_read_are_ended_side_by_side(router):
 
 
 def test_a_port_that_is_taken_is_said_in_one_sentence(router):
-    with pytest.raises(ConnectionError, match=f"port {router.port} cannot be had") as error:
+    with pytest.raises(ConnectionError, match=f"port {router.port} is not free") as error:
         RosbridgeRouter(router.port)
     assert "\n" not in str(error.value)
 

@@ -9,6 +9,7 @@ import better_bias_worlds
 import numpy as np
 import pytest
 from better_bias_methods import LINEAR, RELATIVES, add_alike, pool
+from coarse import COARSE, near_or_not
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import new_memory
@@ -208,3 +209,14 @@ def test_what_the_page_says_of_the_relatives_and_of_the_rule_is_what_their_tests
     assert sum(pair.decides for pair in tests.rules(found)) == 3
     ends = {its.world: its.low for its in tests.wheels(found) if its.second == "blind"}
     assert ends["wander_4k, their wheels"] > 0 > ends["wander_4k"]
+
+
+def test_who_sees_little_tells_the_lowest_bin_of_each_input_from_the_rest():
+    task = rl.load_task("wander_1k")
+    agent = rl.Agent(task, COARSE, seed=0, loop_evasion=False)
+    for s in range(0, task.states.n, 7):
+        bins = np.minimum(np.unravel_index(s, task.states.shape), 1)
+        assert near_or_not(agent.memory, s) == np.ravel_multi_index(bins, task.states.shape)
+    rl.learn(agent, rl.make_env(task, seed=0), 300, progress=False)
+    used = np.array(np.unravel_index(np.flatnonzero(agent.q.any(axis=1)), task.states.shape))
+    assert used.shape[1] > 2 and used.max() == 1

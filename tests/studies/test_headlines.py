@@ -1,7 +1,6 @@
-"""What docs/results.md, the report and lessons say of results: their numbers are compared with the data."""
+"""What the pages of results and the lessons say of the reproduction: their numbers are compared with the data."""
 
 import csv
-import dataclasses
 import json
 import re
 from collections import defaultdict
@@ -9,21 +8,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from paper import paper, report
-from paper.cause import ahead, of_pairs, opposites
-from paper.causes import causes
-from paper.experiments import EXPERIMENTS
-from paper.outcome import Outcome
-from paper.verdicts import AGREES, REVERSED
+from paper import paper, tables, verdicts
+from paper.experiments import EXPERIMENTS, PRELIMINARIES
+from paper.outcome import Outcome, read_outcomes, shuttles
+from paper.report import BLOCK
+from paper.verdicts import AGREES, LEVEL, REVERSED, UNDECIDED
 
 import rlrobot_edu as rl
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_edu.experiments.statistics import Tukey
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
+RESULTS, REPORT = "docs/results.md", "docs/reproduction/README.md"
 QBIASSR, SR, Q = paper.THREE
 NUMBER = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?!\w)")  # not the digits of a name as wander_1k
+COMMENT = re.compile(r"<!--.*?-->", re.S)
 
 
 def words(text: str) -> str:
@@ -32,10 +31,10 @@ def words(text: str) -> str:
 
 
 def prose(page: str) -> str:
-    """What a page says; of a notebook, its cells of text."""
+    """What a page says; of a notebook, its cells of text; of the report, what people wrote."""
     text = (ROOT / page).read_text(encoding="utf-8")
     if not page.endswith(".ipynb"):
-        return text
+        return COMMENT.sub("", BLOCK.sub("", text))
     return "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown")
 
 
@@ -46,90 +45,219 @@ def tells(page: str, *numbers: float) -> bool:
 
 
 @pytest.fixture(scope="module")
-def outcomes():
-    """What averages.csv holds, as the report's own outcomes."""
-    finals = defaultdict(lambda: defaultdict(dict))
-    with (DOCS / "reproduction/averages.csv").open(encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            values = finals[row["experiment"]][row["length"]].setdefault(row["method"], [])
-            values.append(float(row["final_average_reward"]))
-    made = {}
-    for e in EXPERIMENTS:
-        final = {n: {label: np.array(x) for label, x in finals[e.key][str(n)].items()} for n in e.lengths}
-        made[e.key] = Outcome(e, final, {n: Tukey.of(groups).pairs for n, groups in final.items()}, 0.0)
-    model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
-    shares = dict.fromkeys((SR, Q), np.zeros(1))  # only the text below the first screen has them
-    key = "preliminary_algorithms"
-    made[key] = dataclasses.replace(made[key], diagnosis=model.diagnose(), lucky=shares)
-    return made
+def outcomes() -> dict[str, Outcome]:
+    return read_outcomes(DOCS / "reproduction/averages.csv", EXPERIMENTS)
 
 
-@pytest.fixture(scope="module")
-def found_causes(outcomes):
-    return causes(outcomes, {})
+def test_the_reports_tables_follow_from_the_averages_beside_it(outcomes):
+    made = tables.tables(outcomes)
+    costs = json.loads((DOCS / "reproduction/environment.json").read_text())["seconds a step"]
+    made["costs"] = tables.cost_table(costs).markdown
+    page = (ROOT / REPORT).read_text(encoding="utf-8")
+    blocks = {found[1]: found[0] for found in BLOCK.finditer(page)}
+    assert [name for name, table in made.items() if table not in blocks.get(name, "")] == []
 
 
-def test_the_reports_verdicts_follow_from_the_averages_beside_it(outcomes, found_causes):
-    page = (DOCS / "reproduction/README.md").read_text(encoding="utf-8")
-    short = report.in_short(outcomes, found_causes)
-    assert [line for line in short.splitlines() if line not in page] == []
-    for table in (report.counts_table(outcomes), report.differences_table(outcomes)):
-        assert table.markdown in page
+def test_the_report_is_no_longer_than_one_reads():
+    assert len(prose(REPORT).split()) < 2500  # beside its tables
+    assert len(prose(RESULTS).split()) < 1000
 
 
-def test_the_results_page_counts_the_pairs_as_the_averages_do(outcomes):
+MARKED = re.compile(r"([-−+]?\d+(?:\.\d+)?)(?: ± (\d+\.\d+))?<!--= (.+?) -->")
+CONSTANTS = {"0.05", "0.25", "0.14"}  # the level, what counts as near to a shuttle, the speed of our arm
+
+
+def marked(outcomes: dict[str, Outcome], mark: str) -> tuple[float, float | None]:
+    """The number that a mark names, and half of its interval if it has one.
+
+    "key: A" is a mean, "key: A - B" a difference of means, "p key: A - B" its p; "paper task: A - B" is the paper's
+    difference. A length may follow the key after a comma; without one it is the longest.
+    """
+    place, what = mark.split(": ")
+    first, _, second = what.partition(" - ")
+    if place.startswith("paper "):
+        task = place.removeprefix("paper ")
+        (its,) = (pair for pair in paper.TUKEY[task] if {pair.better, pair.worse} == {first, second})
+        return paper.difference(task, its) * (1 if its.better == first else -1), None
+    key, _, length = place.removeprefix("p ").partition(", ")
+    outcome = outcomes[key]
+    length = next((n for n in outcome.final if str(n) == length), None) if length else outcome.longest
+    if not second:
+        mean, half = tables.mean_and_half(outcome.final[length][first]).split(" ± ")
+        return float(mean), float(half)
+    return outcome.pair(first, second, length)[place.startswith("p ")], None
+
+
+@pytest.mark.parametrize("page", [RESULTS, REPORT])
+def test_a_marked_number_is_what_its_mark_names(outcomes, page):
+    found = MARKED.findall(words((ROOT / page).read_text(encoding="utf-8")))
+    assert len(found) > 30
+    for number, half, mark in found:
+        value, width = marked(outcomes, mark)
+        digits = len(number.partition(".")[2])
+        assert float(number.replace("−", "-")) == pytest.approx(value, abs=0.5001 * 10.0**-digits), mark
+        assert not half or float(half) == width, mark
+
+
+@pytest.mark.parametrize("page", [RESULTS, REPORT])
+def test_every_result_in_the_text_has_a_mark(page):
+    """A result is a number with two decimals or more, a mean with its interval, or a p."""
+    text = MARKED.sub("", words(BLOCK.sub("", (ROOT / page).read_text(encoding="utf-8"))))
+    text = re.sub(r"!\[[^\]]*\]", "", text)  # a picture's text has a test of its own
+    assert set(re.findall(r"\d+\.\d\d+|± ?\d[\d.]*|p = [\d.]+", text)) - CONSTANTS == set()
+
+
+def verdicts_on_pairs(outcomes):
+    """The verdicts on each pair that the paper tests, one for each length; by task and pair."""
     found = defaultdict(list)
-    for outcome, length, _, its in report._tested(outcomes):
-        if its.p < 0.05:
-            found[outcome.experiment.task, its.name].append(of_pairs(outcome, length)[its.name].name)
-    always = sum(set(names) == {AGREES} for names in found.values())
-    some = sum(AGREES in names and set(names) != {AGREES} for names in found.values())
-    assert tells("docs/results.md", len(found), always, some)
+    for key, outcome in outcomes.items():
+        if key.startswith("robot_"):
+            for length in outcome.final:
+                for one in outcome.judged(length):
+                    found[outcome.experiment.task, one.pair].append(one.verdict)
+    return found
 
 
-def test_the_results_page_says_who_is_ahead_where_the_tests_do(outcomes):
-    for task in ("wander_1k", "wander_4k"):
-        o = outcomes[f"robot_{task}"]
-        assert all(difference > 0 and p < 0.05 for difference, p in (o.pair(QBIASSR, SR), o.pair(QBIASSR, Q)))
-    o = outcomes["robot_wander_simple"]
-    gains = {length.number: o.pair(SR, QBIASSR, length) for length in o.final}
-    assert all(gain > 0 for gain, _ in gains.values())
-    (steps,) = (n for n, (_, p) in gains.items() if p < 0.05)
-    assert tells("docs/results.md", steps)
-    for key in ("robot_wander_1k", "preliminary_algorithms"):
-        gain, p = outcomes[key].pair(Q, SR)
-        assert gain > 0 and p < 0.05
-    o = outcomes["robot_arm_1k"]
-    both = {n: [o.pair(Q, other, n) for other in (QBIASSR, SR)] for n in o.final if n.unit == "episodes"}
-    ahead_after = [n.number for n, pairs in both.items() if all(gain > 0 and p < 0.05 for gain, p in pairs)]
-    assert len(ahead_after) == 3 and tells("docs/results.md", *ahead_after)
+def test_the_results_page_has_each_pair_of_the_paper_with_its_mark(outcomes):
+    found = verdicts_on_pairs(outcomes)
+    marks = {(task, pair.name): verdicts.mark(its) for (task, pair), its in found.items() if pair.p < LEVEL}
+    rows = re.findall(r"^\| (\w+) \| ([\w+]+ over [\w+]+) \| .* \| (\S+) \| [^|]*\|$", prose(RESULTS), re.M)
+    assert {(task, pair): mark for task, pair, mark in rows} == marks and len(rows) == len(marks)
+    counts = [list(marks.values()).count(x) for x in (verdicts.EVERYWHERE, verdicts.SOMEWHERE)]
+    assert tells(RESULTS, len(found), len(marks)) and tells(RESULTS, len(marks), *counts, 1, 3)
+    assert sum(counts) == len(marks) - 1 - 3
+    assert list(marks.values()).count(verdicts.TENDENCY) == 1
 
 
-def test_the_readmes_differences_of_wander_1k_are_those_of_the_averages_and_of_the_paper(outcomes):
-    held = outcomes["cause_walls_wander_1k"]
-    ours = [held.pair(*pair) for pair in ((QBIASSR, SR), (QBIASSR, Q), (SR, Q))]
-    theirs = [paper.difference("wander_1k", its) for its in paper.TUKEY["wander_1k"]]
-    assert tells("docs/results.md", *(round(x, 2) for x in [*(gain for gain, _ in ours), *theirs]))
-    assert all(gain > 0 and p < 0.05 for gain, p in ours)
+def test_the_results_page_says_which_of_the_other_pairs_are_significant_here(outcomes):
+    rest = {
+        (task, pair.name): {v.name for v in its}
+        for (task, pair), its in verdicts_on_pairs(outcomes).items() if pair.p >= LEVEL
+    }  # fmt: skip
+    assert len(rest) == 7
+    shown = {name for name, its in rest.items() if its != {UNDECIDED}}
+    assert shown == {("wander_simple", f"{SR} over {QBIASSR}"), ("wander_4k", f"{SR} over {Q}"),
+                     *(("navigation_1k", f"{x} over {Q}") for x in (QBIASSR, SR))}  # fmt: skip
+    assert significant(outcomes["robot_navigation_1k"], QBIASSR, Q) == ["5 episodes", "10 episodes"]
+    assert significant(outcomes["robot_navigation_1k"], SR, Q) == ["5 episodes", "10 episodes"]
 
 
-def test_the_readmes_causes_are_those_of_the_report(outcomes, found_causes):
-    bad = signs = significant = 0
-    for arm in ("arm_1k", "arm_4k"):
-        before, after = outcomes[f"robot_{arm}"], outcomes[f"cause_contact_{arm}"]
-        for length in before.final:
-            names = opposites(before, length)
-            bad += len(names)
-            signs += sum(not of_pairs(after, length)[name].is_opposite for name in names)
-            significant += len(set(names) & set(ahead(after, length)))
-    assert tells("docs/results.md", signs, bad, significant)
-    status = {cause.title: cause.status for cause in found_causes}
-    assert status["Q-learning on the model: a fault of the paper's program"] == "shown"
-    assert status["wander_1k: walls that hold the robot"] == "shown"
-    ours, its = (outcomes[f"{kind}_giraff_wander_1k"] for kind in ("robot", "cause_evasion"))
-    assert of_pairs(its, its.longest)[f"{QBIASSR} over {SR}"].name == REVERSED
-    gain, real = ours.pair(QBIASSR, SR)
-    assert gain > 0 and real >= 0.05 and tells("docs/results.md", round(real, 3))
+def significant(outcome: Outcome, better: str, worse: str) -> list[str]:
+    """The lengths at which the first of two methods is significantly ahead."""
+    tested = {str(length): outcome.pair(better, worse, length) for length in outcome.final}
+    return [length for length, (gain, p) in tested.items() if gain > 0 and p < LEVEL]
+
+
+def test_the_pages_say_who_is_ahead_where_the_tests_do(outcomes):
+    for key in ("robot_wander_1k", "robot_wander_4k", "cause_walls_wander_1k", "cause_walls_wander_4k"):
+        assert all(significant(outcomes[key], QBIASSR, other) for other in (SR, Q))
+    assert significant(outcomes["robot_wander_simple"], SR, QBIASSR) == ["60 steps"]
+    assert significant(outcomes["robot_wander_simple"], QBIASSR, Q) == ["300 steps"]
+    late = ["3 episodes", "10 episodes", "30 episodes"]
+    assert significant(outcomes["robot_arm_1k"], Q, QBIASSR) == late == significant(outcomes["robot_arm_1k"], Q, SR)
+    assert all(outcomes["robot_arm_1k"].pair(x, Q, n)[0] > 0 for x in (QBIASSR, SR)
+               for n in list(outcomes["robot_arm_1k"].final)[:2])  # fmt: skip
+    arm = outcomes["robot_arm_4k"]
+    assert significant(arm, QBIASSR, Q) == ["3 episodes", "10 episodes"] and significant(arm, Q, SR) == []
+    assert significant(arm, SR, Q) == ["1 episode", "10 episodes"] and significant(arm, Q, QBIASSR) == ["30 episodes"]
+    for task in ("giraff_wander_simple", "giraff_wander_4k"):
+        assert all(pair.p >= LEVEL for its in outcomes[f"robot_{task}"].pairs.values() for pair in its)
+    nav = outcomes["robot_navigation_1k"]
+    for length in list(nav.final)[1:]:
+        assert nav.means(length)[QBIASSR] > nav.means(length)[SR] > nav.means(length)[Q]
+
+
+def test_walls_and_the_programs_fault_bring_the_papers_order_back_and_lucky_rows_do_not(outcomes):
+    for key in ("robot_wander_1k", "model_wander_1k", "cause_lag_wander_1k", "cause_evasion_wander_1k"):
+        assert significant(outcomes[key], Q, SR)
+    assert {one.verdict.name for one in outcomes["cause_walls_wander_1k"].judged()} == {AGREES}
+    assert significant(outcomes["cause_friction_wander_1k"], SR, Q)
+    assert significant(outcomes["cause_fault"], SR, "Q+SR with the fault")
+    ahead = {cut: bool(significant(outcomes[f"cause_loops_{cut}"], Q, SR)) for cut in ("uniform", "siblings", "stay")}
+    assert ahead == {"uniform": False, "siblings": True, "stay": True}
+    assert all(significant(outcomes[f"cause_recording_{seed}"], Q, SR) for seed in (1, 2, 3))
+    about = rl.SampleModel.from_recording(rl.read_recording("wander_1k")).diagnose()
+    seen_once = round(100 * about.pairs_seen_once / about.pairs_seen)
+    assert tells(REPORT, seen_once, round(100 * paper.SEEN_ONCE_IN_VREP), len(about.loops))
+
+
+def test_the_pages_count_the_arms_pairs_that_turn_round_and_the_arms_that_shuttle(outcomes):
+    for kind in ("contact", "traces"):
+        bad = signs = turned = 0
+        for arm in ("arm_1k", "arm_4k"):
+            for length in outcomes[f"robot_{arm}"].final:
+                both = (outcomes[f"{name}_{arm}"].judged(length) for name in ("robot", f"cause_{kind}"))
+                for before, after in zip(*both, strict=True):
+                    if before.verdict.is_opposite:
+                        bad += 1
+                        signs += not after.verdict.is_opposite
+                        turned += after.gain > 0 and after.p < LEVEL
+        assert tells(REPORT, bad, 7, 4, 3, 0) and (signs, turned) == {"contact": (7, 4), "traces": (3, 0)}[kind]
+    assert tells(RESULTS, 7, 8, 4)
+    final = outcomes["robot_arm_1k"].final[outcomes["robot_arm_1k"].longest]
+    assert tells(REPORT, 30, *(round(100 * shuttles(final[x])) for x in (SR, QBIASSR)), 0.25)
+    assert shuttles(final[Q]) == 0
+    contact, traces = (outcomes[f"cause_{kind}_arm_1k"] for kind in ("contact", "traces"))
+    assert significant(contact, QBIASSR, Q) == ["60 steps", "3 episodes"] and significant(contact, SR, Q)
+    assert all(significant(traces, x, QBIASSR) == ["10 episodes", "30 episodes"] for x in (SR, Q))
+
+
+def test_the_report_says_which_verdicts_depend_on_loop_evasion(outcomes):
+    same, other = 0, set()
+    for key, changed in outcomes.items():
+        task = changed.experiment.task
+        if key.startswith("cause_evasion_"):
+            for length in changed.final:
+                for ours, its in zip(outcomes[f"robot_{task}"].judged(length), changed.judged(length), strict=True):
+                    same += ours.verdict.name == its.verdict.name
+                    if ours.verdict.name != its.verdict.name:
+                        other.add((task, its.pair.name, its.verdict.name))
+    assert other == {("giraff_wander_1k", f"{QBIASSR} over {SR}", REVERSED),
+                     ("giraff_wander_1k", f"{QBIASSR} over {Q}", verdicts.OPPOSITE)}  # fmt: skip
+    assert tells(REPORT, same + len(other), same)
+
+
+def test_the_report_counts_what_models_do_as_the_averages_do(outcomes):
+    models = {key: o for key, o in outcomes.items() if key.startswith("model_")}
+    ahead = [key for key, o in models.items() if o.pair(QBIASSR, SR)[0] > 0]
+    assert ahead == ["model_wander_1k"] and significant(models["model_wander_1k"], QBIASSR, SR)
+    assert significant(models["model_wander_simple"], SR, QBIASSR) == ["60 steps", "300 steps"]
+    assert significant(models["model_navigation_1k"], SR, QBIASSR) == ["10 episodes"]
+    worse = [(label, mean < outcomes[key.replace("model", "robot")].means(length)[label])
+             for key, o in models.items() for length in o.final for label, mean in o.means(length).items()]  # fmt: skip
+    q = [x for label, x in worse if label == Q]
+    assert tells(REPORT, sum(x for _, x in worse), len(worse), sum(q), len(q))
+
+
+def test_the_report_says_of_the_preliminary_tests_what_they_show(outcomes):
+    values = {key: outcomes[f"preliminary_{key}"].value()[:2] for key in (
+        "lambda", "lambda_robot", "alpha", "alpha_robot", "gamma", "gamma_robot", "gamma_alone", "gamma_alone_robot",
+        "temperature", "temperature_robot")}  # fmt: skip
+    assert values == {
+        "lambda": (verdicts.AS_GOOD, "λ = 0.7"), "lambda_robot": (verdicts.BEATEN, "λ = 0.5"),
+        "alpha": (verdicts.BEATEN, "α = 0.5"), "alpha_robot": (verdicts.AS_GOOD, "α = 0.3"),
+        "gamma": (verdicts.BEATEN, "γ = 0.5"), "gamma_robot": (verdicts.BEATEN, "γ = 0.5"),
+        "gamma_alone": (verdicts.BEST, "γ = 0.9"), "gamma_alone_robot": (verdicts.BEATEN, "γ = 0.8"),
+        "temperature": (verdicts.BEATEN, "T = 0.3"), "temperature_robot": (verdicts.BEST, "T = 1"),
+    }  # fmt: skip
+    for key, better, worse in (
+        ("preliminary_algorithms", "Q+SR", "SL+SR SARSA+SR"), ("preliminary_algorithms_robot", "Q+SR SARSA+SR", ""),
+        ("cause_walls_algorithms", "", "Q+SR SARSA+SR"),
+        ("preliminary_exploration", "", "TOSL+EG"), ("preliminary_exploration_robot", "", "TOSL+EG"),
+    ):  # fmt: skip
+        others = [label for label in outcomes[key].experiment.methods if label != SR]
+        assert {x for x in others if significant(outcomes[key], x, SR)} == set(better.split()), key
+        assert {x for x in others if significant(outcomes[key], SR, x)} == set(worse.split()), key
+    assert len(PRELIMINARIES) == 7
+
+
+def test_the_report_says_how_many_pairs_few_repetitions_would_miss(outcomes):
+    rows = tables.few_table(outcomes).rows
+    shares = [(task, int(share.rstrip("%"))) for task, *_, share in rows]
+    assert len(rows) == 5 and [task for task, share in shares if share < 10] == ["navigation_1k"] * 4
+    assert [share > 50 for task, share in shares if task == "wander_4k"] == [True]
+    q, sarsa, _, reduced, _, full = json.loads((DOCS / "reproduction/environment.json").read_text())["seconds a step"]
+    assert sarsa < q and 5 < full / reduced < 20  # "about ten times"
 
 
 def test_the_page_of_differences_says_how_long_the_processes_are(outcomes):
@@ -145,17 +273,17 @@ def test_the_page_of_differences_says_how_long_the_processes_are(outcomes):
 
 def test_the_pages_tell_how_fast_the_arms_turn():
     ours = max(x for output in rl.load_task("arm_1k").outputs for x in output.values)
-    assert tells("docs/results.md", ours, 1) and tells("docs/differences.md", 1, ours)
+    assert tells(RESULTS, ours, 1) and tells("docs/differences.md", 1, ours)
 
 
 def test_the_pages_picture_is_the_reports(outcomes):
     o = outcomes["robot_wander_1k"]
     n = len(o.final[o.longest][Q])
-    assert tells("docs/results.md", n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR)))
+    assert tells(RESULTS, n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR)))
 
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
-    *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), DOCS / "reproduction/README.md",
+    *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), ROOT / REPORT,
     ROOT / "benchmarks/README.md"))]  # fmt: skip
 
 

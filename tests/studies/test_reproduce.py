@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from paper import claims, experiments, paper, report
+from paper import experiments, paper, report, tables
 from paper import run as reproduce
 
 import rlrobot_edu as rl
@@ -75,12 +75,11 @@ def small_set(monkeypatch):
     short.append(short[0]._replace(key="model_juggling", task="juggling"))
     for module in (reproduce, report):
         monkeypatch.setattr(module, "EXPERIMENTS", tuple(short))
-    monkeypatch.setattr("paper.causes.LENGTHS", {**experiments.LENGTHS, "wander_simple": two})
     monkeypatch.setattr(reproduce, "measure_costs", lambda: [1e-6] * 6)
 
 
 @pytest.mark.long
-def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second_call_writes_the_same(
+def test_a_run_writes_tables_figures_averages_seed_and_versions_and_a_second_one_writes_the_same(
     small_set, tmp_path, monkeypatch, capsys
 ):
     monkeypatch.chdir(tmp_path)
@@ -91,19 +90,25 @@ def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second
     rows = list(csv.DictReader((path.parent / "averages.csv").open(encoding="utf-8")))
     assert len(rows) == 3 * (4 + 2 * 3 + 2 * 3 + 2 + 3)  # both of wander_simple at two lengths
     assert {row["experiment"] for row in rows} >= {"traces", "robot_wander_simple"}
-    for name in ("traces", "differences"):
+    assert "**wander_simple: differences of mean final average rewards**" in text
+    for name in ("robot_wander_simple", "differences"):
         assert (path.parent / f"{name}.png").read_bytes().startswith(b"\x89PNG") and f"]({name}.png)" in text
     environment = json.loads((path.parent / "environment.json").read_text())
-    assert environment["rlrobot_edu"] == rl.__version__ and environment["seed"] == 0
+    assert environment["versions"]["rlrobot_edu"] == rl.__version__ and environment["versions"]["seed"] == "0"
 
     for learning in ("rlrobot_edu.experiments.repeat.learn", "paper.run.learn"):
         monkeypatch.setattr(learning, lambda *args, **more: pytest.fail("run again"))
     assert reproduce.reproduce().read_text(encoding="utf-8") == text  # all of it from the stores
 
+    block = report.BLOCK.search(text)[0]
+    stale = block.replace("seed 0", "seed 9")
+    path.write_text(f"What people wrote.\n\n{stale}\n\nMore of it.\n", encoding="utf-8")
+    assert reproduce.reproduce().read_text(encoding="utf-8") == f"What people wrote.\n\n{block}\n\nMore of it.\n"
+
 
 def test_the_quick_set_has_a_folder_of_its_own(small_set, tmp_path):
     path = reproduce.reproduce(quick=True, folder=tmp_path, stores=tmp_path / "stores", only=["traces"])
-    assert "experiments have not been run for this page: " in path.read_text(encoding="utf-8")
+    assert "experiments have not been run: " in path.read_text(encoding="utf-8")
     assert path == tmp_path / "quick" / "README.md" and "reproduce.py --quick" in path.read_text(encoding="utf-8")
     assert list(tmp_path.glob("*.md")) == []
 
@@ -136,7 +141,7 @@ def test_a_task_without_a_dataset_is_recorded_once(tmp_path, monkeypatch):
 def test_costs_are_measured_for_the_six_rows_of_the_paper():
     costs = reproduce.measure_costs(repetitions=3, steps=3000)
     assert len(costs) == len(paper.COST) == 6 and costs[5] > costs[3] > 0  # full traces cost more
-    assert len(claims.cost_table(costs).rows) == 6
+    assert len(tables.cost_table(costs).rows) == 6
 
 
 def test_the_command_line_knows_the_quick_set():

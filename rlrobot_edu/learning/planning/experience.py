@@ -18,8 +18,8 @@ class Experience(NamedTuple):
     It grows with what was met, never with S². Two lists run through the outcomes, the latest first: those of the same
     pair, and those that lead to the same state; −1 ends a list.
 
-    pair, s_next, r, terminated, times: arrays (C,), an outcome of a pair and how often it was met; C is what there is
-        room for
+    pair, s_next, r, terminated, times: arrays (C,), an outcome of a pair and how often it was met; C is
+        the capacity
     same_pair, same_next: arrays (C,) of int, the outcome before it in both lists
     last_of, last_into: arrays (P,) and (S,) of int, the latest outcome of each pair, and into each state
     tries: array (P,) of int, how often each pair was tried; tried: array (P,) of int, the pairs tried, in their order

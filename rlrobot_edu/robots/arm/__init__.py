@@ -6,6 +6,6 @@ bullet_arm.py             the arm in PyBullet, with weights and contact
 kinematic_manipulator.py  the arm on the mobile base in pymunk
 bullet_manipulator.py     the same in PyBullet
 
-Its card, with sensors, commands and engines, stands beside those of all robots in task/robot_cards.toml.
+Its card, with sensors, commands and engines, is in task/robot_cards.toml, as those of all robots.
 Begin with arm_body.py and kinematic_arm.py.
 """

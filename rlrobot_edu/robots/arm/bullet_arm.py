@@ -14,7 +14,7 @@ PHYSICS_HZ = 60
 
 
 class ArmJoints:
-    """The arm that is part of `body`: its joints are told speeds and stop at their limits.
+    """The arm that is part of `body`: its joints obey speeds and stop at their limits.
 
     place: of the object, array (3,) [m]
     step_time: how long a command lasts [s]

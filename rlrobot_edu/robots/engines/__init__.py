@@ -1,1 +1,1 @@
-"""Simulators beside pymunk: bullet/ is physics in three dimensions, kinematic/ is geometry alone, compiled."""
+"""Simulators other than pymunk: bullet/ is physics in three dimensions, kinematic/ is geometry alone, compiled."""

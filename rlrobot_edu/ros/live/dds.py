@@ -204,14 +204,12 @@ def _addresses(peers: Sequence[str]) -> list[str]:
         try:
             addresses.append(str(IPv4Address(socket.gethostbyname(peer or "?"))))
         except (OSError, UnicodeError, TypeError) as error:
-            raise ValueError(
-                f"there is no machine {peer!r:.200} to look for a robot on; give its name or its IPv4 address"
-            ) from error
+            raise ValueError(f"no computer is called {peer!r:.200}; give the robot's name or IPv4 address") from error
     return addresses
 
 
 def _configuration(number: int, domain: int, interface: str, peers: list[str]) -> str:
-    """What Cyclone DDS is to be told. It knows the domain of ROS as `number`, and by its own number on the network."""
+    """The settings of Cyclone DDS. It knows the domain of ROS as `number`, and by its own number on the network."""
     try:
         by, is_here = "address", IPv4Address(str(interface)).is_loopback
     except ValueError:

@@ -11,8 +11,8 @@ DRIFT = 1e-3  # by which two clocks may run apart [s/s], far more than they do
 class Latest(Generic[T]):
     """The newest of the messages of a topic; those that come twice, or after a newer one, are dropped.
 
-    How old a message was when it came cannot be told from two clocks that do not agree. But how much longer it was on
-    its way than the quickest ones, that can be told, and it counts as its age. A message without a time is as old as
+    Two clocks that disagree do not show how old a message was when it came. They do show how much longer it took than
+    the quickest ones, and this counts as its age. A message without a time is as old as
     it is here.
 
     value: what it says, None before the first one; stamp: its time by the sender's clock [s], 0 if it has none

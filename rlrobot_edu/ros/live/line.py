@@ -71,7 +71,7 @@ class Line:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; then stop, unless one drives on within 0.1 s.
 
         Raises PermissionError if nobody has said that the robot may move, ConnectionError or TimeoutError if it is
-        lost. Whatever is raised, the robot is told to stop.
+        lost. An exception stops the robot.
         """
         if (v or omega) and not self._may_move:
             self._get_leave()

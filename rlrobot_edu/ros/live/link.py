@@ -44,9 +44,9 @@ class RobotLink(Robot):
     confirmed : bool
         Whether the robot may move at once; else a person is asked before its first motion.
     dry_run : bool
-        Say nothing to the robot, only listen; `report` counts what would have been said.
+        Send nothing to the robot, only listen; `report` counts what would have been sent.
     simulated_time : bool
-        For a simulated robot whose time passes only as it is told what to do (``serve-robot --simulated-time``).
+        For a simulated robot whose time passes only with its commands (``serve-robot --simulated-time``).
     **where
         Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS.
 
@@ -57,14 +57,14 @@ class RobotLink(Robot):
 
     Notes
     -----
-    - A step says its command ten times a second for the task's `step_time`. It is followed by a stop, unless the next
+    - A step sends its command ten times a second for the task's `step_time`. It is followed by a stop, unless the next
       step comes within a tenth of a second.
-    - Whatever ends a step before its time (an exception, Ctrl-C) stops the robot, and so does `close`. If this process
-      is killed, a second one stops it.
+    - Anything that ends a step early, such as an exception or Ctrl-C, stops the robot, and so does `close`. If this
+      process is killed, a second one stops it.
     - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
       and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
       needs, and all that it showed at `reset`.
-    - `reset` does not put the robot anywhere: it stops the robot and waits until it is heard.
+    - `reset` does not move the robot: it stops it and waits until it is heard.
     """
 
     def __init__(
@@ -154,7 +154,7 @@ class RobotLink(Robot):
         Raises
         ------
         OSError
-            If nobody is there (ConnectionError), or if the robot is not heard in time (TimeoutError).
+            If nothing answers (ConnectionError), or if the robot is not heard in time (TimeoutError).
         ValueError
             If the task needs a laser where the scanner does not look, or for an unknown link.
         ImportError
@@ -171,7 +171,7 @@ class RobotLink(Robot):
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """Drive for one control step. Whatever is raised, the robot is told to stop.
+        """Drive for one control step. An exception stops the robot.
 
         Parameters
         ----------
@@ -188,7 +188,7 @@ class RobotLink(Robot):
         ValueError
             For a command that is not on the robot's card.
         OSError
-            If nobody has said that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
+            If nobody has confirmed that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
             TimeoutError).
         """
         line = self._open_line()

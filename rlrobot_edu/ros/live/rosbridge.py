@@ -89,7 +89,7 @@ class Rosbridge:
         A time has the names that ROS 2 gives it, which rosbridge of ROS 1 does not know. A TwistStamped, which goes to
         real robots, therefore has no time: both rosbridges then put in the robot's own, and that is better anyway,
         since many robots take a command for outdated whose sender's clock is late. Odometry and LaserScan keep their
-        times, by which their age is told; only a served robot sends them, to our own router.
+        times, which give their age; only a served robot sends them, to our own router.
         """
         if kind == TWIST_STAMPED:
             fields["header"] = {name: value for name, value in fields["header"].items() if name != "stamp"}

@@ -119,7 +119,7 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
             )  # fmt: skip
         except OSError as error:
             raise ConnectionError(
-                f"port {port} cannot be had ({error.strerror}): another router or rosbridge may be running; end it, or "
+                f"port {port} is not free ({error.strerror}): another router or rosbridge may be running; end it, or "
                 "choose another port, 0 for any"
             ) from None
         self.port: int = self._server.socket.getsockname()[1]

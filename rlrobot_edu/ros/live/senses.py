@@ -30,7 +30,7 @@ class Sight(NamedTuple):
 
 
 class Senses:
-    """The newest odometry and scan. Messages come in other threads; `news` is told of each.
+    """The newest odometry and scan. Messages come in other threads; `news` hears of each.
 
     chassis, mounting: of the robot, and of the scanner on it; odom, scan: names of the topics
     pose: readings x, y and theta by name; sight: of the lasers

@@ -51,5 +51,5 @@ class ServedBody:
         ranges = np.array(self._base.look_around(RAYS))
         if self._noise:
             ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3)
-        # in JSON, infinity is not to be told from NaN
+        # JSON cannot distinguish infinity from NaN
         return [min(r, 2 * LASER_RANGE) for r in ranges.tolist()]

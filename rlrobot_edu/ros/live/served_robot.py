@@ -16,7 +16,7 @@ from rlrobot_edu.ros.live.served_body import TICK, ServedBody
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 
-WATCHDOG = 0.5  # a robot that is told nothing for so long stops [s]
+WATCHDOG = 0.5  # a robot without a command for so long stops [s]
 REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
 
 
@@ -26,7 +26,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     Parameters
     ----------
     body : str, Path, Task or ServedBody
-        The task whose robot in whose scene it is, one on wheels; or a body that exists already.
+        The task of the robot, one on wheels, and of its scene; or a body that exists already.
     link : str
         ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more.
     realism : Realism, optional
@@ -53,8 +53,8 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
 
     Notes
     -----
-    - The robot stops by itself if it is told nothing for half a second, as real ones should.
-    - What it is told above what its wheels can do is cut off there.
+    - The robot stops by itself after half a second without a command, as real ones should.
+    - A command above what its wheels can do is reduced to that.
     - `where` is how a link reaches it: ``rl.RobotLink(link, **robot.where)``.
     """
 
@@ -98,7 +98,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self.close()
 
     def wait(self) -> None:
-        """Come back when the robot has ended, which it does not by itself. Raises ConnectionError if it is cut off."""
+        """Return when the robot has ended; it does not end by itself. Raises ConnectionError if it is cut off."""
         # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
         while not self._has_ended.wait(1.0):  # on Windows, Ctrl-C is not heard in a longer wait
             pass

@@ -27,7 +27,7 @@ class Limits(NamedTuple):
 class Steering:
     """Moves one robot.
 
-    simulated: whether time passes only as the robot is told what to do, and is what its messages say
+    simulated: whether time passes only with the robot's commands, and is what its messages say
     held_back: commands without their forward motion, since something was near
     pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
@@ -41,7 +41,7 @@ class Steering:
     def drive(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; while the robot must wait, time does not count.
 
-        Raises ConnectionError or TimeoutError as `wait` does; the robot has not been told to stop then.
+        Raises ConnectionError or TimeoutError as `wait` does; then the link has sent no stop.
         """
         v, omega = within(v, omega, *self._limits[:2])
         left = seconds
@@ -61,7 +61,7 @@ class Steering:
                 left -= time.monotonic() - begin
 
     def wait(self) -> None:
-        """Come back when the robot is heard and sees something; until then it is told to stop.
+        """Come back when the robot is heard and sees something; until then the link commands it to stop.
 
         Raises ConnectionError if the connection is lost, or if the robot is elsewhere then; TimeoutError if it takes
         too long.
@@ -77,7 +77,7 @@ class Steering:
         there = self._senses.pose.value
         if here and there and math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > JUMP:
             raise ConnectionError(
-                "the robot was silent, and its odometry then told of another place: it was carried or started anew; "
+                "the robot was silent, and its odometry then reported another place: it was carried or restarted; "
                 "begin again with env.reset()"
             )
 

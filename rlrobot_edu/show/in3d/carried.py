@@ -22,7 +22,7 @@ class CarriedPage(anywidget.AnyWidget):
     _esm = files(__package__).joinpath("frame.js").read_text(encoding="utf-8")
     page = traitlets.Unicode().tag(sync=True)
     height = traitlets.Int(480).tag(sync=True)
-    # asked for whenever a browser wants the state, also by one that comes back: so it is told how all is then
+    # asked for whenever a browser wants the state, also by one that comes back: so the answer is the state then
     scene = traitlets.Any().tag(sync=True, to_json=lambda _, widget: widget.whole())
 
     def __init__(self, window: Window) -> None:
@@ -33,7 +33,7 @@ class CarriedPage(anywidget.AnyWidget):
         window.listeners.append(self._hear)
 
     def whole(self) -> dict[str, Any]:
-        """All that is to be seen."""
+        """The whole view."""
         return self._message(all_of_it := self._window.commands()) | {"packed": [packed for _, packed in all_of_it]}
 
     def tell(self) -> None:

@@ -53,7 +53,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
     Attributes
     ----------
     text : str
-        What is to be seen, in words.
+        The view in words.
     html : str
         A page of it; it works without a network.
 
@@ -71,7 +71,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 
     @property
     def text(self) -> str:
-        """What is to be seen, in words."""
+        """The view in words."""
         return str(self.window.title)
 
     @property

@@ -26,7 +26,7 @@ NO_SERVER = "this view has no server: show it in a notebook, or write its page w
 class Window:
     """Keeps the last command of each kind for each place of the scene.
 
-    title: what is to be seen, in words; rewards: of the steps so far, for the bar below the picture
+    title: the view in words; rewards: of the steps so far, for the bar below the picture
     listeners: called with each command, as meshcat's viewer reads it
     """
 
@@ -52,7 +52,7 @@ class Window:
         return sorted(self._kept.items(), key=lambda item: ORDER.index(item[0][1]))
 
     def page(self, *, live: bool = False) -> str:
-        """A stand-alone HTML page, whose bytes are packed; live: the page around it tells it what is to be seen."""
+        """A stand-alone HTML page, whose bytes are packed; live: the page around it says what to show."""
         template, script = (files(__package__).joinpath(name).read_text("utf-8") for name in ("page.html", "bar.js"))
         library = (MESHCAT / "viewer/dist/main.min.js").read_text("utf-8")
         commands = [] if live else [base64.b64encode(packed).decode() for _, packed in self.commands()]

@@ -49,8 +49,8 @@ class Credit:
         Returns
         -------
         array (n_steps,)
-            Entry 0 is about step 1: so much would a reward of one more in this step have added. (Who acts by Q might
-            have gone another way; here the steps are held as they were.)
+            Entry 0 is step 1: how much Q(s, a) would be larger if this step's reward had been larger by one, and all
+            steps had stayed as they were.
 
         Raises
         ------
@@ -145,12 +145,12 @@ class Credit:
 
 
 def credit(agent: Agent, env: Env, steps: int) -> Credit:
-    """Let `agent` learn in `env`, and find out of which rewards each of its values is made.
+    """Let `agent` learn in `env`, and find out from which rewards each of its values comes.
 
     Parameters
     ----------
     agent : Agent
-        Who learns, by any algorithm whose update adds values and multiplies them by plain numbers only.
+        The learner, with any algorithm whose update only adds values and multiplies them by constants.
     env : gymnasium.Env
         Its world; it is reset first.
     steps : int
@@ -164,13 +164,13 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     Raises
     ------
     ValueError
-        For an agent that plans, and where too many numbers would have to be kept.
+        For an agent that plans, and if it would have to keep too many numbers.
 
     Notes
     -----
     Updates are linear in the rewards once the steps, the traces and the probabilities are given. So the agent's own
-    kernel runs a second time, on numbers that remember of which rewards they are made. Q-learning's maximum is held
-    where it was. What a bias or a temperature did to the choices is part of the steps, not of the credit.
+    kernel runs a second time, on numbers that remember from which rewards they come. Q-learning's maximum stays at
+    the action that had it. What a bias or a temperature did to the choices is part of the steps, not of the credit.
     """
     check_count("steps", steps, least=1)
     if agent.method.planner:

@@ -55,9 +55,9 @@ def match_actions(target: Task, source: Task) -> list[ActionMatch]:
 
     The source's action of the same outputs and the same motion; or all that have its motion, alike; or the two between
     which its motion lies most nearly, each the more the nearer it is. Motions are compared as parts of the largest in
-    either task; what is missed by more than `TOLERANCE` has no match. What a robot cannot be told counts as 0.
+    either task; what is missed by more than `TOLERANCE` has no match. A command that a robot does not have counts as 0.
 
-    Raises ValueError if the robots have nothing in common that they can be told.
+    Raises ValueError if the robots have no command in common.
     """
     wanted = [motion(target, a) for a in range(target.actions.n)]
     known = [motion(source, a) for a in range(source.actions.n)]

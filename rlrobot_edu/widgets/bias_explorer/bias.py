@@ -11,7 +11,7 @@ from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
 
 class BiasNumbers(NamedTuple):
-    """How QBIASSR chooses in state `s`, beside how SR would choose (paper algorithm 2).
+    """How QBIASSR chooses in state `s`, compared with SR (paper algorithm 2).
 
     s: the state; sets: for each input, the states that share all other inputs with `s`, `s` included
     means: array (inputs, n_actions), the mean of Q over each set; bias: array (n_actions,), their mean

@@ -95,7 +95,7 @@ class BiasExplorer(Displayed):
         The page begins with all tables as they are now, edits included. *Reset Q* undoes them there as well.
         """
         feed = {name: getattr(self.widget, name) for name in ("about", "state", "table", "tables", "stage")}
-        title = f"Who has a say in the choice: the bias in {self.task.name}"
+        title = f"Which states bias the choice in {self.task.name}"
         write_whole(path, page_html(title, feed, script(), style()))
 
     def picture(self, stage: int = 4) -> Picture:

@@ -1,4 +1,4 @@
-"""The program of the explorer's page, what it is told, and the same page as a widget of a notebook."""
+"""The program of the explorer's page, its data, and the same page as a widget of a notebook."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def style() -> str:
 def about(
     task: Task, tables: Mapping[str, np.ndarray], scales: Mapping[str, float], temperature: float
 ) -> dict[str, Any]:
-    """What the page is told that does not change. Raises ValueError if the task is too large for a page."""
+    """The page's data that do not change. Raises ValueError if the task is too large for a page."""
     inputs = [
         {"name": name_text(name), **mark._asdict(), "values": [value_text(each) for each in bins],
          "words": [value_words(each) for each in bins]}

@@ -1,4 +1,4 @@
-"""The actions of a task as buttons: what stands on each, which keys press it, and where it is."""
+"""The actions of a task as buttons: the text on each, which keys press it, and where it is."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Button:
     """The button of an action.
 
     a: number of the action; key: of the keyboard, empty where there are more buttons than keys
-    text: what stands on it; words: what it does; place: its row and column
+    text: on the button; words: what it does; place: its row and column
     """
 
     a: int

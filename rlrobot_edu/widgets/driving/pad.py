@@ -42,7 +42,7 @@ def teleoperate(env: Env, view: str = "top") -> Pad:
     env : gymnasium.Env
         An environment with a robot, see `make_env`.
     view : str
-        How the robot is seen beside the buttons: ``top``, from above, or ``3d``.
+        The view of the robot next to the buttons: ``top``, from above, or ``3d``.
 
     Returns
     -------

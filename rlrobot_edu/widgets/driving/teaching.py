@@ -23,7 +23,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     Raises
     ------
     ValueError
-        If agent and recording have other states or actions, or stand in the other order.
+        If agent and recording have other states or actions, or come in the other order.
 
     Notes
     -----

@@ -7,7 +7,7 @@ Read in this order:
 - `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
 - `start.js`: a life of given settings; `rlrobot_edu/widgets/javascript/life.js`: how it goes on;
 - `run.js`: a life with its score and its floor; `walls.js`: walls inside a room;
-- `page.html`, `style.css`: what there is to see; `room.js`, `cells.js` and `curve.js` draw it;
+- `page.html`, `style.css`: the looks; `room.js`, `cells.js` and `curve.js` draw it;
 - `page.js`: time, and words; `settings.js`: sliders and the link; `hands.js`: what is dragged; `begin.js`: buttons;
 - `look.js`: colours and height within another page; `around.js`: the part of that other page; `framed`: a notebook's.
 """

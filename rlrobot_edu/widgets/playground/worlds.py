@@ -1,4 +1,4 @@
-"""The worlds of the playground as data: all that life.js must be told of them."""
+"""The worlds of the playground as data: all that life.js needs of them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ WITHOUT_END = 0  # steps of an episode that is never cut off
 
 
 def base_world(task: Task) -> World:
-    """What `BaseWorld` must be told of a task of the mobile base."""
+    """What `BaseWorld` needs of a task of the mobile base."""
     chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
     twists, words = [chassis.twist(task.command_for(a)) for a in range(task.actions.n)], _actions(task)
@@ -54,7 +54,7 @@ def base_world(task: Task) -> World:
 
 
 def cliff_world() -> World:
-    """What `ModelWorld` must be told of the cliff of lesson 06."""
+    """What `ModelWorld` needs of the cliff of lesson 06."""
     rows, columns = SHAPE
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
@@ -67,7 +67,7 @@ def cliff_world() -> World:
 
 
 def cells_world(task: Task) -> World:
-    """What `CellWorld` must be told of a task in the cells, such as the paper's worked example.
+    """What `CellWorld` needs of a task in the cells, such as the paper's worked example.
 
     Its places say where robot and box are, of which the robot sees less. Their table is found by putting the library's
     robot in each place and letting it act.
@@ -99,7 +99,7 @@ def cells_world(task: Task) -> World:
 
 
 def model_world(model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: float) -> World:
-    """What `ModelWorld` must be told of a sample model in which each place is a state; drawn: how each is drawn."""
+    """What `ModelWorld` needs of a sample model in which each place is a state; drawn: how each is drawn."""
     tables = SampleModelEnv(model)._tables._asdict()
     return _in_common(model.shape, model.n_actions, r_max, model.episode_steps) | {
         "kind": "ModelWorld",
@@ -110,7 +110,7 @@ def model_world(model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: f
 
 
 def chance_world(grid: Any, episode_steps: int | None) -> World:
-    """What `ChanceWorld` must be told of one of Gymnasium's grids, from its table P of (chance, s', r, terminated)."""
+    """What `ChanceWorld` needs of one of Gymnasium's grids, from its table P of (chance, s', r, terminated)."""
     n_actions = int(grid.action_space.n)
     pairs = [grid.P[s][a] for s in range(len(grid.P)) for a in range(n_actions)]
     outcomes = [[(int(s2), float(r), bool(end)) for _, s2, r, end in pair] for pair in pairs]
@@ -143,7 +143,7 @@ def _in_words(one: Bin) -> str:
 
 
 def _actions(task: Task) -> World:
-    """The actions in words, without the names of the outputs, which stand above them."""
+    """The actions in words, without the names of the outputs, which are above them."""
     words = [task.actions.label(a) for a in range(task.actions.n)]
     for v in task.outputs:
         words = [label.replace(f"{v.name} ", "") for label in words]

@@ -15,7 +15,7 @@ Begin with `tape`, which records `rl.steps` and knows no page. Three views of an
 picture, with `still_tables` and `equations`; `code_view` shows the lines of the
 update rule; `symbols` has the text of each algorithm, `colours` are those of values.
 
-The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws what there is to see (with
+The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws the view (with
 tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page
 can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels, from any step on;
 futures.js shows both lives. credit.js tells who paid for a value, by the updates that `paid` gives it. The same program

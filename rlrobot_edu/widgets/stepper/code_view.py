@@ -1,4 +1,4 @@
-"""The source of the update that an agent uses, as it stands in the library."""
+"""The source of the update that an agent uses, as in the library."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ def largest(q: np.ndarray, r_max: float) -> float:
 
 @lru_cache(8192)
 def tint(x: float, most: float) -> tuple[str, float]:
-    """Colour and opacity of the value `x`. By its root, so that −0.9 is seen beside 25."""
+    """Colour and opacity of the value `x`. By its root, so that −0.9 shows next to 25."""
     if x == 0:
         return BLUE, 0.0
     strength = math.sqrt(min(abs(x) / most, 1.0))

@@ -92,7 +92,7 @@ def _random(rng: np.random.Generator) -> dict[str, Any] | None:
 
 
 def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
-    """What life.js must be told of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
+    """What life.js needs of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
     if isinstance(env, SampleModelEnv):
         model = env.model
         return model_world(model, [], model.r_max), {"draw_outcome": draw_outcome, "draw_start": draw_start}

@@ -42,7 +42,7 @@ class Names:
             self.inputs = ("state",) if len(self.shape) == 1 else tuple(f"input {i}" for i in range(len(self.shape)))
         self.outputs = ", ".join(variable.name for variable in task.actions.outputs) if task is not None else ""
         drives = task is not None and [v.name for v in task.actions.outputs] == ["left_wheel", "right_wheel"]
-        # by what the wheels are told, which some tasks make of other outputs
+        # by the wheels' commands, which some tasks make of other outputs
         self._icons = [wheel_icon(*task.command_for(a).values()) for a in range(n_actions)] if drives else []
         self._all_differ = len(set(self._icons)) == n_actions
         self.state, self.action = lru_cache(4096)(self._state), lru_cache(4096)(self._action)

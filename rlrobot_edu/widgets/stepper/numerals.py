@@ -1,4 +1,4 @@
-"""Numbers as they stand in tables and equations: short, and never rounded to nothing."""
+"""Numbers for tables and equations: short, and never rounded to nothing."""
 
 from __future__ import annotations
 

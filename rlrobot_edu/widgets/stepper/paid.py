@@ -25,12 +25,12 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
     """
     try:
         if agent.method.planner:
-            raise ValueError("who plans learns from imagined steps, too")
+            raise ValueError("an agent that plans learns from imagined steps, too")
         _check_sums(agent)
         algorithms = {f"update_{i}": algorithm.update for i, algorithm in enumerate(algorithms_for(agent))}
         text = program(algorithms, ARITHMETIC)
     except (AttributeError, TypeError, ValueError) as error:  # what an algorithm of one's own may meet
-        return json.dumps({"reason": f"Who paid for a value cannot be told here: {error}."}, ensure_ascii=False)
+        return json.dumps({"reason": f"No answer here: {error}."}, ensure_ascii=False)
     return f"{{parameters: {json.dumps(parameters)}, kernels: {text}}}"
 
 

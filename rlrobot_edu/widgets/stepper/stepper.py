@@ -42,7 +42,7 @@ class Stepper(Displayed):
     at : int
         The step to show first, at least 0.
     keep : int
-        So many of the latest steps can be looked at again, at least 1.
+        How many of the latest steps can be shown again, at least 1.
     task : Task, optional
         Names of states and actions for an environment that has no task itself, such as a sample model.
     hide : collection of str
@@ -56,8 +56,8 @@ class Stepper(Displayed):
     Notes
     -----
     The agent takes a new step when the view goes beyond the last one. Going back moves the view alone: what the agent
-    has learned stays learned, and going forward again shows the same steps. (The first step is taken at once, at t = 0
-    as well.)
+    has learned stays learned, and going forward again shows the same steps. The first step is taken at once, also at
+    t = 0.
     """
 
     def __init__(

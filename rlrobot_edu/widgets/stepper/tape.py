@@ -19,7 +19,7 @@ PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
 
 class EnvironmentView(Protocol):
-    """A view of an environment: `look` keeps what is to be seen now; `tell` and `draw` show it later.
+    """A view of an environment: `look` keeps what can be seen now; `tell` and `draw` show it later.
 
     heading: what it shows, in words; wide: whether it needs more room than others
     """
@@ -28,13 +28,13 @@ class EnvironmentView(Protocol):
     wide: bool
 
     def look(self, s: int) -> Any:
-        """What is to be seen while the environment is in state `s`."""
+        """What can be seen while the environment is in state `s`."""
 
     def tell_all(self) -> dict[str, Any]:
-        """What worlds.js must be told once; ``kind`` is which of its pictures it is."""
+        """What worlds.js needs once; ``kind`` is which of its pictures it is."""
 
     def tell(self, look: Any) -> Any:
-        """What worlds.js must be told of a look; None where the number of the state is all."""
+        """What worlds.js needs of a look; None where the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The look at the position of `tape`, the way to it, and what the agent thinks of the places there."""
@@ -58,7 +58,7 @@ class Frame(NamedTuple):
     """One step and all that is needed to show it.
 
     step: the transition, see `Step`; episode, number: of the step within its episode, both from 1
-    start, look: what was to be seen as the episode began (None if that was earlier), and after the step
+    start, look: what could be seen as the episode began (None if that was earlier), and after the step
     q_sa, q_next: Q(s, a) and the value of what follows, as the update sees them; q_sa_new: Q(s, a) after it
     best: the best action in s′ as the update sees it
     p_next: π(·|s′) as the update sees it
@@ -85,7 +85,7 @@ class Frame(NamedTuple):
 
 
 class _Watched(gymnasium.Wrapper):
-    """The environment as it is; keeps what was to be seen at its last reset."""
+    """The environment as it is; keeps the view at its last reset."""
 
     def __init__(self, env: gymnasium.Env, view: EnvironmentView) -> None:
         super().__init__(env)
@@ -155,7 +155,7 @@ class Tape:
             self.back()
 
     def looks(self) -> list[Any]:
-        """What was to be seen in the latest steps of this episode, up to the position shown."""
+        """What could be seen in the latest steps of this episode, up to the position shown."""
         if self.t == 0:
             return [self._at(1).start]
         latest_first = []

@@ -1,4 +1,4 @@
-"""What the page is told of a stepper: names, looks and steps, as numbers and words that JSON knows."""
+"""What the page gets of a stepper: names, looks and steps, as numbers and words that JSON knows."""
 
 from __future__ import annotations
 

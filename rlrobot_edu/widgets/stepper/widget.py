@@ -41,7 +41,7 @@ export default {
 class StepperWidget(anywidget.AnyWidget):
     """A view of a stepper.
 
-    script: the page's program; feed: what it is told first; hear: called with each question of the page
+    script: the page's program; feed: its first data; hear: called with each question of the page
     """
 
     feed = traitlets.Dict().tag(sync=True)

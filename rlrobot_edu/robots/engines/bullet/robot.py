@@ -15,7 +15,7 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 
 
 class Motors:
-    """The motors in the joints `names` of the robot that is `body` in `simulation`: they are told speeds.
+    """The motors in the joints `names` of the robot that is `body` in `simulation`: their commands are speeds.
 
     numbers: of the joints, by name; limits: lowest and highest angle of each [rad]; torques: the most that each motor
         can give [N m], in their order

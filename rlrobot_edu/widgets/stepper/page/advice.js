@@ -25,7 +25,7 @@ function adviceHtml(always, tape, asked) {
   const found = [frame.t, frame.t - 1].filter((at) => at >= tape.dropped)
     .map((at) => advice({ q: tape.copyAt(at).q, visits, shape, parameters: about.parameters, temperature }, s, a))
     .find(({ sum }) => Math.abs(sum - bias[a]) <= 1e-5 * Math.max(1, Math.abs(bias[a])));
-  if (!found) return `<p role="status">Whose advice it was in step ${t} cannot be told: the values of that time are not kept.</p>`;
+  if (!found) return `<p role="status">The advice in step ${t} is unknown: the values of that time are not kept.</p>`;
   const most = Math.max(...found.said.map(([, , share]) => Math.abs(share)), 1e-300), own = binsOf(names, s);
   const unlike = (k) => (k === s ? "the state itself" : binsOf(names, k).flatMap((bin, i) => (bin === own[i] ? []
     : `${names.inputs[i]} = ${readingsOf(names, k)[i]}`)).join(", "));

@@ -57,7 +57,7 @@ class Ledger {
     changed.forEach((at, i) => {
       const [x, b] = place(at);
       if (+m.q[x][b] === after[i]) return;
-      throw new Error(`From step ${frame.t + 1} on it cannot be told who paid: the settings were changed while it learned.`);
+      throw new Error(`From step ${frame.t + 1} on the payments are unknown: the settings were changed while it learned.`);
     });
     this.rewards.push(paid);
     this.learned.push(new Map([pair, ...where].map((at) => [at, m.q[place(at)[0]][place(at)[1]]])));
