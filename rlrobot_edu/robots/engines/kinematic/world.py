@@ -1,19 +1,17 @@
 """A robot of geometry alone and its task as kernels, for the compiled loop of learning.
 
-A task's reward and goal are compiled as they are, from Python's bytecode, as long as their results have the same bits
-in every language: arithmetic without powers, comparisons, what stands in EXACT, and functions made of these. The
-`hypot` and the `sin` of C differ from Python's in the last bit; a square root is exact everywhere.
+A task's reward and goal are compiled as they are. They are tried first, on a walk at random: only if they say there
+what Python says does the loop use them. A reward is one of few numbers, so the last bit of a `hypot` is of no account.
 """
 
-import builtins
-import dis
 import math
 import sys
 from abc import abstractmethod
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import cache
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -25,41 +23,19 @@ from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.robot_cards import RobotCard
 from rlrobot_edu.task.task import Task
 
-# What the compiler would do in a way of its own, in the words of Python's disassembler
-REFUSED = {"**", "**=", "<<", "<<=", ">>", ">>=", "UNARY_INVERT", "IS_OP", "STORE_SUBSCR", "STORE_GLOBAL"}
-REFUSED |= {"IMPORT_NAME", "LOAD_DEREF", "MAKE_FUNCTION"}
 INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
+TRIED = 300  # steps of the walk at random
 
 # What the loop is given.
 # parts, start: the robot's; place: array, where it was before the step; commands: array (actions, n), see `in_numbers`
 # numbers: array (2, n), readings before and after a step; records: the same memory, in which readings have names
 # inputs: array (n_inputs,) of INPUT; cuts: array (n_inputs, n), the cuts of each, then infinity
-# reward, goal: (record before, record after) -> number; NaN where the task's function fails
+# judge: (record before, record after) -> reward, NaN where the task's functions fail, and whether it is at the goal
 # at_goal: array (1,), steps at the goal without a break; rewards, goal_steps, episode_steps: the task's
 World = namedtuple(
     "World",
-    "parts start place commands numbers records inputs cuts reward goal at_goal rewards goal_steps episode_steps",
+    "parts start place commands numbers records inputs cuts judge at_goal rewards goal_steps episode_steps",
 )
-
-
-@compiled
-def _round(x):
-    if not abs(x) < 2**20:  # whole numbers of Python have no end
-        raise OverflowError
-    return round(x)
-
-
-@compiled
-def _sqrt(x):
-    if x < 0:
-        raise ValueError
-    return math.sqrt(x)
-
-
-_MATH = ModuleType("math")
-vars(_MATH).update(fabs=math.fabs, inf=math.inf, pi=math.pi, sqrt=_sqrt)
-# What a task's function may call, and what is called in its place
-EXACT: Any = {**{f: f for f in (abs, bool, float, max, min, math.fabs)}, round: _round, math.sqrt: _sqrt, math: _MATH}
 
 
 class KinematicRobot(SimulatedRobot):
@@ -100,9 +76,8 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     start = robot.start() if "kernels" in vars(type(robot)) else None
     if IS_PLAIN or start is None or any(v.values is not None for v in task.inputs):
         return None
-    names = tuple(robot.readings)
-    reward, goal = (_asked(task, what, names) for what in ("reward", "goal"))
-    if reward is None or goal is None:
+    names, judge = tuple(robot.readings), judge_of(task, robot, commands)
+    if judge is None:
         return None
     numbers = np.array([[*robot.readings.values()]] * 2)
     width = max(v.n_bins for v in task.inputs)
@@ -111,7 +86,7 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     return World(
         robot.parts, start, start.copy(), np.array([*map(robot.in_numbers, commands)]),
         numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), np.array(cuts),
-        reward, goal, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
+        judge, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
     )  # fmt: skip
 
 
@@ -153,9 +128,8 @@ def kernels_of(move: Callable[..., Any], sense: Callable[..., Any]) -> tuple[Any
         move(world.parts, world.commands[a])
         sense(world.parts, after)
         s_next = state_of(world.inputs, world.cuts, after)
-        r = world.reward(world.records[0], world.records[1])
-        is_there = world.goal(world.records[0], world.records[1])
-        if s_next < 0 or r not in world.rewards or math.isnan(is_there):
+        r, is_there = world.judge(world.records[0], world.records[1])
+        if s_next < 0 or r not in world.rewards:
             world.parts.place[:] = world.place
             return -1, r, False
         before[:] = after
@@ -165,52 +139,51 @@ def kernels_of(move: Callable[..., Any], sense: Callable[..., Any]) -> tuple[Any
     return begin, outcome
 
 
-_known: dict[Any, Any] = {}  # what the loop asks, by the code of a task's function
+_judges: dict[Any, Any] = {}  # by the code of a task's reward and goal
 
 
-def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
-    """The pointer that stands for a task's reward or goal in the loop; None, and once a word on stderr, without one."""
-    function = getattr(task, what) or (lambda readings: False)
-    key = what, code_of(function), names
-    if key not in _known:
-        try:
-            record = numba.from_dtype(np.dtype([(name, float) for name in names]))
-            kernel = compiled(_guarded(_exact(function), is_reward=what == "reward"))
+def judge_of(task: Task, robot: KinematicRobot, commands: Sequence[Mapping[str, float]]) -> Any:
+    """A task's reward and goal as the loop asks for them; None, and once a word on stderr, where there is no such."""
+    kind = np.dtype([(name, float) for name in robot.readings])
+    key = code_of((task.reward, task.goal)), kind
+    if key not in _judges:
+        _judges[key], walk, record = None, _walk(robot, commands), numba.from_dtype(kind)
+        records = np.array([tuple(readings.values()) for readings in walk], kind)
+        with suppress(Exception):  # a compiler may find anything odd in somebody's function
+            kernel = compiled(_judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal)))
             kernel.compile((record, record))
-            _known[key] = numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
-        except Exception as error:
-            _known[key] = None
-            why = str(error).splitlines()[0]
-            print(f"{task.path}: learning is slower, since {what} cannot be compiled: {why}", file=sys.stderr)
-    return _known[key]
+            if repr([*map(kernel, records, records[1:])]) == repr(
+                [*map(_judging(task.reward, task.goal), walk, walk[1:])]
+            ):
+                _judges[key] = numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
+        if _judges[key] is None:
+            print(f"{task.path}: learning is slower, since numba cannot compile reward or goal", file=sys.stderr)
+    return _judges[key]
 
 
-def _guarded(function: Any, is_reward: bool) -> Any:
-    def asked(before, after):
-        try:
-            return 1.0 * function(before, after) + 0.0 if is_reward else 1.0 * bool(function(after))
-        except Exception:
-            return math.nan
+def _walk(robot: KinematicRobot, commands: Sequence[Mapping[str, float]]) -> list[dict[str, float]]:
+    """Readings on a walk at random; afterwards the robot stands where it stood."""
+    place, draws = robot.parts.place.copy(), np.random.default_rng(0).integers(len(commands), size=TRIED)
+    walk = [robot.act(commands[a]) for a in draws]
+    robot.parts.place[:] = place
+    robot.look()
+    return walk
 
-    return asked
 
-
-def _exact(function: Any) -> Any:
-    """The kernel of a function, and of those that it calls. Raises ValueError if its results could be others."""
-    if not isinstance(function, FunctionType):
-        raise ValueError(f"it calls {getattr(function, '__name__', function)}")
-    around: dict[str, Any] = {}
-    for step in dis.get_instructions(function):
-        name = str(step.argval)
-        if REFUSED.intersection((step.opname, step.argrepr)):
-            raise ValueError(f"{step.opname} {step.argrepr} in {function.__name__}")
-        if step.opname in ("LOAD_ATTR", "LOAD_METHOD") and name not in vars(_MATH):
-            raise ValueError(f"it uses .{name}")
-        if step.opname == "LOAD_GLOBAL":
-            value = function.__globals__.get(name, getattr(builtins, name, None))
-            parts = value if type(value) is tuple else (value,)
-            is_number = all(isinstance(part, int | float) for part in parts)
-            around[name] = value if is_number else EXACT[value] if value in EXACT else _exact(value)
-    copy = FunctionType(function.__code__, around, function.__name__, function.__defaults__)
+def _kernel_of(function: Any) -> Any:
+    """The kernel of a function, and of those that it calls."""
+    used = {name: v for name, v in function.__globals__.items() if name in function.__code__.co_names}
+    around = {name: _kernel_of(v) if isinstance(v, FunctionType) else v for name, v in used.items()}
+    copy = FunctionType(function.__code__, around, function.__name__, function.__defaults__, function.__closure__)
     copy.__kwdefaults__ = function.__kwdefaults__
     return numba.njit(error_model="python")(copy)
+
+
+def _judging(reward: Any, goal: Any) -> Any:
+    def judge(before, after):
+        try:
+            return 1.0 * reward(before, after) + 0.0, goal is not None and bool(goal(after))
+        except Exception:
+            return math.nan, False
+
+    return judge
