@@ -82,52 +82,40 @@ def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
     dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
     x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
     ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
-    length, thickness = walls[i, 2], walls[i, 3]
-    left, right, below, above = math.inf, -math.inf, math.inf, -math.inf  # the hull, as the wall sees it
-    for k in range(hull.shape[0]):
-        along = (hull[k, 0] - x) * ux + (hull[k, 1] - y) * uy
-        across = (hull[k, 1] - y) * ux - (hull[k, 0] - x) * uy
-        left, right, below, above = min(left, along), max(right, along), min(below, across), max(above, across)
-    # the sides of the wall, one after the other: how far outside each the hull begins
-    widest, nx, ny, half = left - length, ux, uy, length
-    if below - thickness > widest:
-        widest, nx, ny, half = below - thickness, -uy, ux, thickness
-    if -right - length > widest:
-        widest, nx, ny, half = -right - length, -ux, -uy, length
-    if -above - thickness > widest:
-        widest, nx, ny, half = -above - thickness, uy, -ux, thickness
-    if widest >= enough:
-        return widest
-    gap, nearest = -math.inf, 0
+    length, thickness, widest = walls[i, 2], walls[i, 3], -math.inf
     for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
-        ahead = hull[k, 2] * (x - hull[k, 0]) + hull[k, 3] * (y - hull[k, 1])
-        along, across = hull[k, 2] * ux + hull[k, 3] * uy, hull[k, 3] * ux - hull[k, 2] * uy
-        ahead = ahead - abs(along) * length - abs(across) * thickness
-        if ahead > gap:
-            gap, nearest = ahead, k
-    if gap >= enough:
-        return gap
-    if gap >= widest:
-        nx, ny = hull[nearest, 2], hull[nearest, 3]
+        nx, ny = hull[k, 2], hull[k, 3]
         along, across = nx * ux + ny * uy, ny * ux - nx * uy
-        touch[0], touch[1] = -nx, -ny
-        a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
-        touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
-        if abs(along) * length < abs(across) * thickness:
-            a, touch[6] = -a, gap + 2 * abs(along) * length
-        else:
-            b, touch[6] = -b, gap + 2 * abs(across) * thickness
-        touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
-        return gap
-    gap, next_gap, next_nearest = math.inf, math.inf, 0
-    for k in range(hull.shape[0]):
-        outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
-        if outside < gap:
-            gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
-        elif outside < next_gap:
-            next_gap, next_nearest = outside, k
-    touch[0], touch[1], touch[2], touch[3] = nx, ny, hull[nearest, 0], hull[nearest, 1]
-    touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1]) - abs(along) * length - abs(across) * thickness
+        if gap > widest:
+            if gap >= enough:
+                return gap
+            widest = gap
+            touch[0], touch[1] = -nx, -ny
+            a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
+            touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
+            if abs(along) * length < abs(across) * thickness:
+                a, touch[6] = -a, gap + 2 * abs(along) * length
+            else:
+                b, touch[6] = -b, gap + 2 * abs(across) * thickness
+            touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+    nx, ny, half, other = ux, uy, length, thickness
+    for _ in range(4):  # the sides of the wall, one after the other: how far outside each the hull begins
+        gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
+        for k in range(hull.shape[0]):
+            outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
+            if outside < gap:
+                gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
+            elif outside < next_gap:
+                next_gap, next_nearest = outside, k
+        if gap > widest:
+            if gap >= enough:
+                return gap
+            widest = gap
+            touch[0], touch[1] = nx, ny
+            touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
+            touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+        nx, ny, half, other = -ny, nx, other, half
     return widest
 
 
@@ -230,10 +218,8 @@ def look(place, rays, reach, walls, lengths):
     for k in range(rays.shape[0]):
         x, y = place[0] + rays[k, 0] * cos - rays[k, 1] * sin, place[1] + rays[k, 0] * sin + rays[k, 1] * cos
         dx, dy = rays[k, 2] * cos - rays[k, 3] * sin, rays[k, 2] * sin + rays[k, 3] * cos
-        length = reach
+        lengths[k] = reach
         for i in range(walls.shape[0]):
             to_x, to_y, size = walls[i, 0] - x, walls[i, 1] - y, walls[i, 2] + walls[i, 3] + CLEARANCE
-            ahead = to_x * dx + to_y * dy
-            if abs(to_x * dy - to_y * dx) < size and -size < ahead < length + size:  # it may meet it
-                length = min(length, ray_to_wall(x, y, dx, dy, walls, i))
-        lengths[k] = length
+            if abs(to_x * dy - to_y * dx) < size:  # it may meet it
+                lengths[k] = min(lengths[k], ray_to_wall(x, y, dx, dy, walls, i))
