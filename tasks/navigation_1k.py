@@ -20,7 +20,7 @@ Differs from the paper: all bins of x, y and theta can be reached; those of the 
              program reached only part of the room.
 """
 
-from math import sqrt
+from math import hypot
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.task.reward_parts import approach_reward, collision_reward, no_reversing
@@ -30,8 +30,7 @@ GOAL_X, GOAL_Y, GOAL_RADIUS = 1.65, 1.575, 0.5  # as the scene draws it [m]
 
 def distance(readings):
     """From the robot to the goal [m]."""
-    dx, dy = readings["x"] - GOAL_X, readings["y"] - GOAL_Y
-    return sqrt(dx * dx + dy * dy)
+    return hypot(readings["x"] - GOAL_X, readings["y"] - GOAL_Y)
 
 
 def at_goal(readings):

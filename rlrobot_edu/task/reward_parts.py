@@ -3,7 +3,7 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from math import sqrt
+from math import hypot, sqrt
 
 from rlrobot_edu.task.task import Readings
 
@@ -30,8 +30,7 @@ def collision_reward(readings: Readings, nearer_than: float) -> float:
 
 def distance_moved(before: Readings, after: Readings) -> float:
     """How far the robot is from where it was [m]."""
-    dx, dy = after["x"] - before["x"], after["y"] - before["y"]
-    return sqrt(dx * dx + dy * dy)
+    return hypot(after["x"] - before["x"], after["y"] - before["y"])
 
 
 def wander_reward(before: Readings, after: Readings, collision: float, moved: float) -> float:
