@@ -4,7 +4,7 @@ Description: an arm at the edge of a table moves its gripper to an object that s
 Inputs:      gripper_x in four bins of 3 cm (cuts at 0.23, 0.26 and 0.29 m) and gripper_y in
              eight of 4 cm (cuts from −0.12 to 0.12 m), which cover a field of 12 × 32 cm
              before the arm; object_x and object_y in the same bins. The object keeps its
-             place, and so its bins, unless `rl.make_env` is told `object_moves=True`.
+             place, and so its bins.
              gripper_z in four bins of 5 cm (cuts at 0.05, 0.10 and 0.15 m above the table).
 Outputs:     speed of the joints arm (turns everything to the left), −0.14, 0 or 0.14 rad/s,
              biceps (leans forward), −0.125, 0 or 0.125 rad/s, and forearm (bends the elbow),

@@ -7,7 +7,7 @@ import psutil
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT_PLACE
+from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 there = pytest.importorskip(
@@ -90,18 +90,10 @@ def test_one_step_of_the_tasks_moves_the_gripper_by_about_a_bin():
         assert 0.025 < moved < 0.05
 
 
-def test_the_object_keeps_its_place_unless_it_is_told_to_move():
-    still, moving = rl.make_env("arm_1k", seed=1), rl.make_env("arm_1k", seed=1, object_moves=True)
-    places = []
-    for env in (still, moving):
-        readings = [env.reset()[1]["readings"] for _ in range(100)]
-        places.append(np.array([[r["object_x"], r["object_y"]] for r in readings]))
-    assert (places[0] == OBJECT_PLACE[:2]).all()
-    x_min, y_min, x_max, y_max = FIELD
-    assert (places[1] > (x_min, y_min)).all() and (places[1] < (x_max, y_max)).all()
-    assert len(np.unique(places[1], axis=0)) == 100
-    bins = np.array([moving.task.states.bins(moving.reset()[1]["state"]) for _ in range(200)])
-    assert len(set(bins[:, 2])) == 4 and len(set(bins[:, 3])) == 8
+def test_the_object_keeps_its_place():
+    env = rl.make_env("arm_1k", seed=1)
+    readings = [env.reset()[1]["readings"] for _ in range(5)]
+    assert all([r["object_x"], r["object_y"]] == list(OBJECT_PLACE[:2]) for r in readings)
 
 
 @pytest.mark.long

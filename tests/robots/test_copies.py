@@ -29,13 +29,12 @@ WORLDS = {
     "the giraff": partial(rl.make_env, "giraff_wander_simple", 3),
     "a base with noise": partial(rl.make_env, "wander_simple", 3, realism=NOISE),
     "a base with lag and friction": partial(rl.make_env, "wander_1k", 3, realism=rl.Realism.vrep()),
-    "the arm without contact": partial(rl.make_env, "arm_1k", 3, engine="kinematic", object_moves=True),
+    "the arm without contact": partial(rl.make_env, "arm_1k", 3, engine="kinematic"),
     "a base in pymunk with that arm": partial(rl.make_env, "mobile_arm_2k", 3, engine="kinematic"),
     "a cell robot with delay": partial(rl.make_env, "worked_example", 3, realism=rl.Realism(delay=1)),
 }
 IN_PYBULLET = {
     "the arm": partial(rl.make_env, "arm_1k", 3, engine="pybullet"),
-    "the arm and an object that moves": partial(rl.make_env, "arm_1k", 3, engine="pybullet", object_moves=True),
     "the base in PyBullet": partial(rl.make_env, "wander_simple", 3, engine="pybullet"),
     "a base in PyBullet with noise": partial(rl.make_env, "wander_simple", 3, engine="pybullet", realism=NOISE),
     "the mobile manipulator": partial(rl.make_env, "mobile_arm_2k", 3, engine="pybullet"),

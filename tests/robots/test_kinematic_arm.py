@@ -72,7 +72,7 @@ def test_the_manipulators_gripper_moves_as_pybullets_to_two_millimetres_as_long_
 
 def test_the_scene_is_that_of_pybullet():
     there = pytest.importorskip("rlrobot_edu.robots.arm.bullet_arm", reason="needs PyBullet", exc_type=ImportError)
-    arms = [kind("table", 1.0, object_moves=True) for kind in (there.Arm, KinematicArm)]
+    arms = [kind("table", 1.0) for kind in (there.Arm, KinematicArm)]
     for arm in arms:
         arm.reset(np.random.default_rng(3))
         arm.act({"arm": 0.3, "biceps": -0.2, "forearm": 0.1})

@@ -18,7 +18,7 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 URDF = Path(__file__).parent / "arm.urdf"
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
-OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle, unless it moves [m]
+OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle [m]
 FIELD = (0.20, -0.16, 0.32, 0.16)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
 TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
 
@@ -84,13 +84,13 @@ def readings_of(gripper: Iterable[float], thing: Iterable[float], angles: Angles
     return there | angles._asdict()
 
 
-def scene_of(arm: Sequence[Solid], place: Sequence[float] = OBJECT_PLACE) -> Scene:
-    """The table with its field, the object at its `place` [m], and the arm, whose gripper leaves the path."""
+def scene_of(arm: Sequence[Solid]) -> Scene:
+    """The table with its field, the object, and the arm, whose gripper leaves the path."""
     arm = [solid._replace(name="robot/body") if solid.name == "robot/gripper" else solid for solid in arm]
     x_min, y_min, x_max, y_max = FIELD
     middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
     field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
-    thing = Solid("object", "cylinder", OBJECT, pose(*place), "object")
+    thing = Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
     return Scene((field, thing, *arm), np.empty((0, 2, 3)), TABLE)
 
 

@@ -1,10 +1,8 @@
 """The arm: three joints and a gripper over a table with an object, in PyBullet."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-import numpy as np
-
-from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of, scene_of
+from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of, scene_of
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
@@ -16,11 +14,11 @@ PHYSICS_HZ = 60
 class ArmJoints:
     """The arm that is part of `body`: its joints obey speeds and stop at their limits.
 
-    place: of the object, array (3,) [m]
+    place: of the object [m]
     step_time: how long a command lasts [s]
     """
 
-    def __init__(self, simulation: BulletSimulation, body: int, place: np.ndarray, step_time: float) -> None:
+    def __init__(self, simulation: BulletSimulation, body: int, place: Sequence[float], step_time: float) -> None:
         self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
         self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
         for joint, i in self._motors.numbers.items():
@@ -37,7 +35,7 @@ class ArmJoints:
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
-        return readings_of(gripper.tolist(), self._place.tolist(), Angles(**self._motors.angles()))
+        return readings_of(gripper.tolist(), self._place, Angles(**self._motors.angles()))
 
 
 class Arm(BulletRobot):
@@ -45,30 +43,16 @@ class Arm(BulletRobot):
 
     scene: name of the scene, ``table``
     step_time: duration of one control step [s]
-    object_moves: whether `reset` draws a new place for the object from its `rng`, anywhere in the field
     """
 
-    def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
-        self._object_moves = object_moves
+    def __init__(self, scene: str, step_time: float) -> None:
         simulation = BulletSimulation(PHYSICS_HZ)
         simulation.add_floor()  # the table's top
-        self._place = np.array(OBJECT_PLACE)
-        self._object = simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
+        simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
-        joints = ArmJoints(simulation, body, self._place, step_time)
+        joints = ArmJoints(simulation, body, OBJECT_PLACE, step_time)
         super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
-
-    def __setstate__(self, state: tuple[bytes, dict[str, float]]) -> None:
-        super().__setstate__(state)
-        self._place[:] = self._simulation.getBasePositionAndOrientation(self._object)[0]
-
-    def _begin(self, rng: np.random.Generator) -> None:
-        super()._begin(rng)
-        if self._object_moves:
-            x_min, y_min, x_max, y_max = FIELD
-            self._place[:2] = rng.uniform((x_min, y_min), (x_max, y_max))
-            self._simulation.resetBasePositionAndOrientation(self._object, self._place.tolist(), (0, 0, 0, 1))
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        return scene_of(self.solids(), self._place.tolist())
+        return scene_of(self.solids())

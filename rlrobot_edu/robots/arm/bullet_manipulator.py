@@ -5,8 +5,6 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import numpy as np
-
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm import bullet_arm as arm
 from rlrobot_edu.robots.arm.arm_body import OBJECT, URDF
@@ -48,7 +46,7 @@ class MobileManipulator(BulletRobot):
             shutil.copy(bullet_base.URDF.with_name("hull.obj"), folder)
             body = bullet_base.load(simulation, urdf, self._arena)
         wheels = bullet_base.Wheels(simulation, body, self._arena)
-        joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
+        joints = arm.ArmJoints(simulation, body, OBJECT_PLACE, step_time)
         super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
 
     def scene(self) -> Scene:

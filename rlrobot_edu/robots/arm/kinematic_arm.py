@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT_PLACE, Angles, joints, scene_of, solids_of
+from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE, Angles, joints, scene_of, solids_of
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
 from rlrobot_edu.robots.engines.kinematic.world import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
@@ -36,8 +36,7 @@ def gripper(arm, biceps, forearm):
     return out * cosine(arm), out * sine(arm), up
 
 
-START = (*HOME, *OBJECT_PLACE)
-# An arm and its object. place: array (6,), the joints' angles [rad] and the object's x, y, z [m]; step_time [s]
+# place: array (3,), the joints' angles [rad]; step_time [s]
 Parts = namedtuple("Parts", "place step_time")
 
 
@@ -69,7 +68,7 @@ def sense(arm, readings):
     """Fill in gripper and object [m], and the joints' angles [rad]; readings: array (9,)."""
     readings[0], readings[1], readings[2] = gripper(arm.place[0], arm.place[1], arm.place[2])
     for i in range(3):
-        readings[3 + i], readings[6 + i] = arm.place[3 + i], arm.place[i]
+        readings[3 + i], readings[6 + i] = OBJECT_PLACE[i], arm.place[i]
 
 
 class KinematicArm(KinematicRobot):
@@ -77,29 +76,24 @@ class KinematicArm(KinematicRobot):
 
     scene: name of the scene, ``table``
     step_time: duration of one control step [s]
-    object_moves: whether `reset` draws a new place for the object from its `rng`, anywhere in the field
     """
 
     kernels = move, sense
 
-    def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
+    def __init__(self, scene: str, step_time: float) -> None:
         super().__init__(ROBOTS["arm"])
-        self._object_moves, self.parts = object_moves, Parts(np.array(START), step_time)
+        self.parts = Parts(np.array(HOME), step_time)
         self._readings = self._sense()
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self.parts.place[:3] = HOME
-        if self._object_moves:
-            x_min, y_min, x_max, y_max = FIELD
-            self.parts.place[3:5] = rng.uniform((x_min, y_min), (x_max, y_max))
+        self.parts.place[:] = HOME
 
-    def start(self) -> np.ndarray | None:
-        """The place at which each episode begins, array (6,); None if the object moves."""
-        return None if self._object_moves else np.array(START)
+    def start(self) -> np.ndarray:
+        """The place at which each episode begins, array (3,)."""
+        return np.array(HOME)
 
     in_numbers = staticmethod(speeds_of)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        place = self.parts.place.tolist()
-        return scene_of(solids_of(Angles(*place[:3])), place[3:])
+        return scene_of(solids_of(Angles(*self.parts.place.tolist())))
