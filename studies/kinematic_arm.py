@@ -50,14 +50,15 @@ class StoppingArm(KinematicArm):
     """The variant that we did not choose: in each step the arm moves only as far as its gripper touches nothing."""
 
     def _move(self, command: Mapping[str, float]) -> None:
-        before, after = np.array(self._angles), np.array(turned(self._angles, command, self._step_time))
+        before = self.parts.place.copy()
+        after = np.array(turned(Angles(*before), command, self.parts.step_time))
         low, high = 0.0, 1.0
         if not touches(after):
             low = 1.0
         while high - low > 0.005:
             half = (low + high) / 2
             low, high = (low, half) if touches(before + half * (after - before)) else (half, high)
-        self._angles = Angles(*(before + low * (after - before)).tolist())
+        self.parts.place[:] = before + low * (after - before)
 
 
 def touches(angles: np.ndarray) -> bool:

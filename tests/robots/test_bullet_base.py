@@ -69,8 +69,8 @@ def test_no_wall_is_entered_by_a_centimetre_in_500_steps_at_double_speed_and_the
         readings = base.act(wheels(*command))
         assert deepest(ARENAS[scene], PIONEER, readings) < 0.01
         if i % 50 == 0:
-            (body,) = [solid.pose for solid in base.scene().solids if solid.name == "robot/body"]
-            assert body[2, 2] > math.cos(math.radians(2)) and abs(body[2, 3] - 0.16) < 0.005
+            body = base._simulation.link_pose(base._body, -1)
+            assert body[2, 2] > math.cos(math.radians(2)) and abs(body[2, 3] - PIONEER.wheel_radius) < 0.005
 
 
 @pytest.mark.parametrize("name", TASKS)

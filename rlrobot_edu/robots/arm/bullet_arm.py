@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 
-from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of, scene_of
+from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of
+from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
 PHYSICS_HZ = 60
@@ -51,8 +52,4 @@ class Arm(BulletRobot):
         simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
         joints = ArmJoints(simulation, body, OBJECT_PLACE, step_time)
-        super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
-
-    def scene(self) -> Scene:
-        """The table with its field, the object and the arm at this instant."""
-        return scene_of(self.solids())
+        super().__init__("arm", simulation, body, [joints], step_time, KinematicArm(scene, step_time))

@@ -5,15 +5,14 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm import bullet_arm as arm
 from rlrobot_edu.robots.arm.arm_body import OBJECT, URDF
-from rlrobot_edu.robots.arm.kinematic_manipulator import MOUNT, OBJECT_PLACE
+from rlrobot_edu.robots.arm.kinematic_manipulator import MOUNT, OBJECT_PLACE, KinematicManipulator
 from rlrobot_edu.robots.engines.bullet import mobile_base as bullet_base
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.mobile_base import PIONEER, beams
-from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
+from rlrobot_edu.robots.scene import Solid, pose
 
 
 def joined_urdf() -> str:
@@ -35,21 +34,15 @@ class MobileManipulator(BulletRobot):
     """
 
     def __init__(self, scene: str, step_time: float) -> None:
-        self._arena = ARENAS[scene]
-        simulation = BulletSimulation(bullet_base.PHYSICS_HZ)
-        bullet_base.add_arena(simulation, self._arena)
-        self._object = Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
-        simulation.add(self._object)
+        simulation, level = BulletSimulation(bullet_base.PHYSICS_HZ), KinematicBase(scene, step_time)
+        bullet_base.add_arena(simulation, level.arena)
+        simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
             shutil.copy(bullet_base.URDF.with_name("hull.obj"), folder)
-            body = bullet_base.load(simulation, urdf, self._arena)
-        wheels = bullet_base.Wheels(simulation, body, self._arena)
+            body = bullet_base.load(simulation, urdf, level.arena)
+        wheels = bullet_base.Wheels(simulation, body, level)
         joints = arm.ArmJoints(simulation, body, OBJECT_PLACE, step_time)
-        super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
-
-    def scene(self) -> Scene:
-        """The room with its table, the object, the robot and its laser beams at this instant."""
-        solids = (*self._arena.solids(), self._object, *self.solids())
-        return Scene(solids, beams(self._readings, PIONEER), self._arena.bounds)
+        twin = KinematicManipulator(scene, step_time)
+        super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, twin)

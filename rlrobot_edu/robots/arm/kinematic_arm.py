@@ -96,4 +96,4 @@ class KinematicArm(KinematicRobot):
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        return scene_of(solids_of(Angles(*self.parts.place.tolist())))
+        return scene_of(solids_of(Angles(*(self._readings[joint] for joint in JOINTS))))

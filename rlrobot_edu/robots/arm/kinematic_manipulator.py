@@ -10,6 +10,7 @@ from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, Angles, readings_of, s
 from rlrobot_edu.robots.arm.kinematic_arm import gripper, turned
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.task.robot_cards import JOINTS
 
 MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
@@ -44,7 +45,8 @@ class KinematicManipulator(MobileBase):
     def solids(self) -> tuple[Solid, ...]:
         """The parts of base and arm, with their poses on the robot."""
         foot = pose(*_FOOT)
-        return (*super().solids(), *(part._replace(pose=foot @ part.pose) for part in solids_of(self._angles)))
+        angles = Angles(*(self._readings[joint] for joint in JOINTS))
+        return (*super().solids(), *(part._replace(pose=foot @ part.pose) for part in solids_of(angles)))
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""

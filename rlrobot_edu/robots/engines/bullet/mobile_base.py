@@ -4,14 +4,12 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 
-from rlrobot_edu.robots.arenas import Arena, Place, arena_of
+from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.engines.kinematic.base import parts_of, sense
-from rlrobot_edu.robots.engines.kinematic.world import sensed
-from rlrobot_edu.robots.mobile_base import PIONEER, beams
-from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.task.robot_cards import WHEELS
 
 URDF = Path(__file__).with_name("mobile_base.urdf")
 PHYSICS_HZ = 120
@@ -19,11 +17,11 @@ GRIP = 6.0  # coefficient of friction of the tyres, so high that the base keeps 
 
 
 class Wheels:
-    """The wheels and lasers of the base that is part of `body`, in `arena`."""
+    """The wheels of the base that is part of `body`, and the lasers of `level`, which neither rolls nor pitches."""
 
-    def __init__(self, simulation: BulletSimulation, body: int, arena: Arena) -> None:
+    def __init__(self, simulation: BulletSimulation, body: int, level: KinematicBase) -> None:
         self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
-        self._level = parts_of(PIONEER, arena, 0.0)  # the base without its roll and pitch
+        self._level = level
         wheels = self._motors.numbers.values()
         for part in range(-1, simulation.getNumJoints(body)):  # what touches floor or wall glides, but for the wheels
             simulation.changeDynamics(body, part, lateralFriction=GRIP if part in wheels else 0.0)
@@ -37,8 +35,8 @@ class Wheels:
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
-        self._level.place[:] = here[0, 3], here[1, 3], math.atan2(here[1, 0], here[0, 0])
-        return sensed(sense, self._level, ROBOTS["mobile_base"])
+        self._level.parts.place[:] = here[0, 3], here[1, 3], math.atan2(here[1, 0], here[0, 0])
+        return self._level.look()
 
 
 def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
@@ -64,14 +62,7 @@ class BulletBase(BulletRobot):
     """
 
     def __init__(self, scene: Place, step_time: float) -> None:
-        self._arena = arena_of(scene)
-        simulation = BulletSimulation(PHYSICS_HZ)
-        add_arena(simulation, self._arena)
-        body = load(simulation, URDF, self._arena)
-        super().__init__(
-            "mobile_base", simulation, body, [Wheels(simulation, body, self._arena)], step_time, leader="chassis"
-        )
-
-    def scene(self) -> Scene:
-        """The arena, the robot and its laser beams at this instant."""
-        return Scene(self._arena.solids() + self.solids(), beams(self._readings, PIONEER), self._arena.bounds)
+        simulation, level = BulletSimulation(PHYSICS_HZ), KinematicBase(scene, step_time)
+        add_arena(simulation, level.arena)
+        body = load(simulation, URDF, level.arena)
+        super().__init__("mobile_base", simulation, body, [Wheels(simulation, body, level)], step_time, level)

@@ -1,16 +1,14 @@
-"""What the robots in PyBullet do alike: rest, begin again, move, and how they look; and the motors in their joints."""
+"""What the robots in PyBullet do alike: rest, begin again, and move; and the motors in their joints."""
 
-from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, Protocol, Self
 
 import numpy as np
 
-from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation, transform
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.robot import SimulatedRobot
-from rlrobot_edu.robots.scene import Solid
+from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import ROBOTS
 
 
@@ -58,7 +56,7 @@ class BulletRobot(SimulatedRobot):
 
     name: of the robot's card
     step_time: duration of one control step [s]
-    leader: name of the link whose first shape leaves the path in pictures
+    twin: the same robot without PyBullet, which shows what the readings say
     """
 
     _built: Callable[[], "BulletRobot"]  # builds such a robot once more
@@ -69,11 +67,17 @@ class BulletRobot(SimulatedRobot):
         return robot
 
     def __init__(
-        self, name: str, simulation: BulletSimulation, body: int, parts: Sequence[Part], step_time: float, leader: str
+        self,
+        name: str,
+        simulation: BulletSimulation,
+        body: int,
+        parts: Sequence[Part],
+        step_time: float,
+        twin: SimulatedRobot,
     ) -> None:
         super().__init__(ROBOTS[name])
         self._simulation, self._body, self._parts = simulation, body, parts
-        self._step_time, self._leader = step_time, leader
+        self._step_time, self._twin = step_time, twin
         self._stand_still()
         simulation.run(1.0)  # until nothing moves any more
         self._beginning = simulation.saveState()
@@ -105,27 +109,10 @@ class BulletRobot(SimulatedRobot):
     def _sense(self) -> dict[str, float]:
         return {name: reading for part in self._parts for name, reading in part.readings().items()}
 
-    def solids(self) -> tuple[Solid, ...]:
-        """The robot's visual shapes where they are now; dark ones are drawn as wheels."""
-        there, body = self._simulation, self._body
-        names = [there.getJointInfo(body, i)[12].decode() for i in range(there.getNumJoints(body))]
-        names.append(there.getBodyInfo(body)[0].decode())  # of link -1
-        solids: list[Solid] = []
-        seen: Counter[int] = Counter()
-        for _, link, kind, size, _, position, turned, colour, *_ in there.getVisualShapeData(body):
-            name = f"robot/{names[link]}" + (f"_{seen[link] + 1}" if seen[link] else "")
-            if names[link] == self._leader and not seen[link]:
-                name = "robot/body"
-            seen[link] += 1
-            shapes = {
-                there.GEOM_BOX: ("box", size),
-                there.GEOM_CYLINDER: ("cylinder", (size[1], size[0])),
-                there.GEOM_SPHERE: ("sphere", size[:1]),
-                there.GEOM_MESH: PIONEER.body(),  # the only mesh
-            }
-            role = "wheel" if max(colour[:3]) < 0.3 else "robot"
-            solids.append(Solid(name, *shapes[kind], there.link_pose(body, link) @ transform(position, turned), role))
-        return tuple(solids)
+    def scene(self) -> Scene:
+        """What there is to see, drawn level, as the readings say."""
+        self._twin._readings = self._readings
+        return self._twin.scene()
 
     def close(self) -> None:
         """End the simulation."""

@@ -56,14 +56,6 @@ def walls_of(arena: Arena) -> Array:
 Parts = namedtuple("Parts", "place body walls near touch step_time axle inset reach")
 
 
-def parts_of(chassis: Chassis, arena: Arena, step_time: float) -> Parts:
-    """A base of this chassis at the start of `arena`. Raises ValueError if it is a disc."""
-    walls, axle, (x, y, theta) = walls_of(arena), chassis.axle, arena.start
-    start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
-    room = np.empty(len(walls), np.int64), np.empty(7)
-    return Parts(start, Body.of(chassis), walls, *room, step_time, axle, chassis.inset, LASER_RANGE)
-
-
 @compiled
 def move(base, command):
     """Drive for one control step; command: array (2,), v [m/s] and omega [rad/s]."""
@@ -99,8 +91,13 @@ class KinematicBase(KinematicRobot, MobileBase):
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self.parts, self._built = parts_of(self.chassis, self.arena, self._step_time), self.arena
-        self._start = self.parts.place.copy()
+        chassis, (x, y, theta) = self.chassis, self.arena.start
+        self._start = np.array([x + chassis.axle * math.cos(theta), y + chassis.axle * math.sin(theta), theta])
+        walls, self._built = walls_of(self.arena), self.arena
+        self.parts = Parts(
+            self._start.copy(), Body.of(chassis), walls, np.empty(len(walls), np.int64), np.empty(7), self._step_time,
+            chassis.axle, chassis.inset, LASER_RANGE,
+        )  # fmt: skip
 
     def start(self) -> Array | None:
         """The place at which each episode begins, array (3,); None if another arena counts from the next one on."""

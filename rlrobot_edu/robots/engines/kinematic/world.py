@@ -20,7 +20,6 @@ from rlrobot_edu.learning.compiled_loop import NEVER
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.jit import IS_PLAIN, compiled, numba
 from rlrobot_edu.robots.robot import SimulatedRobot
-from rlrobot_edu.task.robot_cards import RobotCard
 from rlrobot_edu.task.task import Task
 
 INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
@@ -61,14 +60,9 @@ class KinematicRobot(SimulatedRobot):
         self.kernels[0](self.parts, self.in_numbers(command))
 
     def _sense(self) -> dict[str, float]:
-        return sensed(self.kernels[1], self.parts, self._card)
-
-
-def sensed(sense: Callable[..., None], parts: Any, card: RobotCard) -> dict[str, float]:
-    """What the kernel `sense` tells of `parts`, by the names on the card."""
-    readings = np.empty(len(card.sensors))
-    sense(parts, readings)
-    return dict(zip(card.sensors, readings.tolist(), strict=True))
+        readings = np.empty(len(self._card.sensors))
+        self.kernels[1](self.parts, readings)
+        return dict(zip(self._card.sensors, readings.tolist(), strict=True))
 
 
 def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int) -> World | None:
