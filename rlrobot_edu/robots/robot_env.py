@@ -196,12 +196,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         robot: Any = self.robot
         is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
-        world = world_of(self.task, robot, self._commands, self._at_goal) if is_worth_it else None
-        if world is None:
-            return iter(())
-        self._counter = world.at_goal
-        run = make_run(agent.method, *kernels_of(*robot.kernels))
-        return run_slices(self, run, world, agent, log, episodes)
+        if is_worth_it and (world := world_of(self.task, robot, self._commands, self._at_goal)):
+            self._counter, run = world.at_goal, make_run(agent.method, *kernels_of(*robot.kernels))
+            yield from run_slices(self, run, world, agent, log, episodes)
 
     def arrive(self, state: int) -> None:
         """Be where the compiled loop has led to.

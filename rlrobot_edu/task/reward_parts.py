@@ -3,7 +3,7 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from math import hypot, sqrt
+from math import hypot
 
 from rlrobot_edu.task.task import Readings
 
@@ -50,6 +50,5 @@ def approach_reward(before: float, after: float, gained: float, idle: float) -> 
 
 def gripper_to_object(readings: Readings) -> float:
     """How far the point between an arm's fingertips is from the middle of the object [m]."""
-    dx, dy = readings["gripper_x"] - readings["object_x"], readings["gripper_y"] - readings["object_y"]
-    dz = readings["gripper_z"] - readings["object_z"]
-    return sqrt(dx * dx + dy * dy + dz * dz)
+    aside = hypot(readings["gripper_x"] - readings["object_x"], readings["gripper_y"] - readings["object_y"])
+    return hypot(aside, readings["gripper_z"] - readings["object_z"])

@@ -6,12 +6,13 @@ import sys
 import numpy as np
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.compiled_loop import make_run
 from rlrobot_edu.learning.memory import new_memory
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.sampling import make_run
+from rlrobot_edu.models.sampling import begin, outcome
 
 
 class Given:
@@ -44,7 +45,8 @@ def run(job):
     m = new_memory(tuple(tables.shape.tolist()), tables.n_actions, Parameters(**job["parameters"]))
     log = Transitions.empty(job["steps"])
     at = np.array([0, -1, 0, 0, 0])
-    make_run(parse_method(job["method"]))(tables, m, None, Given(job["u"]), Given(job["v"]), at, log)
+    run = make_run(parse_method(job["method"]), begin, outcome)
+    run(tables, m, None, Given(job["u"]), Given(job["v"]), at, log)
     return m, {"rewards": log.r.tolist(), "at": at.tolist()}
 
 
