@@ -176,6 +176,16 @@ def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_
     assert not plain_steps
 
 
+def test_a_machine_compiles_a_reward_once(compiling, monkeypatch):
+    kernels, compiled = [], world.compiled
+    monkeypatch.setattr(world, "compiled", lambda function: kernels.append(compiled(function)) or kernels[-1])
+    for _ in range(2):
+        monkeypatch.setattr(world, "_judges", {})
+        monkeypatch.delitem(sys.modules, "<dynamic>", raising=False)  # which no other process has
+        learned(compiling, 1, "wander_1k", 20)
+    assert kernels[-1].stats.cache_hits and not kernels[-1].stats.cache_misses
+
+
 def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):
     class Odd(KinematicBase):
         def _sense(self):
