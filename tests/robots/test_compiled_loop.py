@@ -181,14 +181,14 @@ import rlrobot_edu as rl
 from rlrobot_edu.robots.engines.kinematic import world
 kernels, compiled = [], world.compiled
 world.compiled = lambda function: kernels.append(compiled(function)) or kernels[-1]
-env = rl.make_env("wander_simple", engine="kinematic").unwrapped
+env = rl.make_env("wander_1k", engine="kinematic").unwrapped
 world.judge_of(env.task, env.robot, env._commands)
 print(len(kernels[0].stats.cache_misses))
 """
 
 
 def test_a_machine_compiles_a_reward_once(compiling):
-    learned(compiling, 1, "wander_simple", 20)
+    learned(compiling, 1, "wander_1k", 20)  # its reward calls functions
     ran = subprocess.run([sys.executable, "-c", KEPT], capture_output=True, text=True)
     assert ran.stdout.strip() == "0", ran.stderr
 
