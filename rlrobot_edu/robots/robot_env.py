@@ -189,10 +189,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         episodes : int, optional
             It ends sooner, once so many episodes have ended.
 
-        Returns
-        -------
-        iterator of int
-            Numbers of steps that have come since.
+        Yields
+        ------
+        int
+            Number of steps that have come since.
         """
         robot: Any = self.robot
         is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
