@@ -136,6 +136,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         -------
         tuple
             The observation and the info.
+
+        Raises
+        ------
+        ValueError
+            If a reading is out of its range; it names the task's file.
         """
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
@@ -159,6 +164,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         ------
         ValueError
             If there is no such action, or if a reading is out of its range (it names the task's file).
+        gymnasium.error.ResetNeeded
+            Before the first `reset`.
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
