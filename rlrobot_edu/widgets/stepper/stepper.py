@@ -139,7 +139,7 @@ class Stepper(Displayed):
         ValueError
             If that step is no longer kept.
         RuntimeError
-            If agent or world was changed elsewhere since the last step, so that no new one can be taken.
+            If agent or world has taken a step elsewhere since the last one, so that no new one can be taken.
         """
         end = self._tape.end
         self._tape.go(t)
