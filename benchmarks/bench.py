@@ -29,7 +29,6 @@ from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.robots.wheels import twist
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
@@ -168,7 +167,7 @@ def bench_kinematic():
     """The base without a physics engine, at random: its kernels alone, and in the loop."""
     env = rl.make_env("wander_1k", seed=0, engine="kinematic")
     commands = [env.task.command_for(a) for a in range(env.task.actions.n)]
-    v, omega = np.transpose([twist(command, PIONEER) for command in commands])
+    v, omega = np.transpose([PIONEER.twist(command) for command in commands])
     choices = np.random.default_rng(0).integers(len(commands), size=100 * STEPS)
     body, walls = Body.of(PIONEER), walls_of(ARENAS["maze_6x6"])
     room = np.empty(len(walls), np.int64), np.empty(7), np.empty(8)
