@@ -6,9 +6,9 @@ two things timed side by side. Numbers of another machine will differ, ratios le
 
 from __future__ import annotations
 
+import io
 import json
 import os
-import pickle
 import platform
 import shutil
 import statistics
@@ -18,7 +18,6 @@ import tempfile
 import time
 import tracemalloc
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 
@@ -104,12 +103,13 @@ def rounds_with_peers(model):
     def run(*command, **more):
         return subprocess.run(command, check=True, capture_output=True, **more).stdout
 
-    facts = pickle.dumps(SimpleNamespace(**{name: getattr(model, name) for name in FACTS}))
+    facts = io.BytesIO()
+    np.savez(facts, **{name: getattr(model, name) for name in FACTS})
     with tempfile.TemporaryDirectory() as folder:
         run(sys.executable, "-m", "uv", "venv", folder, "--python", sys.executable)
         run(sys.executable, "-m", "uv", "pip", "install", "--python", folder, "--no-deps", *PEERS)
         for _ in range(5):
-            theirs = json.loads(run(f"{folder}/bin/python", HERE / "peers.py", input=facts))
+            theirs = json.loads(run(f"{folder}/bin/python", HERE / "peers.py", input=facts.getvalue()))
             yield theirs, {method: seconds_a_step(model, method, loop_evasion=False) for method in theirs}
 
 

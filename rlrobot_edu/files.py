@@ -92,7 +92,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            remove_old(temporary, -float("inf"))
+            remove_old(temporary, -float("inf"))  # of any age; what is not there, or cannot go, is no fault here
 
 
 def _what_is_at(path: Path) -> os.stat_result | None:
