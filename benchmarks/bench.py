@@ -1,4 +1,4 @@
-"""How fast the toolkit is, against plain NumPy and against what was asked for: ``make bench``.
+"""How fast the toolkit is, against plain NumPy, MushroomRL and what was asked for: ``make bench``.
 
 Prints a table and writes it to benchmarks/README.md. Times are medians of several runs in one go; a ratio compares
 two things timed side by side. Numbers of another machine will differ, ratios less so.
@@ -6,6 +6,8 @@ two things timed side by side. Numbers of another machine will differ, ratios le
 
 from __future__ import annotations
 
+import io
+import json
 import os
 import platform
 import shutil
@@ -35,6 +37,8 @@ sys.path.insert(0, str(HERE.parent / "tests"))
 from oracles import NumpyModelWorld, method_of_the_page  # noqa: E402 (the oracle of the tests is the one to beat)
 
 STEPS = 3600
+PEERS = ("mushroom-rl==1.10.2", f"numpy=={np.__version__}", "tqdm")  # without what its tables do not need, see peers.py
+FACTS = ("offsets", "cumulative", "s_next", "r", "starts", "rewards", "n_states", "n_actions", "r_max")
 
 
 def seconds(task, repeat: int = 5) -> float:
@@ -56,14 +60,19 @@ def peak_megabytes(task) -> float:
     return peak / 1e6
 
 
-def bench_methods(model):
-    """A step of each method in one thread, side by side, and of the plain loop that the tests compare with."""
-
+def seconds_a_step(model, method, **parameters) -> float:
+    """A step of a method, compiled, in one thread [s]."""
     steps = 100 * STEPS  # the compiled loops are too fast for fewer
 
-    def compiled(method):
-        agent = rl.Agent(model, method, seed=7)
+    def learn():
+        agent = rl.Agent(model, method, seed=7, **parameters)
         rl.learn(agent, rl.make_env(model, seed=11), steps=steps, progress=False)
+
+    return seconds(learn, 1) / steps
+
+
+def bench_methods(model):
+    """A step of each method side by side, and of the plain loop that the tests compare with."""
 
     def plain():
         world = NumpyModelWorld(model, np.random.default_rng(11))
@@ -71,10 +80,9 @@ def bench_methods(model):
 
     methods = ("TOSL+QBIASSR", "TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR")
     for method in methods:
-        compiled(method)
+        seconds_a_step(model, method)
     rounds = [
-        {"NumPy": seconds(plain, 1) / STEPS}
-        | {method: seconds(lambda m=method: compiled(m), 1) / steps for method in methods}
+        {"NumPy": seconds(plain, 1) / STEPS} | {method: seconds_a_step(model, method) for method in methods}
         for _ in range(5)
     ]
     names = ", ".join(f"{name} {statistics.median(r[name] for r in rounds) * 1e6:.2f}" for name in methods)
@@ -84,6 +92,43 @@ def bench_methods(model):
     yield "TOSL+QBIASSR in plain NumPy", f"{slow:.0f} µs a step: {ratio:.0f} times as long", "150 times"
     ratio = statistics.median(r["Q+SR"] / r["TOSL+QBIASSR"] for r in rounds)
     yield "Q+SR against TOSL+QBIASSR", f"{ratio:.2f}", "0.3"
+
+
+def rounds_with_peers(model):
+    """Seconds of a step by others and by us, {method: {who: seconds}} and {method: seconds}, five times.
+
+    Raises CalledProcessError if the others cannot be installed or run.
+    """
+
+    def run(*command, **more):
+        return subprocess.run(command, check=True, capture_output=True, **more).stdout
+
+    facts = io.BytesIO()
+    np.savez(facts, **{name: getattr(model, name) for name in FACTS})
+    with tempfile.TemporaryDirectory() as folder:
+        run(sys.executable, "-m", "uv", "venv", folder, "--python", sys.executable)
+        run(sys.executable, "-m", "uv", "pip", "install", "--python", folder, "--no-deps", *PEERS)
+        for _ in range(5):
+            theirs = json.loads(run(f"{folder}/bin/python", HERE / "peers.py", input=facts.getvalue()))
+            yield theirs, {method: seconds_a_step(model, method, loop_evasion=False) for method in theirs}
+
+
+def bench_peers(rounds):
+    """What others need for the same learning."""
+    what = "a step of others on the wander_1k model"
+    try:
+        theirs, ours = zip(*rounds, strict=True)
+    except subprocess.CalledProcessError as error:
+        print(error.stderr.decode(), file=sys.stderr)
+        yield what, f"not measured: {PEERS[0]} could not be installed or run here", "–"
+        return
+    for method, peers in theirs[0].items():
+        cells = [f"here {statistics.median(us[method] for us in ours) * 1e6:.2f} µs"]
+        for who in peers:
+            times = [them[method][who] for them in theirs]
+            ratio = statistics.median(time / us[method] for time, us in zip(times, ours, strict=True))
+            cells.append(f"{who} {statistics.median(times) * 1e6:.0f} µs: {ratio:,.0f} times as long")
+        yield f"{what}: {method} without loop evasion", "; ".join(cells), "–"
 
 
 def bench_repetitions(model):
@@ -264,8 +309,8 @@ def machine() -> str:
 def main() -> None:
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
     benches = [
-        bench_methods(model), bench_repetitions(model), bench_comparison(model),
-        bench_robot(), bench_kinematic(), bench_building(), bench_set_up(),
+        bench_methods(model), bench_peers(rounds_with_peers(model)), bench_repetitions(model),
+        bench_comparison(model), bench_robot(), bench_kinematic(), bench_building(), bench_set_up(),
         bench_starts(),
     ]  # fmt: skip
     lines = [

@@ -24,9 +24,11 @@ def open_lab(more: list[str]) -> None:
     from rlrobot_course.my_course import open_lab
 
     compiling = [sys.executable, "-m", "rlrobot_course", "compile"]  # while JupyterLab starts
-    with subprocess.Popen(compiling, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
-        code = open_lab(more)
-    sys.exit(code)
+    compiler = subprocess.Popen(compiling, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        sys.exit(open_lab(more))
+    finally:
+        compiler.terminate()  # nobody waits for it once JupyterLab has ended, or did not begin
 
 
 def freshen(lesson: list[str]) -> None:

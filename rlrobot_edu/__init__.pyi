@@ -15,6 +15,7 @@ from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method
 from .models.formats.reading import read_recording as read_recording
+from .models.model_env import SampleModelEnv as SampleModelEnv
 from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording
 from .models.recording import record as record

@@ -79,6 +79,8 @@ def make_env(
     ------
     ValueError
         If the task cannot be run (it names the file), or if the arguments do not fit together.
+    FileNotFoundError
+        If there is no such task file.
     ImportError
         If the engine that you ask for is missing; it says what to install.
     """

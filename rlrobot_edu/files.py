@@ -24,7 +24,7 @@ T = TypeVar("T")
 LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
-BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
+BEGINNINGS |= {".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)", ".mp4": rb"....ftyp"}  # csv: not as what is no text
 # What the system says too shortly where a file cannot be written
 BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "part of it is a file"}
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
@@ -92,7 +92,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            remove_old(temporary, -float("inf"))
+            remove_old(temporary, -float("inf"))  # of any age; what is not there, or cannot go, is no fault here
 
 
 def _what_is_at(path: Path) -> os.stat_result | None:

@@ -82,6 +82,19 @@ class NumpyModelWorld:
         return self.s, r[i]
 
 
+def numpy_q_learning(world, steps, rng, alpha=0.1, gamma=0.9):
+    """Q after these steps of Q-learning with softmax regression (temperature 1) in a `NumpyModelWorld`."""
+    model = world.model
+    q, s = np.zeros((model.n_states, model.n_actions)), world.reset()
+    for _ in range(steps):
+        p = numpy_softmax(q[s] * 100 * (1 - gamma) / model.r_max, 1.0)
+        a = min(int(np.searchsorted(np.cumsum(p), rng.random(), side="right")), model.n_actions - 1)
+        s_next, r = world.step(a)
+        q[s, a] += alpha * (r + gamma * q[s_next].max() - q[s, a])
+        s = s_next
+    return q
+
+
 def online_lambda_return(transitions, n_states, n_actions, alpha, gamma, lam):
     """Q after every step by the online λ-return algorithm (Sutton & Barto, section 12.4), straight from its definition.
 

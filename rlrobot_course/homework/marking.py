@@ -7,10 +7,12 @@ import shutil
 import tempfile
 import time
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import COURSES_OWN
 from rlrobot_course.grading.values import Unkept
 from rlrobot_course.grading.verdict import Verdict
@@ -44,14 +46,21 @@ def mark_file(path: Path, lesson: str, seed: int, limits: Limits, rules: Rules =
     return Marking(path, submission, seed, limits, rules).marked()
 
 
+@lru_cache(maxsize=4)  # it takes seconds to draw tapes that show all mistakes, and a class hands in one lesson
+def with_twins(
+    lesson: str, student: str, seed: int
+) -> tuple[dict[str, Exercise | Question], dict[str, Exercise | None]]:
+    """The exercises of a lesson, or of a student's variant of it, and their secret twins; both by name."""
+    exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
+    return exercises, {name: secret_twin(exercise, seed) for name, exercise in exercises.items()}
+
+
 class Marking:
     """The marking of one submission."""
 
     def __init__(self, path: Path, submission: Submission, seed: int, limits: Limits, rules: Rules = NO_RULES) -> None:
         self._path, self._submission, self._limits, self._rules = path, submission, limits, rules
-        lesson, student = submission.lesson, submission.made_for
-        self._exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
-        self._twins = {name: secret_twin(exercise, seed) for name, exercise in self._exercises.items()}
+        self._exercises, self._twins = with_twins(submission.lesson, submission.made_for, seed)
         self._end = time.monotonic() + limits.seconds
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with

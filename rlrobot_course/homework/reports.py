@@ -24,6 +24,7 @@ LINE = re.compile(r"\b([Cc]ode cell )(\d+)( .*?)\((?:\d+\.py|<[^<>]*>), line (\d
 NOBODY_TYPES = re.compile(r"(EOFError|StdinNotImplementedError): [^\n.]*\.?")
 NOBODY_TYPES_TOLD = r"\1: it asks with input(), and nobody is there to type while it is graded."
 LONGEST = 40  # of a line that is shown
+KINDS = {"--csv": ".csv", "--mistakes": ".csv", "--gradescope": ".json"}  # what a report is, by its option
 
 
 def as_text(one: Marked) -> str:
@@ -147,6 +148,8 @@ def check_paths(reports: Mapping[str, str], folder: str, inputs: Iterable[str | 
             raise ValueError(f"{option} {path} would be written over {over}, which is an input: choose another path")
         if other := next((name for name, one in taken.items() if name < option and _are_one(path, one)), ""):
             raise ValueError(f"{other} and {option} have the same path, {path}: choose two")
+        if (kind := KINDS.get(option, "")) and Path(path).suffix.lower() not in ("", kind):
+            raise ValueError(f"{option} {path}: this report is a {kind} file; give its name that ending")
 
 
 def _check_folder(option: str, path: str, folder: Path) -> None:

@@ -101,8 +101,10 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
         problem = "" if cells else "There is no code cell in it."
     except OSError as error:
         cells, problem = [], f"It cannot be read: {error.strerror}."
-    except Exception as error:  # of a file that is no notebook anything may be the matter
+    except ValueError as error:
         cells, problem = [], f"This is not a notebook that can be read ({one_line(str(error), 120)})."
+    except Exception:  # of a file that is no notebook anything may be the matter
+        cells, problem = [], "This is not a notebook that can be read (it has no cells where a notebook has them)."
     lesson = lesson or _lesson_of(path, cells)
     if not lesson:
         why = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."

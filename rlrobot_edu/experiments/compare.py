@@ -92,6 +92,12 @@ def compare(
     ValueError
         For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
         have, episodes that do not end, and a store of another experiment, or a damaged one.
+    FileNotFoundError
+        If there is no such task file.
+    ImportError
+        If the engine that you ask for is missing; it says what to install.
+    KeyboardInterrupt
+        After Ctrl-C, in one line; it says whether the repetitions so far are kept.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
     if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):

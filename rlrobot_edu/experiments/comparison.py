@@ -169,6 +169,11 @@ class Comparison(Tabled, UserDict[str, Runs]):
         -------
         Picture or matplotlib.axes.Axes
             The figure, or `ax` where one was given.
+
+        Raises
+        ------
+        ValueError
+            If `ax` is something else.
         """
         from rlrobot_edu.show.curves import plot_curves, steps_of  # numbers alone need no matplotlib
 

@@ -153,6 +153,12 @@ def repeat(
     ------
     ValueError
         For an unknown world, method or setting, and for impossible numbers.
+    FileNotFoundError
+        If there is no such task file.
+    ImportError
+        If the engine that you ask for is missing; it says what to install.
+    KeyboardInterrupt
+        After Ctrl-C, in one line; the repetitions so far are lost.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)

@@ -68,6 +68,8 @@ class Agent:
     ------
     ValueError
         If the method is unknown, a parameter is out of its domain, or states or actions cannot be counted.
+    FileNotFoundError
+        If there is no such task file.
     """
 
     def __init__(
@@ -232,6 +234,11 @@ class Agent:
         """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.
 
         It draws the random numbers that the agent would draw next; from then on the two share nothing.
+
+        Returns
+        -------
+        Agent
+            The copy.
         """
         still = deepcopy(self)
         still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
@@ -278,7 +285,10 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite, or could not be read again for another reason.
+            If values are infinite, or could not be read again for another reason; if the file's name ends like that of
+            another kind of file.
+        OSError
+            If the file cannot be written.
         """
         if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
@@ -301,10 +311,17 @@ class Agent:
         method : Method, optional
             The agent's, if it has parts that are not the toolkit's: a file brings their code to compare, not to run.
 
+        Returns
+        -------
+        Agent
+            The same agent.
+
         Raises
         ------
         ValueError
             If the file is damaged or of another kind, or if the method is not the one that the agent had.
+        FileNotFoundError
+            If there is none.
         """
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":

@@ -12,8 +12,9 @@ class Algorithm(NamedTuple):
     name : str
         Its part of a method's name, such as ``SARSA``.
     update : function
-        ``(m, s, a, r, s_next, a_next, terminated) -> TD error``, which changes the memory `m`: its ``q``, and what else
-        `Memory` holds. A plain function, written as numba understands it; it is compiled when an agent first learns.
+        ``(m, s, a, r, s_next, a_next, terminated) -> TD error``, which changes ``m``, the agent's memory: ``m.q`` are
+        its action values, ``m.e`` its traces, ``m.visits`` its counts, ``m.parameters`` its parameters. A plain
+        function, written as numba understands it; it is compiled when an agent first learns.
     on_policy : bool
         Whether a' is selected before the update, which learns from it; otherwise after the update.
     has_traces : bool
@@ -34,7 +35,8 @@ class Selection(NamedTuple):
     name : str
         Its part of a method's name, such as ``SR``.
     weigh : function
-        ``(m, s)``, which writes the probability of each action in `s` to the ``probabilities`` of the memory `m`.
+        ``(m, s)``, which writes the probability of each action in `s` to ``m.probabilities``; ``m`` is the agent's
+        memory, see `Algorithm`.
     is_softmax, is_biased : bool
         Whether the temperature counts; whether it computes a bias.
     """
@@ -53,8 +55,8 @@ class Planner(NamedTuple):
     name : str
         Such as ``dyna``.
     plan : function
-        ``(m, x, s, a, n, rng)``, called after each real step: it imagines `n` steps from the experience `x`, and
-        changes the memory `m`. Written as an algorithm's update is.
+        ``(m, x, s, a, n, rng)``, called after each real step: it imagines ``n`` steps from ``x``, the agent's
+        experience, and changes ``m``, its memory, see `Algorithm`. Written as an algorithm's update is.
     new_notes : function, optional
         ``(n_states, n_actions) -> named tuple of arrays of numbers``: what it keeps between two steps, as ``x.notes``.
     can_be : function, optional

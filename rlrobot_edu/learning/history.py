@@ -154,7 +154,10 @@ class History:
     def final_average_reward(self) -> float:
         """The number by which the paper compares methods: over all steps, or over an episodic task's last episode.
 
-        Raises ValueError if there are no steps.
+        Raises
+        ------
+        ValueError
+            If there are no steps.
         """
         if not len(self):
             raise ValueError("a history without steps has no average reward; learn for at least 1 step")
@@ -176,6 +179,13 @@ class History:
         ----------
         path : str or Path
             The file.
+
+        Raises
+        ------
+        ValueError
+            If the file would be too large to be read again, or its name ends like that of another kind of file.
+        OSError
+            If the file cannot be written.
         """
         about = {name: getattr(self, name) for name in ("method", "seconds", "size", "origin", "before")}
         arrays = {**self.transitions._asdict(), **self.learned._asdict()}

@@ -163,6 +163,8 @@ def learn(
     ------
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
+    KeyboardInterrupt
+        After Ctrl-C, in one line; what was learned is kept.
 
     Notes
     -----
@@ -212,6 +214,8 @@ def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, ke
     ------
     ValueError
         If agent and environment do not fit.
+    KeyboardInterrupt
+        After Ctrl-C, in one line.
     """
     check_pair_of(agent, env)
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)

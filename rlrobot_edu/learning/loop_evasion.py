@@ -11,7 +11,8 @@ def watch_for_loops(m, s, r):
 
     The queue holds the latest states and rewards. Once it is full, the temperature rises by a quarter of
     the redundancy (states in the queue / different states) at every step on which `s` was already there, the mean
-    reward is negative and the redundancy above 2. Otherwise it falls back to its default. Source: paper algorithm 3.
+    reward is negative and the redundancy above 2. Otherwise it falls back to its default.
+    `m` is the agent's memory, see memory.py. Source: paper algorithm 3.
     """
     if not m.parameters.loop_evasion:
         return

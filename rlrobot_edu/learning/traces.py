@@ -1,4 +1,4 @@
-"""The register of eligibility traces: which states have one, what they learn by it, and how it fades."""
+"""The register of eligibility traces in an agent's memory `m`: which states have one, what they learn, how it fades."""
 
 from rlrobot_edu.learning.jit import compiled
 

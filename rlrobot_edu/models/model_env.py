@@ -19,13 +19,7 @@ Info = dict[str, Any]
 
 
 class SampleModelEnv(gymnasium.Env[Any, Any]):
-    """A SampleModel to act in.
-
-    An observation is the bins of all inputs, an array (n_inputs,) of int in a `MultiDiscrete` space; an
-    action is a number in a `Discrete` space. After (s, a) comes one of the outcomes (s', r) that were
-    recorded there, each as often as it was seen, or what the model's `unseen` says. ``info["state"]`` is the
-    number of the state. An episode begins in one of the recorded starts. It ends where a recorded one
-    terminated, or is cut off after `episode_steps` or `time_limit` of the model.
+    """The world that a SampleModel remembers, as a Gymnasium environment.
 
     Parameters
     ----------
@@ -37,7 +31,17 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
     Attributes
     ----------
     state : int or None
-        Number of the present state, None before the first reset.
+        Number of the present state, None before the first `reset`.
+
+    Notes
+    -----
+    - Observation: array (n_inputs,) of int64, the bin of each input
+    - Action: number of an action, 0 to n_actions − 1
+    - Info: ``state``, the number of the state
+    - Next state and reward: one of the outcomes (s', r) that were seen after (s, a), each as often as it was seen; for
+      a pair that was never tried, what the model's `unseen` says
+    - Episode start: one of the recorded starts
+    - Episode end: terminated where a recorded episode did; truncated after the model's `episode_steps` or `time_limit`
     """
 
     def __init__(self, model: SampleModel, seed: int | np.random.SeedSequence | None = None):
@@ -56,7 +60,20 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[NDArray[np.int64], Info]:
-        """Start an episode in one of the recorded starts."""
+        """Start an episode in one of the recorded starts.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Makes what follows repeatable; None continues the random numbers.
+        options : dict, optional
+            Not used; Gymnasium hands it over.
+
+        Returns
+        -------
+        tuple
+            The observation and the info.
+        """
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
@@ -65,7 +82,22 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.
 
-        Raises ValueError for an action that there is not, gymnasium's ResetNeeded before the first reset.
+        Parameters
+        ----------
+        action : int
+            Number of the action, 0 to n_actions − 1.
+
+        Returns
+        -------
+        tuple
+            Observation, reward, terminated, truncated and info.
+
+        Raises
+        ------
+        ValueError
+            If there is no such action.
+        gymnasium.error.ResetNeeded
+            Before the first `reset`.
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
@@ -78,8 +110,29 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         return observation, float(r), bool(terminated), truncated, info
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Run the loop of learning compiled, in slices: each yields its number of steps, see `make_run`."""
-        return run_slices(self, make_run(agent.method, begin, outcome), self._tables, agent, log, episodes)
+        """Run the whole loop of learning compiled, in slices; `learn` calls it.
+
+        Parameters
+        ----------
+        agent : Agent
+            What learns.
+        log : Transitions
+            The columns that it fills, a row a step.
+        episodes : int, optional
+            Stop sooner, once so many episodes have ended.
+
+        Yields
+        ------
+        int
+            The number of steps of a slice.
+
+        Raises
+        ------
+        ValueError
+            If a planner has observed more outcomes than it can keep.
+        """
+        run = make_run(agent.method, begin, outcome)
+        return run_slices(self, run, self._tables, agent, log, episodes)
 
     def arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
         """Be in `state`; returns what is seen there."""

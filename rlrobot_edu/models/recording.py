@@ -92,6 +92,8 @@ class Recording:
         ------
         ValueError
             If the folder's name is that of a file.
+        OSError
+            If a file cannot be written.
         """
         if Path(folder).suffix in BEGINNINGS:
             raise ValueError(f"{folder}: a recording is a folder, whose name does not end like this")
@@ -209,8 +211,10 @@ def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | 
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows
-        after ten million steps where it is not known before.
+        Unless exactly one of `steps` and `episodes` is given, if agent and environment do not fit, and for episodes
+        that never end, which shows after ten million steps where it is not known before.
+    KeyboardInterrupt
+        After Ctrl-C, in one line; what was learned is kept, the recording is not.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")

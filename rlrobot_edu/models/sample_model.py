@@ -274,6 +274,13 @@ class SampleModel:
         ----------
         path : str or Path
             The file.
+
+        Raises
+        ------
+        ValueError
+            If the file would be too large to be read again, or its name ends like that of another kind of file.
+        OSError
+            If the file cannot be written.
         """
         about = {name: getattr(self, name) for name in ABOUT}
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
@@ -299,7 +306,7 @@ class SampleModel:
         ValueError
             If the file is damaged or of another kind, or if it has not the size and the rewards of the task.
         FileNotFoundError
-            If there is none.
+            If there is no such file, or no such task file.
         """
         model = load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
         if task is None:

@@ -89,7 +89,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                     raise ValueError(f"a robot behind a link is what it is: leave {name} out")
             link.prepare(task)
         else:
-            self.engine = engine or default_engine(task.robot)
+            self.engine = default_engine(task.robot) if engine is None else engine
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
                 options |= {"realism": realism} if self.engine == "pymunk" else {}
@@ -141,6 +141,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         -------
         tuple
             The observation and the info.
+
+        Raises
+        ------
+        ValueError
+            If a reading is out of its range; it names the task's file.
         """
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
@@ -164,6 +169,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         ------
         ValueError
             If there is no such action, or if a reading is out of its range (it names the task's file).
+        gymnasium.error.ResetNeeded
+            Before the first `reset`.
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
@@ -270,7 +277,8 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         raise ValueError(f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
-    its_own = [*signature(robot_class.__init__).parameters][3:]  # after self, scene and step_time
+    # after self, scene and step_time; realism is asked for by make_env already
+    its_own = [one for one in [*signature(robot_class.__init__).parameters][3:] if one != "realism"]
     for option in options:
         known(option, ["engine", "realism", "render_mode", "link", *its_own], "setting", repr(task.robot))
     return partial(robot_class, task.scene, task.step_time, **options)

@@ -51,7 +51,7 @@ def plot_learning(
     Raises
     ------
     ValueError
-        For an empty list, a History without steps, or for too few or too many labels.
+        For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
     """
     groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
     if not all(isinstance(h, History) for group in groups for h in group):

@@ -93,6 +93,13 @@ class Film(Displayed):
         -------
         bytes
             The GIF file.
+
+        Raises
+        ------
+        ValueError
+            If the file's name ends like that of another kind of file.
+        OSError
+            If the file cannot be written.
         """
         first, *rest = self._pictures(self._captions())
         buffer = io.BytesIO()
@@ -109,6 +116,13 @@ class Film(Displayed):
         ----------
         path : str or Path
             The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. For a GIF, see `gif`.
+
+        Raises
+        ------
+        ValueError
+            If the file's name ends like that of another kind of file, such as ``.gif``.
+        OSError
+            If the file cannot be written.
         """
         pictures = self._pictures([""] * len(self.frames))  # the page says the captions
         views = [
@@ -138,7 +152,13 @@ class Film(Displayed):
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 
     def still(self) -> Still:
-        """The moving picture, which says in words how the film ends."""
+        """The moving picture, which says in words how the film ends.
+
+        Returns
+        -------
+        Still
+            The GIF and its description.
+        """
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
         return Still(alt, self.gif(), PIXELS, "image/gif")
 

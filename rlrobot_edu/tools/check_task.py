@@ -84,6 +84,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     ------
     ValueError
         If there is something wrong in the task's file: it says which file, line and what.
+    FileNotFoundError
+        If there is no such task file.
     ImportError
         If the robot's simulator is missing; it says what to install.
 

@@ -22,6 +22,8 @@ from rlrobot_edu.learning import jit
 
 NAME = "rlrobot-edu"
 WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
+PIP = "python -m pip" if importlib.util.find_spec("pip") else "uv pip"  # uv makes environments without pip
+ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
@@ -60,7 +62,7 @@ class Diagnosis(NamedTuple):
         lines = []
         for heading, findings in self.sections.items():
             lines += [heading, *map(_line, findings), ""]
-        to_do = [finding.to_do for findings in self.sections.values() for finding in findings if finding.to_do]
+        to_do = dict.fromkeys(one.to_do for findings in self.sections.values() for one in findings if one.to_do)
         if not to_do:
             return "\n".join([*lines, "All is well. What is said to be missing is needed only for what is said there."])
         tasks = (textwrap.fill(f"{i}. {text}", WIDTH, subsequent_indent="   ") for i, text in enumerate(to_do, 1))
@@ -95,11 +97,9 @@ def _package() -> Finding:
     try:
         version = metadata.version(NAME)
     except metadata.PackageNotFoundError:
-        to_do = "Install the toolkit, in its folder: python -m pip install -e . (pip does not know of it)"
-        return Finding(NAME, f"{says}; not installed by pip", to_do, is_broken=True)
+        return Finding(NAME, f"{says}; not installed by pip", f"{ANEW} (pip does not know of it)", is_broken=True)
     if version != rlrobot_edu.__version__:
-        to_do = f"Install the toolkit anew, in its folder: python -m pip install -e . (pip knows {version})"
-        return Finding(NAME, f"{says}; pip knows {version}", to_do)
+        return Finding(NAME, f"{says}; pip knows {version}", f"{ANEW} (pip knows {version})")
     return Finding(NAME, says)
 
 
@@ -156,7 +156,7 @@ def _core() -> Iterator[Finding]:
             fault = f"cannot be imported: {type(error).__name__}: {error}"
         if fault:
             asked = str(requirement).partition(";")[0]
-            to_do = f'Install what is needed: python -m pip install --force-reinstall "{asked}"'
+            to_do = f'Install what is needed: {PIP} install --force-reinstall "{asked}"'
             yield Finding(requirement.name, fault, to_do, is_broken=True)
         else:
             yield Finding(requirement.name, metadata.version(requirement.name))
@@ -165,18 +165,20 @@ def _core() -> Iterator[Finding]:
 def _extra(name: str) -> Finding:
     """What an extra needs, and with which versions it is there."""
     here, elsewhere = _needed(NAME, name)
+    if not here and not elsewhere:
+        return Finding(name, f"pip knows no such extra, as of an older toolkit.\nWithout it {WITHOUT[name]}.", ANEW)
     if not here:
         names = ", ".join(sorted({requirement.name for requirement in elsewhere}))
-        python = ".".join(platform.python_version_tuple()[:2])
-        reason = f"no wheel of {names} for Python {python} on {sys.platform} {platform.machine()}"
-        return Finding(name, f"{reason}.\nWithout it {WITHOUT[name]}.")
+        computer = f"Python {sys.version_info[0]}.{sys.version_info[1]} on {sys.platform} {platform.machine()}"
+        return Finding(name, f"no wheel of {names} for {computer}.\nWithout it {WITHOUT[name]}.")
     for requirement in list(here):
         for part in requirement.extras:
             here += _needed(requirement.name, part)[0]
     faults = [f"{requirement.name} {fault}" for requirement in here if (fault := _fault(requirement))]
     if faults:
-        command = f'python -m pip install "{NAME}[{name}]"'
-        return Finding(name, f"{'; '.join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {command}")
+        return Finding(
+            name, f'{"; ".join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"'
+        )
     return Finding(name, ", ".join(f"{requirement.name} {metadata.version(requirement.name)}" for requirement in here))
 
 

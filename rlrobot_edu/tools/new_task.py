@@ -32,8 +32,8 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
     ------
     ValueError
         If this cannot be the name of a task, or if there is no such robot.
-    FileExistsError
-        If there is such a file already.
+    OSError
+        If there is such a file already (FileExistsError), or it cannot be written.
     """
     if not (isinstance(name, str) and name.isidentifier() and name.islower()):
         expected = "small letters, digits and underscores, a letter first, as in follow_wall"

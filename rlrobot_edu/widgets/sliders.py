@@ -46,7 +46,7 @@ class ParameterSliders(Displayed):
     Raises
     ------
     ValueError
-        For a world that is not a SampleModel, and for an unknown parameter.
+        For a world that is not a SampleModel, and for an unknown parameter or method.
     """
 
     def __init__(
@@ -90,6 +90,11 @@ class ParameterSliders(Displayed):
         -------
         Picture
             A matplotlib figure with a description in words.
+
+        Raises
+        ------
+        ValueError
+            If a value is out of its domain.
         """
         mine = self._run(**settings)
         named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in

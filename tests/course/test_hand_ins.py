@@ -305,6 +305,14 @@ def test_students_whose_folders_differ_in_their_capitals_alone_are_two(tmp_path)
     assert len(rows()) == 2
 
 
+@pytest.mark.parametrize("text", ["[]", '{"cells": 3}', '{"cells": [1]}', "{}", "7"])
+def test_a_file_of_another_form_is_told_in_words_and_not_in_pythons(tmp_path, text):
+    (tmp_path / "s1.ipynb").write_text(text, encoding="utf-8")
+    assert read_submission(tmp_path / "s1.ipynb", "03").problem == (
+        "This is not a notebook that can be read (it has no cells where a notebook has them)."
+    )
+
+
 def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypatch):
     notebook(tmp_path / "s1.ipynb", 4)
 
@@ -319,6 +327,14 @@ def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypat
 
 REPORTS = ("csv", "gradescope", "mistakes")
 WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
+
+
+@pytest.mark.parametrize(("report", "path"), [("mistakes", "m.html"), ("csv", "p.XLSX"), ("gradescope", "results.csv")])
+def test_a_report_with_the_ending_of_another_kind_is_refused_before_anything_runs(tmp_path, report, path, capsys):
+    notebook(tmp_path / "s1.ipynb", 4)
+    with pytest.raises(ValueError, match=rf"--{report} {path}: this report is a \.(csv|json) file"):
+        grade(["s1.ipynb"], seed=1, **{report: path})
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize("report", REPORTS)

@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_06.figures import falls_of, first_returns, plot_paths, plot_returns
+from rlrobot_course.lesson_06.figures import WAYS, falls_of, first_returns, plot_paths, plot_returns, way_of
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
+from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, greedy_path
 
 UP, RIGHT, DOWN, LEFT = range(4)
 
@@ -51,9 +51,16 @@ def test_a_path_that_comes_back_ends_where_it_does():
     assert greedy_path(np.eye(4)[np.full(48, DOWN)]) == (START, START)
 
 
+def counted(histories):
+    """How many agents keep to the edge of the cliff, leave it, or are lost, when they no longer explore."""
+    ways = [way_of(history) for history in histories]
+    edge, lost = ways.count(WAYS[2]), ways.count("lost")
+    return {"edge": edge, "off": len(ways) - edge - lost, "lost": lost}
+
+
 def test_the_picture_counts_the_ways():
     mixed = [history(q_of(2)), history(q_of(1)), history(q_of(0)), history(np.eye(4)[np.full(48, DOWN)])]
-    assert count_ways(mixed) == {"edge": 1, "off": 2, "lost": 1}
+    assert counted(mixed) == {"edge": 1, "off": 2, "lost": 1}
     picture = plot_paths({"mixed": mixed})
     widths = [line.get_linewidth() for line in picture.axes[0].lines]
     assert max(widths) > min(widths)
@@ -82,4 +89,4 @@ def test_returns_are_averaged_over_windows_of_episodes():
 @pytest.mark.parametrize(("method", "wanted"), [("Q+EG", "edge"), ("SARSA+EG", "off")])
 def test_q_learning_takes_the_edge_and_sarsa_does_not(method, wanted):
     runs = rl.repeat(cliff_model(), method, repetitions=10, steps=20000, seed=7, n_jobs=1, r_max=1)
-    assert count_ways(runs)[wanted] >= 8
+    assert counted(runs)[wanted] >= 8

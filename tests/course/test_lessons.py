@@ -27,7 +27,7 @@ SOME = (
     "tests/browser/test_browser.py",
     "docs/site/stepper_pages.py",
 )
-COPIED = ("rlrobot_edu", "rlrobot_course", "tests", "notebooks", "homework", "docs", "tasks", "studies")
+COPIED = ("rlrobot_edu", "rlrobot_course", "tests", "notebooks", "homework", "docs", "tasks", "studies", "lite")
 COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
 
 

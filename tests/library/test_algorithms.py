@@ -13,6 +13,7 @@ from oracles import (
     NumpyModelWorld,
     method_of_the_page,
     numpy_bias,
+    numpy_q_learning,
     numpy_softmax,
     online_lambda_return,
 )
@@ -231,6 +232,14 @@ def test_tosl_qbiassr_on_a_model_equals_the_plain_numpy_loop_of_the_page(wander_
         world, wander_model.shape, wander_model.n_actions, wander_model.r_max, 3600, np.random.default_rng(7)
     )
     np.testing.assert_array_equal(history.rewards, rewards)
+    np.testing.assert_allclose(agent.q, q, atol=1e-9)
+
+
+def test_q_learning_on_a_model_equals_the_plain_numpy_loop_that_benchmarks_race(wander_model):
+    agent = rl.Agent(wander_model, "Q+SR", seed=7, loop_evasion=False)
+    rl.learn(agent, rl.make_env(wander_model, seed=np.random.SeedSequence(11)), steps=3600, progress=False)
+    world = NumpyModelWorld(wander_model, np.random.default_rng(11))
+    q = numpy_q_learning(world, 3600, np.random.default_rng(7))
     np.testing.assert_allclose(agent.q, q, atol=1e-9)
 
 

@@ -513,7 +513,7 @@ def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bytes", "new", "text"]
 
 
-ENDINGS = {".npz", ".gif", ".png", ".html", ".json", ".csv"}
+ENDINGS = {".npz", ".gif", ".png", ".html", ".json", ".csv", ".mp4"}
 WRITERS = {
     ".npz": lambda path: rl.Agent("wander_simple").save(path),
     ".html": lambda path: write_whole(path, "<!DOCTYPE html>"),

@@ -63,9 +63,8 @@ def test_the_recipe_for_conda_forge_needs_what_the_package_and_its_lab_need():
     recipe = yaml.safe_load(re.search(r"```yaml\n(.*?)```", page, re.S)[1])
     names = {"matplotlib": "matplotlib-base", "meshcat": "meshcat-python"}  # as conda-forge calls them
     wanted = map(Requirement, PROJECT["dependencies"] + PROJECT["optional-dependencies"]["lab"])
-    assert recipe["requirements"]["run"][1:] == [
-        f"{names.get(need.name, need.name)} {need.specifier}" for need in wanted
-    ]
+    here = [need for need in wanted if need.marker is None or need.marker.evaluate()]  # one line of numba's two
+    assert recipe["requirements"]["run"][1:] == [f"{names.get(need.name, need.name)} {need.specifier}" for need in here]
     assert recipe["context"]["version"] == rl.__version__
     assert recipe["build"]["python"]["entry_points"] == [" = ".join(*PROJECT["scripts"].items())]
 

@@ -163,6 +163,20 @@ def test_a_robot_that_does_not_sense_all_that_its_card_promises_is_refused_as_it
         env.reset()
 
 
+@pytest.mark.parametrize("engine", ["", 0, [], "pymunkk"])
+def test_only_none_leaves_the_choice_of_an_engine_to_the_robot(engine):
+    with pytest.raises(ValueError, match="is simulated by pymunk or pybullet or kinematic, not by"):
+        rl.make_env("wander_1k", engine=engine)
+
+
+@pytest.mark.parametrize("task", ["wander_1k", "arm_1k"])
+def test_the_settings_that_a_refusal_lists_are_named_once(task):
+    with pytest.raises(ValueError, match="has no setting 'colour'") as refusal:
+        rl.make_env(task, engine="kinematic", colour="red")
+    names = str(refusal.value).partition("It has: ")[2].split(", ")
+    assert "realism" in names and len(set(names)) == len(names)
+
+
 @pytest.mark.parametrize(
     ("name", "setting", "near"), [("wander_1k", "engin", "engine"), ("wander_1k", "chasis", "chassis")]
 )

@@ -247,7 +247,7 @@ def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot, mon
     seen = []
 
     def step():
-        with pytest.raises(ConnectionError, match="carried or started anew") as error:
+        with pytest.raises(ConnectionError, match="carried or restarted") as error:
             env.step(AHEAD)
         seen.append(error)
 

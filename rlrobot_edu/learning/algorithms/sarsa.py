@@ -6,7 +6,7 @@ from rlrobot_edu.learning.jit import compiled
 
 @compiled
 def update(m, s, a, r, s_next, a_next, terminated):
-    r"""Learn from one transition; returns the TD error.
+    r"""Learn from one transition; returns the TD error. `m` is the agent's memory, see memory.py.
 
     .. math:: \delta = r + \gamma Q(s', a') - Q(s, a), \qquad Q(s, a) \leftarrow Q(s, a) + \alpha \delta
 

@@ -7,7 +7,7 @@ from rlrobot_edu.learning.traces import pass_on, remember
 
 @compiled
 def update(m, s, a, r, s_next, a_next, terminated):
-    r"""Learn from one transition; returns the TD error.
+    r"""Learn from one transition; returns the TD error. `m` is the agent's memory, see memory.py.
 
     .. math::
         \delta = r + \gamma Q(s', a') - Q(s, a), \qquad e(s, a) \leftarrow 1 \text{ (or } e(s, a) + 1) \\

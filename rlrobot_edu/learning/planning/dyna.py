@@ -23,7 +23,8 @@ def plan(m, x, s, a, n, rng):
 
     Each learns as Q-learning does, whatever the agent's algorithm is: where an imagined step leads to nobody acts, so
     there is no a' to learn from. The real step's pair (s, a) is not asked for.
-    Source: Sutton & Barto, section 8.2 (Tabular Dyna-Q).
+    `m` is the agent's memory, see memory.py; `x` its experience, see experience.py; `n` the number of steps.
+    Source: Sutton 1990; Sutton & Barto, section 8.2 (Tabular Dyna-Q).
     """
     n_actions = m.q.shape[1]
     for _ in range(n):

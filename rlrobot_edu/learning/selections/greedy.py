@@ -1,4 +1,8 @@
-"""Selections that look at the best action only: ε-greedy (EG), and its two ends, GREEDY and RANDOM."""
+"""Selections that look at the best action only: ε-greedy (EG), and its two ends, GREEDY and RANDOM.
+
+In each kernel `m` is the agent's memory, see memory.py.
+Source: paper section 3 (ε-greedy); Sutton & Barto, section 2.2.
+"""
 
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled

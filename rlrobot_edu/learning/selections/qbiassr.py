@@ -30,7 +30,10 @@ def compute_bias(q, shape, s, bias):
 
 @compiled
 def biased_softmax_regression(m, s):
-    r"""QBIASSR: softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+    r"""QBIASSR: softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}`.
+
+    `m` is the agent's memory, see memory.py. Source: paper equations 9 to 11 and algorithm 2.
+    """
     compute_bias(m.q, m.shape, s, m.bias)
     for a in range(m.q.shape[1]):
         m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale

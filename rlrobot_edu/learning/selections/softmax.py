@@ -13,7 +13,7 @@ def softmax(x, temperature, p):
     .. math:: P(a) = \frac{e^{x(a) / T}}{\sum_i e^{x(a_i) / T}}
 
     The largest x is subtracted first, which changes no probability and lets no exponential overflow.
-    Source: paper equation 5.
+    Source: paper equation 5; Sutton & Barto, equation 2.11, without a temperature.
     """
     x_max = x.max()
     total = 0.0
@@ -26,7 +26,10 @@ def softmax(x, temperature, p):
 
 @compiled
 def softmax_regression(m, s):
-    r"""SR: softmax over the normalised values :math:`Q(s) \cdot 100 / Q_{max}` (paper equations 5, 10 and 11)."""
+    r"""SR: softmax over the normalised values :math:`Q(s) \cdot 100 / Q_{max}`.
+
+    `m` is the agent's memory, see memory.py. Source: paper equations 5, 10 and 11.
+    """
     for a in range(m.q.shape[1]):
         m.probabilities[a] = m.q[s, a] * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)

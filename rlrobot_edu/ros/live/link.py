@@ -130,12 +130,24 @@ class RobotLink(Robot):
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the sensors say now, by name. Raises ConnectionError before the first `reset`."""
+        """What the sensors say now, by name.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
         return self._open_line().senses.readings
 
     @property
     def report(self) -> LinkReport:
-        """What was heard and said since the link was opened, also after `close`. ConnectionError before `reset`."""
+        """What was heard and said since the link was opened, also after `close`.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
         return self._last_report or self._open_line().report()
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
@@ -198,7 +210,18 @@ class RobotLink(Robot):
         return self.readings
 
     def scene(self) -> Scene:
-        """The robot where its odometry says, and its laser beams; of walls nothing is known."""
+        """The robot where its odometry says, and its laser beams; of walls nothing is known.
+
+        Returns
+        -------
+        Scene
+            What there is to see.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
         readings = dict.fromkeys(LASERS, 0.0) | self.readings  # a beam of which nothing is known shows nothing free
         x, y = readings["x"], readings["y"]
         here = pose(x, y, 0.0, readings["theta"])

@@ -49,7 +49,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     ValueError
         For a task that cannot be served, or an unknown link.
     OSError
-        If the port is taken, or nobody is there.
+        If the port is taken, nobody is there, or there is no such task file.
 
     Notes
     -----
@@ -98,7 +98,13 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self.close()
 
     def wait(self) -> None:
-        """Return when the robot has ended; it does not end by itself. Raises ConnectionError if it is cut off."""
+        """Return when the robot has ended; it does not end by itself.
+
+        Raises
+        ------
+        ConnectionError
+            If it is cut off.
+        """
         # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
         while not self._has_ended.wait(1.0):  # on Windows, Ctrl-C is not heard in a longer wait
             pass

@@ -65,6 +65,8 @@ def transfer(
     ValueError
         If the source's task is not known or not the one that it learned, if the tasks have no input or no action in
         common, or an input has another unit.
+    FileNotFoundError
+        If there is no such task file.
 
     Notes
     -----

@@ -42,7 +42,9 @@ class BiasExplorer(Displayed):
     Raises
     ------
     ValueError
-        If task, tables and state do not fit together.
+        If task, tables and state do not fit together, or `temperature` is not above 0.
+    FileNotFoundError
+        If there is no such task file.
 
     References
     ----------
@@ -89,6 +91,13 @@ class BiasExplorer(Displayed):
         path : str or Path
             The file, such as ``bias.html``; the address ``bias.html#17`` leads to state 17,
             and ``bias.html#17-2`` to state 17 of the second table.
+
+        Raises
+        ------
+        ValueError
+            If the file's name ends like that of another kind of file.
+        OSError
+            If the file cannot be written.
 
         Notes
         -----

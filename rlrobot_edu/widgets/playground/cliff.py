@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cache
 
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import SampleModel
 
 SHAPE = (4, 12)  # rows and columns; state = 12 · row + column
@@ -52,11 +50,3 @@ def greedy_path(q: np.ndarray) -> tuple[int, ...]:
     while path[-1] != GOAL and len(set(path)) == len(path):
         path.append(model.outcomes(path[-1], int(q[path[-1]].argmax()))[0][0])
     return tuple(path)
-
-
-def count_ways(histories: Sequence[History]) -> dict[str, int]:
-    """How many agents keep to the edge of the cliff, leave it, or are lost, when they no longer explore."""
-    ways = [greedy_path(history.q) for history in histories]
-    arrived = [min(way[1:]) for way in ways if way[-1] == GOAL]  # the smaller the number, the higher the row
-    edge = sum(highest // SHAPE[1] == SHAPE[0] - 2 for highest in arrived)
-    return {"edge": edge, "off": len(arrived) - edge, "lost": len(ways) - len(arrived)}

@@ -127,7 +127,7 @@ def playground(path: str | Path | None = None, *, task: str = "wander_1k", metho
     Raises
     ------
     ValueError
-        If the page has no such task or method; it lists them.
+        If the page has no such task or method; it lists them. Or if the file's name ends like that of another kind.
     OSError
         If the file cannot be written.
     """

@@ -108,6 +108,11 @@ class Stepper(Displayed):
         ----------
         n : int
             How many steps.
+
+        Raises
+        ------
+        RuntimeError
+            As `jump`.
         """
         self.jump(self.t + n)
 
@@ -133,6 +138,8 @@ class Stepper(Displayed):
         ------
         ValueError
             If that step is no longer kept.
+        RuntimeError
+            If agent or world has taken a step elsewhere since the last one, so that no new one can be taken.
         """
         end = self._tape.end
         self._tape.go(t)
@@ -153,7 +160,11 @@ class Stepper(Displayed):
         Raises
         ------
         ValueError
-            If that step is no longer kept.
+            If that step is no longer kept, or the file's name ends like that of another kind of file.
+        RuntimeError
+            As `jump`.
+        OSError
+            If the file cannot be written.
         """
         shown, end = self.t, self._tape.end
         last = end if steps is None else steps
