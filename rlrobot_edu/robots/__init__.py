@@ -13,6 +13,7 @@ Robot           what an environment asks of a robot: reset, act, readings, scene
 CellRobot       the robot of the paper's worked example, the shortest one (cell_robot.py)
 MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
+KinematicRobot  a robot of geometry alone; learning with it is one kernel (kernel_robot.py, compiled_task.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
 
 wheels.py lists the chassis of each robot on wheels. arm/ holds all of the arm, engines/ the other simulators:

@@ -13,7 +13,7 @@ import numpy as np
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.engines.kinematic.world import kernels_of, world_of
+from rlrobot_edu.robots.kernel_robot import kernels_of, world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator

@@ -16,9 +16,8 @@ from hypothesis import strategies as st
 import rlrobot_edu as rl
 from rlrobot_edu.learning import compiled_loop
 from rlrobot_edu.learning.jit import IS_PLAIN
-from rlrobot_edu.robots import robot_env
+from rlrobot_edu.robots import compiled_task, robot_env
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.engines.kinematic import world
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import load_task
@@ -160,7 +159,9 @@ def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(condit
 
 
 def test_a_reward_that_says_something_else_when_compiled_runs_as_python(compiling, plain_steps, monkeypatch):
-    monkeypatch.setattr(world, "_kernel_of", lambda function: world.numba.njit(lambda before, after: -1.0))
+    monkeypatch.setattr(
+        compiled_task, "_kernel_of", lambda function: compiled_task.numba.njit(lambda before, after: -1.0)
+    )
     task = task_with("10.0 if after['x'] > 0.11 else -1.0")
     learned(compiling, 1, task, 60)
     assert len(plain_steps) == 60
@@ -178,11 +179,11 @@ def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_
 
 KEPT = """
 import rlrobot_edu as rl
-from rlrobot_edu.robots.engines.kinematic import world
-kernels, compiled = [], world.compiled
-world.compiled = lambda function: kernels.append(compiled(function)) or kernels[-1]
+from rlrobot_edu.robots import compiled_task
+kernels, compiled = [], compiled_task.compiled
+compiled_task.compiled = lambda function: kernels.append(compiled(function)) or kernels[-1]
 env = rl.make_env("wander_1k", engine="kinematic").unwrapped
-world.judge_of(env.task, env.robot, env._commands)
+compiled_task.judge_of(env.task, env.robot, env._commands)
 print(len(kernels[0].stats.cache_misses))
 """
 

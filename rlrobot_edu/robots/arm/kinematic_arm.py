@@ -13,7 +13,7 @@ import numpy as np
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE, Angles, joints, scene_of, solids_of
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
-from rlrobot_edu.robots.engines.kinematic.world import KinematicRobot
+from rlrobot_edu.robots.kernel_robot import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 

@@ -2,7 +2,6 @@
 
 motion.py    arcs, and what a wall makes of them; rays to the walls
 base.py      KinematicBase, the robot that moves by them
-world.py     such a robot and its task, for the compiled loop of learning; the arm is one, too
 
 Begin with motion.py.
 """

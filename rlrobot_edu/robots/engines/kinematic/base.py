@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
-from rlrobot_edu.robots.engines.kinematic.world import KinematicRobot
+from rlrobot_edu.robots.kernel_robot import KinematicRobot
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 
