@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import ipywidgets
 
@@ -12,6 +13,8 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.robot_cards import Engine
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.live_picture import LivePicture
 from rlrobot_edu.widgets.page_script import NamedHandles
 
@@ -26,12 +29,13 @@ _SLIDERS = {
 
 
 class ParameterSliders(Displayed):
-    """Learning curves on a sample model for parameters that the reader sets, compared with the defaults.
+    """Learning curves for parameters that the reader sets, compared with the defaults.
 
     Parameters
     ----------
-    model : SampleModel
-        The world to learn in.
+    world : SampleModel, Task or str
+        Where to learn: in a sample model, or in a task, or one of that name, with ``engine="kinematic"``. Others are
+        not fast enough to follow a slider.
     method : str
         ``ALGORITHM+SELECTION``, see `Agent`.
     parameters : sequence of str
@@ -42,32 +46,35 @@ class ParameterSliders(Displayed):
         How many learning processes a curve averages.
     seed : int
         The same for every setting, so that only the setting differs.
+    engine : Engine, optional
+        The simulator of a task's robot.
 
     Raises
     ------
     ValueError
-        For a world that is not a SampleModel, and for an unknown parameter or method.
+        For a world that is not fast enough, and for an unknown parameter or method.
     """
 
     def __init__(
         self,
-        model: SampleModel,
+        world: SampleModel | Task | str,
         method: str = "TOSL+QBIASSR",
         parameters: Sequence[str] = ("temperature", "lam"),
         *,
         steps: int = 3600,
         repetitions: int = 20,
         seed: int = 0,
+        engine: Engine | None = None,
     ) -> None:
-        if not isinstance(model, SampleModel):
-            raise ValueError(f"the sliders need a SampleModel, which learns fast enough, not a {type(model).__name__}")
+        if not (isinstance(world, SampleModel) or engine == "kinematic"):
+            fast = "a SampleModel, or a task with engine='kinematic'"
+            raise ValueError(f"sliders need a world that is fast enough, {fast}; got a {type(world).__name__}")
         if isinstance(parameters, str) or not parameters or not set(parameters) <= set(_SLIDERS):
             raise ValueError(f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}")
-        self._run = lambda **settings: repeat(
-            model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, progress=False, **settings
-        )
+        length = {"repetitions": repetitions, "steps": steps, "seed": seed, "engine": engine}
+        self._run = partial(repeat, world, method, **length, n_jobs=1, progress=False)
         self._method, self._defaults = method, self._run()
-        defaults = Agent(model, method).parameters
+        defaults = Agent(world, method).parameters
         self._start = {name: getattr(defaults, name) for name in parameters}  # where the sliders stand first
         look = {"style": {"description_width": "max-content"}, "layout": {"width": "32em", "max_width": "100%"}}
         self.sliders = {

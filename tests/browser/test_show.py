@@ -385,6 +385,15 @@ def test_sliders_are_those_that_were_asked_for(wander_model):
             ParameterSliders(wander_model, "Q+SR", parameters)
 
 
+def test_sliders_also_let_a_robot_of_geometry_learn_but_none_that_is_too_slow_to_follow():
+    sliders = ParameterSliders("wander_1k", parameters=["gamma"], steps=300, repetitions=1, engine="kinematic")
+    first = sliders.widget.children[-1].value
+    sliders.sliders["gamma"].value = 0.0
+    assert sliders.widget.children[-1].value != first
+    with pytest.raises(ValueError, match="fast enough, a SampleModel, or a task with engine='kinematic'"):
+        ParameterSliders("wander_1k")
+
+
 def test_curves_that_cannot_be_drawn_are_refused_in_words():
     with pytest.raises(ValueError, match="empty"):
         plot_learning([])
