@@ -42,21 +42,24 @@ _judges: dict[Any, Any] = {}  # by the code of a task's reward and goal
 
 def judge_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]]) -> Any:
     """A task's reward and goal as the loop asks for them; None, and once a word on stderr, where there is no such."""
-    kind = np.dtype([(name, float) for name in robot.readings])
-    key = code_of((task.reward, task.goal)), kind
+    names = tuple(robot.readings)
+    key = code_of((task.reward, task.goal)), names
     if key not in _judges:
-        _judges[key], walk, record = None, _walk(robot, commands), numba.from_dtype(kind)
-        records = np.array([tuple(readings.values()) for readings in walk], kind)
-        with suppress(Exception):  # a compiler may find anything odd in somebody's function
-            kernel = compiled(_judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal)))
-            kernel.compile((record, record))
-            if repr([*map(kernel, records, records[1:])]) == repr(
-                [*map(_judging(task.reward, task.goal), walk, walk[1:])]
-            ):
-                _judges[key] = numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
-        if _judges[key] is None:
-            print(f"{task.path}: learning is slower, since numba cannot compile reward or goal", file=sys.stderr)
+        _judges[key] = _tried(task, np.dtype([(name, float) for name in names]), _walk(robot, commands))
     return _judges[key]
+
+
+def _tried(task: Task, kind: np.dtype[Any], walk: list[dict[str, float]]) -> Any:
+    """Reward and goal, compiled for readings of this `kind`, if they say on this walk what Python says; or None."""
+    record, records = numba.from_dtype(kind), np.array([tuple(readings.values()) for readings in walk], kind)
+    plain = _judging(task.reward, task.goal)
+    with suppress(Exception):  # a compiler may find anything odd in somebody's function
+        kernel = compiled(_judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal)))
+        kernel.compile((record, record))
+        if repr([*map(kernel, records, records[1:])]) == repr([*map(plain, walk, walk[1:])]):
+            return numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
+    print(f"{task.path}: learning is slower, since numba cannot compile reward or goal", file=sys.stderr)
+    return None
 
 
 def _walk(robot: Any, commands: Sequence[Mapping[str, float]]) -> list[dict[str, float]]:
