@@ -52,13 +52,14 @@ def make_step(method: Method) -> StepKernels:
     def select(m, s, u):
         """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
         weigh(m, s)
-        n_actions = m.probabilities.shape[0]
-        below = 0.0
-        for a in range(n_actions):
+        below, possible = 0.0, 0
+        for a in range(m.probabilities.shape[0]):
             below += m.probabilities[a]
             if u < below:
                 return a
-        return m.probabilities.argmax()  # u reached the sum, which rounding left a hair below 1
+            if m.probabilities[a] > 0.0:
+                possible = a
+        return possible  # u reached the sum, which rounding left a hair below 1
 
     @compiled
     def learn_step(m, s, a, r, s_next, terminated, u):

@@ -15,8 +15,9 @@ def softmax(x, temperature, p):
     The largest x is subtracted first, which changes no probability and lets no exponential overflow.
     Source: paper equation 5; Sutton & Barto, equation 2.11, without a temperature.
     """
-    x_max = x.max()
-    total = 0.0
+    x_max, total = x[0], 0.0
+    for a in range(x.shape[0]):
+        x_max = max(x_max, x[a])
     for a in range(x.shape[0]):
         p[a] = math.exp((x[a] - x_max) / temperature)
         total += p[a]
