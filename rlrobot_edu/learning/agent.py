@@ -20,7 +20,7 @@ from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import difference, expect, known
+from rlrobot_edu.task.messages import expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -294,7 +294,7 @@ class Agent:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
         about = {
             "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
-            "own_parts": own_parts(self.method), "settings": dataclasses.asdict(self.parameters),
+            "own_parts": [*own_parts(self.method)], "settings": dataclasses.asdict(self.parameters),
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
             "pending": self.pending, "left": self.left,
         }  # fmt: skip
@@ -309,7 +309,8 @@ class Agent:
         path : str or Path
             The file.
         method : Method, optional
-            The agent's, if it has parts that are not the toolkit's: a file brings their code to compare, not to run.
+            How it goes on learning; the file names its own method. It must be given if that has parts of your own, for
+            a file holds no code.
 
         Returns
         -------
@@ -319,17 +320,16 @@ class Agent:
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind, or if the method is not the one that the agent had.
+            If the file is damaged or of another kind, or names parts that are not the toolkit's.
         FileNotFoundError
             If there is none.
         """
 
-        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
-            if refusal := _other_method(about, method):
-                return refusal
-            planner = None if method and method.planner else about["planner"]
-            size = Size(about["shape"], about["n_actions"])
-            agent = cls(size, method or about["method"], planner=planner, **about["settings"])
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | None":
+            if about["own_parts"] and method is None:
+                return None
+            its_method = method or parse_method(about["method"], about["planner"])
+            agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
             agent.left = about["left"] and Left.read(*about["left"])
@@ -339,20 +339,6 @@ class Agent:
             return agent
 
         agent = load_arrays(path, "agent", make)
-        if isinstance(agent, str):  # the file is whole
-            raise ValueError(f"{path}: {agent}")
+        if agent is None:  # the file is whole
+            raise ValueError(f"{path}: this agent has a method of its own; give it as method=rl.Method(…)")
         return agent
-
-
-def _other_method(about: dict[str, Any], method: Method | None) -> str:
-    """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
-    own = about["own_parts"]
-    if method is None:
-        code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
-        return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    there = {"the method": about["method"], "the planner": about["planner"], **own}
-    planner = method.planner.name if method.planner else about["planner"]
-    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
-    differ = difference(there, here, "file")
-    what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
-    return differ and f"{what}: {differ} in this call"

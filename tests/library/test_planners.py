@@ -221,12 +221,10 @@ def test_a_saved_planner_continues_bit_for_bit_where_it_stopped(wander_model, tm
     assert all(np.array_equal(mine, its) for mine, its in zip(met.notes, again.notes, strict=True))
 
 
-def test_an_agent_with_a_planner_of_ones_own_comes_back_with_that_planner_alone(tmp_path):
+def test_an_agent_with_a_planner_of_ones_own_comes_back_when_that_planner_is_given(tmp_path):
     rl.Agent("wander_simple", "Q+SR", planner=SWEEPING).save(tmp_path / "agent.npz")
-    with pytest.raises(ValueError, match=r"has a method of its own; give method=rl\.Method(?s:.*)def plan\(m, x, s"):
+    with pytest.raises(ValueError, match=r"has a method of its own; give it as method=rl\.Method"):
         rl.Agent.load(tmp_path / "agent.npz")
-    with pytest.raises(ValueError, match=r"is not the Q\+SR that"):
-        rl.Agent.load(tmp_path / "agent.npz", rl.Method("Q", "SR", "dyna"))
 
 
 DAMAGES = [
