@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
-from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
+from rlrobot_edu.learning.planning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
@@ -109,9 +109,6 @@ class Agent:
             self.experience = new_experience(size.n_states, size.n_actions, self.method.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
         self.left: Left | None = None  # where it can go on; None within a step, too
-        to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
-        if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
-            raise ValueError(f"no file would hold an agent of {self.q.size:,} pairs (s, a); take fewer bins")
 
     def __repr__(self) -> str:
         size = "{} states, {} actions".format(*self.q.shape)

@@ -21,6 +21,7 @@ ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBD
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
 TOOLKIT: list[Any] = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
+NAMES = [f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS]
 T = TypeVar("T")
 
 
@@ -74,15 +75,11 @@ def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
-        algorithm, _, selection = str(method).partition("+")
-        if algorithm not in ALGORITHMS or selection not in SELECTIONS:
-            names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
-            hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
-            algorithms = f"an algorithm of {', '.join(ALGORITHMS)} (SL is SARSA(lambda))"
-            parts = f"{algorithms} and a selection of {', '.join(SELECTIONS)}"
-            advice = f"{hint}A method is ALGORITHM+SELECTION with {parts}; or an rl.Method"
-            raise ValueError(f"unknown method {method!r:.200}; {advice}")
-        method = Method(algorithm, selection)
+        if method not in NAMES:
+            parts = f"{' or '.join(ALGORITHMS)} and {' or '.join(SELECTIONS)}, or an rl.Method"
+            hint = did_you_mean(str(method).upper(), NAMES)
+            raise ValueError(f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION, {parts}")
+        method = Method(*method.split("+"))
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now
 

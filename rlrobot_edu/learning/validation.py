@@ -8,7 +8,7 @@ import numpy as np
 
 from rlrobot_edu.learning.memory import NOW, Memory, as_array
 from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, meet, with_room
-from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
+from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_between, existing, expect
 
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
 LARGEST_TRACE = 1e6  # beyond the number of visits, for own algorithms: a huge trace makes Q infinite
@@ -26,13 +26,7 @@ def check_transition(memory: Memory, s: int, a: int, r: Any, s_next: int) -> tup
     s_next = existing("state", s_next, len(memory.q))
     if isinstance(r, np.generic | np.ndarray) and r.ndim == 0:
         r = r.item()
-    try:
-        is_good = math.fabs(r) <= LARGEST_NUMBER and not isinstance(r, np.ndarray)
-    except (TypeError, ValueError, OverflowError):  # text, Decimal("sNaN"), 10**400
-        is_good = False
-    if not is_good:
-        largest = f"at most {LARGEST_NUMBER:g} in size"
-        raise ValueError(f"a reward must be a finite number, {largest}, got {r!r:.200}")
+    check_between("a reward", r, -LARGEST_NUMBER, LARGEST_NUMBER)
     return s, a, float(r), s_next
 
 

@@ -1,6 +1,5 @@
 """An agent that can be saved can be loaded, and goes on as if nothing had been; another one is refused when saved."""
 
-from contextlib import suppress
 from fractions import Fraction
 
 import numpy as np
@@ -10,9 +9,6 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu import files
-from rlrobot_edu.learning import agent as agents
-from rlrobot_edu.learning.planning import experience as experiences
-from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.validation import changing
 
 METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG", "SARSA+SR", "ESARSA+SR")
@@ -62,36 +58,14 @@ def test_what_can_be_saved_comes_back_and_goes_on_bit_for_bit(tmp_path_factory, 
         assert lived(loaded, steps) == lived(agent, steps)
 
 
-@given(st.integers(1, 4000), st.integers(1, 3), st.booleans(), st.floats(0.9, 0.9999), st.sampled_from([None, "dyna"]))
-@settings(max_examples=60, deadline=None)
-def test_an_agent_that_can_be_made_can_be_saved_whatever_it_learns(
-    tmp_path_factory, states, actions, full, gamma, planner
-):
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(files, "LARGEST", 2**20 + 120_000)
-        for module in (agents, experiences):
-            patch.setattr(module, "MOST_OUTCOMES", 1000)
-        settings = {"traces": "full" if full else "reduced", "gamma": gamma, "lam": 1.0, "planner": planner}
-        try:
-            agent = rl.Agent(Size((states,), actions), "TOSL+SR", **settings, planning_steps=1, seed=0)
-        except ValueError as error:
-            assert "no file would hold an agent of" in str(error) and 33_000 + 20 * states * actions > 80_000
-            return
-        rng = np.random.default_rng(0)
-        with suppress(ValueError):  # a planner knows as much as it can
-            for _ in range(1200):
-                s, s_next = rng.integers(states, size=2).tolist()
-                agent.learn_step(s, int(rng.integers(actions)), rng.normal(), s_next, False)
-        assert agent.visits.sum() == (1000 if planner else 1200)
-        path = tmp_path_factory.mktemp("agents") / "agent.npz"
-        agent.save(path)
-        assert np.array_equal(rl.Agent.load(path).q, agent.q)
-
-
-@pytest.mark.parametrize(("shape", "planner"), [((10**7,), None), ((2_500_000,), "dyna")])
-def test_an_agent_too_large_for_a_file_is_refused_before_it_learns(shape, planner):
-    with pytest.raises(ValueError, match=r"no file would hold an agent of [\d,]+ pairs"):
-        rl.Agent(Size(shape, 10**7 // shape[0]), planner=planner)
+def test_an_agent_too_large_for_a_file_keeps_the_file_that_it_had(tmp_path, monkeypatch):
+    agent, path = rl.Agent("wander_simple", seed=0), tmp_path / "agent.npz"
+    agent.save(path)
+    monkeypatch.setattr(files, "LARGEST", 5000)
+    with pytest.raises(ValueError, match=r"agent\.npz: a agent of more than"):
+        rl.Agent("wander_1k").save(path)
+    monkeypatch.undo()
+    assert rl.Agent.load(path).q.shape == agent.q.shape
 
 
 def test_an_agent_whose_values_have_no_end_keeps_the_file_that_it_had(tmp_path):
