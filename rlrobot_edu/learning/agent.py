@@ -20,7 +20,7 @@ from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import expect, known
+from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -272,7 +272,9 @@ class Agent:
         return parameters
 
     def save(self, path: str | Path) -> None:
-        """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
+        """Write what the agent has learned to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
+
+        The file does not hold what a planner has observed: a loaded agent begins to observe anew.
 
         Parameters
         ----------
@@ -287,7 +289,7 @@ class Agent:
         OSError
             If the file cannot be written.
         """
-        if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
+        if bad := [name for name, is_sound in contents(self.memory) if not is_sound]:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
         about = {
             "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
@@ -295,7 +297,7 @@ class Agent:
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
             "pending": self.pending, "left": self.left,
         }  # fmt: skip
-        save_arrays(path, "agent", about, changing(self.memory, self.experience))
+        save_arrays(path, "agent", about, changing(self.memory))
 
     @classmethod
     def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
@@ -330,9 +332,7 @@ class Agent:
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
             agent.left = about["left"] and Left.read(*about["left"])
-            agent.experience = restore(agent.memory, agent.experience, arrays)
-            if agent.experience is not None and (can_be := getattr(agent.method.planner, "can_be", None)):
-                expect("agent", [("notes", can_be(agent.experience.notes))])
+            restore(agent.memory, arrays)
             return agent
 
         agent = load_arrays(path, "agent", make)

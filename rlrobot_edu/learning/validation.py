@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.learning.memory import NOW, Memory, as_array
-from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, meet, with_room
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_between, existing, expect
 
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
@@ -30,35 +29,29 @@ def check_transition(memory: Memory, s: int, a: int, r: Any, s_next: int) -> tup
     return s, a, float(r), s_next
 
 
-def changing(memory: Memory, x: Experience | None = None) -> dict[str, np.ndarray]:
-    """What learning changes in a memory and an experience, by name; arrays that share their numbers, but ``now``."""
+def changing(memory: Memory) -> dict[str, np.ndarray]:
+    """What learning changes in a memory, by name; arrays that share their numbers, but ``now``."""
     arrays = memory._asdict() | {"now": as_array(memory.now, NOW)}
     del arrays["shape"], arrays["parameters"]
-    if x is not None:
-        arrays |= {name: getattr(x, name)[: x.now.outcomes] for name in OUTCOME[:5]}
-        arrays |= {f"notes_{i}": array for i, array in enumerate(x.notes)}
     return arrays
 
 
-def restore(memory: Memory, x: Experience | None, arrays: Mapping[str, np.ndarray]) -> Experience | None:
-    """Fill a new memory and a new experience with `arrays`, by the names of `changing`; returns the experience.
+def restore(memory: Memory, arrays: Mapping[str, np.ndarray]) -> None:
+    """Fill a new memory with `arrays`, by the names of `changing`.
 
     Raises ValueError for what learning cannot have left there.
     """
-    for name, part in changing(memory, x).items():
+    for name, part in changing(memory).items():
         array = arrays[name]
-        expected = arrays["pair"].shape if name in OUTCOME else part.shape
-        expect("agent", [(name, array.shape == expected and np.can_cast(array.dtype, part.dtype, "equiv"))])
-        if name not in OUTCOME:
-            part[...] = array
+        expect("agent", [(name, array.shape == part.shape and np.can_cast(array.dtype, part.dtype, "equiv"))])
+        part[...] = array
     for name in NOW.names or ():
         setattr(memory.now, name, arrays["now"][name].item())
-    expect("agent", contents(memory, x))
-    return x and _met(x, arrays)
+    expect("agent", contents(memory))
 
 
-def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, object]]:
-    """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
+def contents(m: Memory) -> Iterator[tuple[str, object]]:
+    """Each part of a memory, and whether learning can have left it like that."""
     now = m.now
     n_states = len(m.q)
     length = len(m.queue_states)
@@ -75,18 +68,3 @@ def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, obje
     yield "queue_unique", now.queue_unique == np.count_nonzero(m.queue_count)
     yield "temperature", 0 < now.temperature < math.inf
     yield "q_old", math.isfinite(now.q_old)
-    for i, array in enumerate(x.notes if x else ()):
-        yield f"notes_{i}", np.isfinite(array).all()
-
-
-def _met(x: Experience, arrays: Mapping[str, np.ndarray]) -> Experience:
-    """The experience `x`, which is new, with the outcomes in `arrays`. Raises ValueError for what cannot have been."""
-    times = arrays["times"]
-    are_counts = (times > 0).all() and int(times.sum(dtype=object)) < 1 << 53
-    limits = {"pair": len(x.tries), "s_next": len(x.last_into)}
-    expect("agent", [(name, all_exist(arrays[name], n)) for name, n in limits.items()])
-    expect("agent", [("r", np.isfinite(arrays["r"]).all()), ("times", are_counts)])
-    x = with_room(x, len(times))
-    for outcome in zip(*(arrays[name].tolist() for name in OUTCOME[:5]), strict=True):
-        meet(x, *outcome)
-    return x
