@@ -18,11 +18,13 @@ from rlrobot_edu.learning.planning.experience import Experience, new_experience,
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
-from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
+from rlrobot_edu.learning.validation import check_pair, check_transition
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import known
+from rlrobot_edu.task.messages import expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
+
+LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
 
 class Agent:
@@ -272,9 +274,10 @@ class Agent:
         return parameters
 
     def save(self, path: str | Path) -> None:
-        """Write what the agent has learned to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
+        """Write what the agent has learned to one ``.npz`` file, whole or not at all.
 
-        The file does not hold what a planner has observed: a loaded agent begins to observe anew.
+        The file holds action values, visits, parameters and the state of the random numbers, so a loaded agent learns
+        from its next episode on what this one would learn. It holds neither traces nor what a planner has observed.
 
         Parameters
         ----------
@@ -284,20 +287,18 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite, or could not be read again for another reason; if the file's name ends like that of
-            another kind of file.
+            If values are infinite or nearly so; if the file's name ends like that of another kind of file.
         OSError
             If the file cannot be written.
         """
-        if bad := [name for name, is_sound in contents(self.memory) if not is_sound]:
-            raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
+        if not self._is_sound():
+            raise ValueError(f"{path}: q of this agent is out of range, so it could not be read again")
         about = {
             "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
             "own_parts": [*own_parts(self.method)], "settings": dataclasses.asdict(self.parameters),
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
-            "pending": self.pending, "left": self.left,
         }  # fmt: skip
-        save_arrays(path, "agent", about, changing(self.memory))
+        save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
 
     @classmethod
     def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
@@ -314,7 +315,7 @@ class Agent:
         Returns
         -------
         Agent
-            The same agent.
+            The same agent, before its next episode.
 
         Raises
         ------
@@ -330,12 +331,18 @@ class Agent:
             its_method = method or parse_method(about["method"], about["planner"])
             agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
-            agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            agent.left = about["left"] and Left.read(*about["left"])
-            restore(agent.memory, arrays)
+            for name, table in (("q", agent.q), ("visits", agent.visits)):
+                its = arrays[name]
+                expect("agent", [(name, its.shape == table.shape and its.dtype == table.dtype)])
+                table[...] = its
+            expect("agent", [("q or visits", agent._is_sound())])
             return agent
 
         agent = load_arrays(path, "agent", make)
         if agent is None:  # the file is whole
             raise ValueError(f"{path}: this agent has a method of its own; give it as method=rl.Method(…)")
         return agent
+
+    def _is_sound(self) -> bool:
+        """Whether learning can have left the tables like that."""
+        return bool((np.abs(self.q) <= LARGEST_KEPT).all() and (self.visits >= 0).all())
