@@ -38,17 +38,6 @@ def new_notes(n_states: int, n_actions: int) -> Notes:
     return Notes(np.zeros(pairs), np.zeros(n_states), heap, place, waiting)
 
 
-def can_be(n: Notes) -> bool:
-    """Whether these are notes that sweeping can have left, as far as its kernels rely on it."""
-    size, pairs = int(n.waiting[0]), len(n.heap)
-    if not (0 <= size <= pairs and np.isin(n.heap[:size], np.arange(pairs)).all()):
-        return False
-    place = np.full(pairs, -1)
-    place[n.heap[:size]] = np.arange(size)
-    is_heap = n.priority[n.heap[:size]] <= n.priority[n.heap[np.arange(-1, size - 1) // 2]]
-    return bool((place == n.place).all() and is_heap[1:].all() and (n.priority >= 0).all())
-
-
 @compiled
 def expected_target(m, x, pair):
     r"""What `pair` is worth by all that was met after it, each outcome counted as often as it was met.
@@ -116,4 +105,4 @@ def plan(m, x, s, a, n, rng):
         tell(m, x, pair // n_actions)
 
 
-SWEEPING = Planner(name="sweeping", plan=plan, new_notes=new_notes, can_be=can_be)
+SWEEPING = Planner(name="sweeping", plan=plan, new_notes=new_notes)

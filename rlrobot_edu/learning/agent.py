@@ -8,21 +8,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
-from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
+from rlrobot_edu.learning.planning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
-from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
+from rlrobot_edu.learning.validation import check_pair, check_transition
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import difference, expect, known
+from rlrobot_edu.task.messages import expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
+
+LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
 
 class Agent:
@@ -109,9 +111,6 @@ class Agent:
             self.experience = new_experience(size.n_states, size.n_actions, self.method.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
         self.left: Left | None = None  # where it can go on; None within a step, too
-        to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
-        if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
-            raise ValueError(f"no file would hold an agent of {self.q.size:,} pairs (s, a); take fewer bins")
 
     def __repr__(self) -> str:
         size = "{} states, {} actions".format(*self.q.shape)
@@ -275,7 +274,10 @@ class Agent:
         return parameters
 
     def save(self, path: str | Path) -> None:
-        """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
+        """Write what the agent has learned to one ``.npz`` file, whole or not at all.
+
+        The file holds action values, visits, parameters and the state of the random numbers, so a loaded agent learns
+        from its next episode on what this one would learn. It holds neither traces nor what a planner has observed.
 
         Parameters
         ----------
@@ -285,20 +287,18 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite, or could not be read again for another reason; if the file's name ends like that of
-            another kind of file.
+            If values are infinite or nearly so; if the file's name ends like that of another kind of file.
         OSError
             If the file cannot be written.
         """
-        if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
-            raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
+        if not self._is_sound():
+            raise ValueError(f"{path}: q of this agent is out of range, so it could not be read again")
         about = {
             "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
-            "own_parts": own_parts(self.method), "settings": dataclasses.asdict(self.parameters),
+            "own_parts": [*own_parts(self.method)], "settings": dataclasses.asdict(self.parameters),
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
-            "pending": self.pending, "left": self.left,
         }  # fmt: skip
-        save_arrays(path, "agent", about, changing(self.memory, self.experience))
+        save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
 
     @classmethod
     def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
@@ -309,50 +309,40 @@ class Agent:
         path : str or Path
             The file.
         method : Method, optional
-            The agent's, if it has parts that are not the toolkit's: a file brings their code to compare, not to run.
+            How it goes on learning; the file names its own method. It must be given if that has parts of your own, for
+            a file holds no code.
 
         Returns
         -------
         Agent
-            The same agent.
+            The same agent, before its next episode.
 
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind, or if the method is not the one that the agent had.
+            If the file is damaged or of another kind, or names parts that are not the toolkit's.
         FileNotFoundError
             If there is none.
         """
 
-        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
-            if refusal := _other_method(about, method):
-                return refusal
-            planner = None if method and method.planner else about["planner"]
-            size = Size(about["shape"], about["n_actions"])
-            agent = cls(size, method or about["method"], planner=planner, **about["settings"])
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | None":
+            if about["own_parts"] and method is None:
+                return None
+            its_method = method or parse_method(about["method"], about["planner"])
+            agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
-            agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            agent.left = about["left"] and Left.read(*about["left"])
-            agent.experience = restore(agent.memory, agent.experience, arrays)
-            if agent.experience is not None and (can_be := getattr(agent.method.planner, "can_be", None)):
-                expect("agent", [("notes", can_be(agent.experience.notes))])
+            for name, table in (("q", agent.q), ("visits", agent.visits)):
+                its = arrays[name]
+                expect("agent", [(name, its.shape == table.shape and its.dtype == table.dtype)])
+                table[...] = its
+            expect("agent", [("q or visits", agent._is_sound())])
             return agent
 
         agent = load_arrays(path, "agent", make)
-        if isinstance(agent, str):  # the file is whole
-            raise ValueError(f"{path}: {agent}")
+        if agent is None:  # the file is whole
+            raise ValueError(f"{path}: this agent has a method of its own; give it as method=rl.Method(…)")
         return agent
 
-
-def _other_method(about: dict[str, Any], method: Method | None) -> str:
-    """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
-    own = about["own_parts"]
-    if method is None:
-        code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
-        return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    there = {"the method": about["method"], "the planner": about["planner"], **own}
-    planner = method.planner.name if method.planner else about["planner"]
-    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
-    differ = difference(there, here, "file")
-    what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
-    return differ and f"{what}: {differ} in this call"
+    def _is_sound(self) -> bool:
+        """Whether learning can have left the tables like that."""
+        return bool((np.abs(self.q) <= LARGEST_KEPT).all() and (self.visits >= 0).all())

@@ -59,12 +59,8 @@ class Planner(NamedTuple):
         experience, and changes ``m``, its memory, see `Algorithm`. Written as an algorithm's update is.
     new_notes : function, optional
         ``(n_states, n_actions) -> named tuple of arrays of numbers``: what it keeps between two steps, as ``x.notes``.
-    can_be : function, optional
-        ``(notes) -> bool``: whether notes from a file are such that the kernel may use them; that they are finite is
-        asked before.
     """
 
     name: str
     plan: Callable[..., Any]
     new_notes: Callable[[int, int], tuple[Any, ...]] | None = None
-    can_be: Callable[[Any], bool] | None = None

@@ -59,7 +59,7 @@ class Step(NamedTuple):
     temperature: float
 
 
-def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: bool = False) -> Iterator[Step]:
+def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
     The environment is reset first, and whenever an episode has ended.
@@ -72,8 +72,6 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
         An environment with states and actions that can be counted, see `make_env`.
     steps : int
         How many steps.
-    learn : bool
-        Whether it learns; if not, its frozen copy acts, see `Agent.frozen`.
     resume : bool
         The first episode is not a new one: it goes on where the last call left off, see `learn`.
 
@@ -88,7 +86,8 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
         If agent and environment do not fit, or if there is nothing to resume.
     """
     check_count("steps", steps, least=0)
-    return _walk(_prepare(agent, env, resume, learn), env, steps)
+    _prepare(agent, env, resume)
+    return _walk(agent, env, steps)
 
 
 def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
@@ -244,13 +243,9 @@ def _learn(agent: Agent, env: Env, log: Transitions, episodes: int | None) -> It
             return
 
 
-def _prepare(agent: Agent, env: Env, resume: bool, learn: bool = True) -> Agent:
-    """The agent that shall act: `agent`, or its frozen copy.
-
-    Checks that it fits the environment, and that there is an episode to resume, or else drops the last one.
-    """
+def _prepare(agent: Agent, env: Env, resume: bool) -> None:
+    """Check that the agent fits the environment, and that there is an episode to resume, or else drop the last one."""
     check_pair_of(agent, env)
-    agent = agent if learn else agent.frozen()
     made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
     found = "states {} and {} actions".format(*Size.of(env))
     if made_for != found:
@@ -267,7 +262,6 @@ def _prepare(agent: Agent, env: Env, resume: bool, learn: bool = True) -> Agent:
         # by this an agent knows whether others have acted here since
         vars(env.unwrapped)[WALK] = uuid4().int
     agent.method = parse_method(agent.method)  # as its code is now
-    return agent
 
 
 def check_pair_of(agent: object, env: object) -> None:

@@ -1,9 +1,5 @@
 """What a method is, and those that the toolkit brings, by name."""
 
-import inspect
-import sys
-import textwrap
-from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
@@ -13,7 +9,7 @@ from rlrobot_edu.learning.algorithms.q_learning import Q_LEARNING
 from rlrobot_edu.learning.algorithms.sarsa import SARSA
 from rlrobot_edu.learning.algorithms.sarsa_lambda import SARSA_LAMBDA
 from rlrobot_edu.learning.algorithms.true_online_sarsa import TRUE_ONLINE_SARSA
-from rlrobot_edu.learning.fingerprint import ATOMS, code_of, references
+from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.planning.dyna import DYNA
 from rlrobot_edu.learning.selections.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.selections.least_explored import EGLE
@@ -24,7 +20,8 @@ from rlrobot_edu.task.messages import did_you_mean, known
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
-TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
+TOOLKIT: list[Any] = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
+NAMES = [f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS]
 T = TypeVar("T")
 
 
@@ -78,32 +75,18 @@ def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
-        algorithm, _, selection = str(method).partition("+")
-        if algorithm not in ALGORITHMS or selection not in SELECTIONS:
-            names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
-            hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
-            algorithms = f"an algorithm of {', '.join(ALGORITHMS)} (SL is SARSA(lambda))"
-            parts = f"{algorithms} and a selection of {', '.join(SELECTIONS)}"
-            advice = f"{hint}A method is ALGORITHM+SELECTION with {parts}; or an rl.Method"
-            raise ValueError(f"unknown method {method!r:.200}; {advice}")
-        method = Method(algorithm, selection)
+        if method not in NAMES:
+            parts = f"{' or '.join(ALGORITHMS)} and {' or '.join(SELECTIONS)}, or an rl.Method"
+            hint = did_you_mean(str(method).upper(), NAMES)
+            raise ValueError(f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION, {parts}")
+        method = Method(*method.split("+"))
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now
 
 
 def own_parts(method: Method) -> dict[str, str]:
-    """What each part of `method` that is not the toolkit's is made of: what it refers to, by name, then all of it."""
-    own = {}
+    """The code of each part of `method` that is not the toolkit's, with all that it refers to, as a short name."""
     parts: Any = filter(None, (method.algorithm, method.selection, method.planner))
-    for part in parts:
-        code = code_of(tuple(part))
-        if code == code_of(tuple(TOOLKIT.get(part.name, ()))):
-            continue
-        code += f" of Python {sys.version[:4]}"
-        kernel = getattr(part[1], "py_func", part[1])
-        with suppress(AttributeError, TypeError, OSError):  # it is no function, or typed at a prompt
-            for name, thing in references(kernel):
-                own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)
-            code += f"\n{textwrap.dedent(inspect.getsource(kernel))}"
-        own[f"the code of {part.name}"] = code
-    return own
+    toolkits = {code_of(tuple(part)) for part in TOOLKIT}
+    codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
+    return {name: code for name, code in codes.items() if code not in toolkits}

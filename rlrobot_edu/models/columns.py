@@ -88,7 +88,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
     bad = (episode != episode_due) | (step != step_due)
     if bad.any():
         row = int(np.argmax(bad))
-        it, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
-        after = f"after {before}{', which terminated' if terminated[row - 1] else ''}" if row else "first"
-        raise ValueError(f"{where(row)}: {it} stands {after}, so rows are missing or out of order; {REMEDY}")
+        it = f"episode {episode[row]:.0f}, step {step[row]:.0f}"
+        due = f"episode {episode_due[row]}, step {step_due[row]}"
+        raise ValueError(f"{where(row)}: {it} stands where {due} is due: rows are missing or out of order; {REMEDY}")
     return transitions

@@ -9,14 +9,12 @@ import json
 import math
 import re
 import warnings
-from codecs import BOM_UTF16_BE, BOM_UTF16_LE
-from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from types import UnionType
 from typing import Any
 
-from rlrobot_edu.files import parts_of, sha256
+from rlrobot_edu.files import sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import CHANGED, REMEDY, from_csv, to_csv
 from rlrobot_edu.models.source import Source
@@ -79,45 +77,25 @@ def read_folder(folder: Path, task: Task | None) -> Parts:
     """
     package = folder / PACKAGE_NAME
     csv = folder / CSV_NAME
-    text, digits, about = _texts(csv, package)
-    source, rows_due, digits_due = read_package(about, str(package))
+    text = _text(csv)
+    source, rows_due, digits_due = read_package(_text(package), str(package))
     # First of all, for a bad row says more than a wrong checksum.
     transitions = from_csv(text, source, str(csv))
     if (rows := len(transitions.s)) != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
-    if digits != digits_due:
+    if (digits := sha256(text.encode())) != digits_due:
         raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due:.80}; {CHANGED}")
     return transitions, source, recorded_task(source, task, package)
 
 
 def _text(path: Path) -> str:
-    """Text of a file, each line ending in a line feed, so that its fingerprint is the same in any encoding.
+    """Text of a file, each line ending in a line feed, so that its fingerprint is the same on any computer.
 
     Bytes that are no text become characters that no column can hold, so that their row is named.
     """
     if not path.is_file():
         raise FileNotFoundError(f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
-    data = path.read_bytes()
-    encoding = "utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
-    return data.decode(encoding, errors="replace").replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _texts(csv: Path, package: Path) -> tuple[str, str, str]:
-    """Text of the rows, its fingerprint, and the text of the data package that belongs to them.
-
-    A process that was killed between the two files of `Recording.save` has left the second one whole, but
-    under its temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at
-    work exchanges both within a moment, so they are looked for more than once.
-    """
-    for _ in range(3):
-        rows = _text(csv)
-        digits = sha256(rows.encode())
-        for path in (package, *parts_of(package.resolve())):
-            with suppress(FileNotFoundError, ValueError, RecursionError):
-                if digits in (about := _text(path)):
-                    json.loads(about)
-                    return rows, digits, about
-    return rows, digits, _text(package)
+    return path.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def read_package(text: str, name: str) -> tuple[Source, int, str]:

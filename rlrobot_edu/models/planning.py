@@ -70,19 +70,12 @@ def expected_outcomes(model: "SampleModel") -> Expected:
     if model.unseen == "stay":
         where = (unseen, unseen // n_actions)
         counts += sparse.csr_array((np.ones(len(unseen)), where), shape=(pairs, n_states))
-    elif model.unseen == "start":
-        counts += sparse.kron((seen == 0)[:, None], _start_probabilities(model))
     else:
         anywhere[unseen] = 1.0
     rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
     total = np.where(seen > 0, seen, 1.0)
     transitions = sparse.csr_array(sparse.diags_array(1 / total) @ counts)
     return Expected(transitions, anywhere, rewards / total, after / total)
-
-
-def _start_probabilities(model: "SampleModel") -> Numbers:
-    """How likely an episode begins in each state, array (1, n_states)."""
-    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
 def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
@@ -171,7 +164,8 @@ def best_average_reward(model: "SampleModel") -> float:
     scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    again = sparse.kron(ends[:, None], _start_probabilities(model))
+    starts = np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(model.starts)
+    again = sparse.kron(ends[:, None], starts[None, :])
     restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
     average = scale * (1 - FARSIGHTED) * v[model.starts].mean()

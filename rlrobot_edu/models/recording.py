@@ -81,7 +81,7 @@ class Recording:
         return f"Recording of {self.source.task_name} with {self.source.method}: {len(self):,} steps"
 
     def save(self, folder: str | Path) -> None:
-        """Write transitions.csv and datapackage.json, both or neither: for the same recording the same bytes.
+        """Write transitions.csv and datapackage.json, each whole: for the same recording the same bytes.
 
         Parameters
         ----------

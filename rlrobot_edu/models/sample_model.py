@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -10,17 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
-Unseen = Literal["uniform", "stay", "siblings", "start"]
+Unseen = Literal["uniform", "stay", "siblings"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
 ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # what JSON can hold
 COUNTS = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
@@ -52,15 +50,15 @@ class SampleModel:
     unseen : str
         What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
         ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none),
-        or ``stay`` / ``start`` (the lowest reward, in the same state / at a start). With ``stay`` a plan
-        avoids the pair.
+        or ``stay`` (the lowest reward, in the same state, so that a plan avoids the pair).
     episode_steps : int, optional
         Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left
         of them.
     time_limit : int, optional
         The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
     task : Task, optional
-        The task that was recorded; None if it is not at hand.
+        The task that was recorded; None if it is not at hand. A file does not hold it: give it to a model that was
+        loaded with ``dataclasses.replace(model, task=rl.load_task(…))``.
 
     Raises
     ------
@@ -286,32 +284,24 @@ class SampleModel:
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
 
     @classmethod
-    def load(cls, path: str | Path, task: str | Path | Task | None = None) -> "SampleModel":
+    def load(cls, path: str | Path) -> "SampleModel":
         """The model that `save` wrote.
 
         Parameters
         ----------
         path : str or Path
             The file.
-        task : str, Path or Task, optional
-            The task that was recorded: the file does not hold it.
 
         Returns
         -------
         SampleModel
-            The same model.
+            The same model, without its task.
 
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind, or if it has not the size and the rewards of the task.
+            If the file is damaged or of another kind.
         FileNotFoundError
-            If there is no such file, or no such task file.
+            If there is none.
         """
-        model = load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
-        if task is None:
-            return model
-        task = load_task(task)
-        if (Size.of(model), {*model.rewards}) != (Size.of(task), {*task.rewards}):
-            raise ValueError(f"{path}: not a model of task {task.name}; size or rewards are others")
-        return replace(model, task=task)
+        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))

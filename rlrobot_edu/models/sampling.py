@@ -6,7 +6,7 @@ from dataclasses import fields
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
-STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
+STAY, SIBLINGS = UNSEEN.index("stay"), UNSEEN.index("siblings")
 
 # A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its
 # word in UNSEEN, and `episode_steps` are those after which an episode is cut off.
@@ -73,8 +73,6 @@ def draw_outcome(tables, s, a, u, v):
         return draw_from(tables, pair, int(u * seen))
     if tables.unseen == STAY:
         return s, tables.rewards[0], False
-    if tables.unseen == START:
-        return draw_start(tables, u), tables.rewards[0], False
     if tables.unseen == SIBLINGS:
         known, s_next, r, terminated = draw_from_siblings(tables, s, a, u)
         if known:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.messages import check_count, difference
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
@@ -78,11 +78,8 @@ class Source:
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
-        expected = Source.of_task(task)._facts()
-        for fact, value in self._facts().items():
-            if fact not in expected or value != expected[fact]:
-                return f"{fact} is {value!r} in the recording, {expected.get(fact, 'unknown')!r} in the task"
-        return ""
+        differ = difference(self._facts(), Source.of_task(task)._facts(), "recording")
+        return differ and f"{differ} in the task"
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""

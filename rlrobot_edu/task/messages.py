@@ -13,9 +13,9 @@ WHOLE = (int, np.integer)  # kinds of whole numbers; bool is one of them
 LARGEST_NUMBER = 1e100  # of a reward, say: sums and squares of such numbers are finite
 
 
-def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
-    """``did you mean 'x'? `` with the nearest of `names`; empty if none is as similar as `cutoff`, 0 to 1."""
-    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=cutoff)
+def did_you_mean(name: object, names: Iterable[str]) -> str:
+    """``did you mean 'x'? `` with the nearest of `names`; empty if none is similar."""
+    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.5)
     return f"did you mean {near[0]!r}? " if near else ""
 
 

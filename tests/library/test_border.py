@@ -195,7 +195,7 @@ def test_a_drive_of_another_kind_is_left_alone():
 def test_a_reward_that_is_no_finite_number_is_refused():
     for r in (math.nan, math.inf, -math.inf):
         env = gymnasium.wrappers.TransformReward(RandomWorld(), lambda _, r=r: r)
-        with pytest.raises(ValueError, match="finite number"):
+        with pytest.raises(ValueError, match="a reward must be a number"):
             rl.learn(rl.Agent(env), env, 5, progress=False)
 
 
@@ -318,15 +318,8 @@ def saved_agent(tmp_path, wander_model):
     ("name", "change"),
     [
         ("q", put(math.nan, 3, 1)), ("q", lambda q: q[0]), ("q", lambda q: q.astype(complex)), ("q", lambda q: q.T),
-        ("e", put(math.inf, 0, 0)), ("e", put(1e300, 0, 0)), ("visits", put(-1, 0, 0)),
-        ("register", put(10**9, 0)), ("register", put(-1, 0)),
-        ("probabilities", put(7.0, 0)),
-        ("queue_states", put(10**9, 0)), ("queue_count", put(50, 0)), ("bias", put(math.nan, 0)),
-        ("now", lambda now: (now["register_size"].__setitem__((), 10**6), now)[1]),
-        ("now", lambda now: (now["queue_end"].__setitem__((), -5), now)[1]),
-        ("now", lambda now: (now["queue_unique"].__setitem__((), 0), now)[1]),
-        ("now", lambda now: (now["temperature"].__setitem__((), 0), now)[1]),
-        ("about", say(pending=[10**9, 0])), ("about", say(pending="s")), ("about", say(shape=[2, -3])),
+        ("q", lambda q: q[:1]), ("visits", put(-1, 0, 0)), ("visits", lambda visits: visits.astype(float)),
+        ("about", say(shape=[2, -3])),
         ("about", say(shape=[10**6, 10**6])), ("about", say(method="Q")), ("about", say(n_actions="3")),
         ("about", say(settings={"alpha": 7})), ("about", say(rng={})), ("about", lambda about: about.clear()),
     ],

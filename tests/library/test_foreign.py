@@ -41,7 +41,7 @@ def paid(reward, steps=30, **settings):
 
 
 KINDS = [
-    np.float16, np.float32, np.float64, np.longdouble, np.int8, np.int64, np.uint8, np.array, Fraction, Decimal, int,
+    np.float16, np.float32, np.float64, np.longdouble, np.int8, np.int64, np.uint8, np.array, Fraction, int,
     float, lambda x: np.array(np.float32(x)), lambda x: np.array(int(x)), lambda x: np.bool_(x > 0), lambda x: x > 0,
 ]  # fmt: skip
 
@@ -70,7 +70,7 @@ def test_a_reward_of_any_real_type_is_the_float_that_it_becomes(kind, number):
     ids=repr,
 )  # fmt: skip
 def test_a_reward_that_is_no_number_that_learning_can_bear_is_refused_in_one_sentence(reward):
-    with warnings.catch_warnings(), pytest.raises(ValueError, match="a reward must be a finite number, at most 1e"):
+    with warnings.catch_warnings(), pytest.raises(ValueError, match="a reward must be a number, at least -1e"):
         warnings.simplefilter("error")
         paid(reward)
 

@@ -12,10 +12,22 @@ from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_17.heap import pop, put
-from rlrobot_course.lesson_17.sweeping import SMALLEST, SWEEPING, can_be, expected_target, new_notes
-from rlrobot_edu.learning.planning.experience import OUTCOME
+from rlrobot_course.lesson_17.sweeping import SMALLEST, SWEEPING, expected_target, new_notes
 
 PLANNERS = ("dyna", SWEEPING)
+
+
+def is_sound(n):
+    """Whether the heap is one, as far as sweeping relies on it."""
+    size, pairs = int(n.waiting[0]), len(n.heap)
+    if not (0 <= size <= pairs and np.isin(n.heap[:size], np.arange(pairs)).all()):
+        return False
+    place = np.full(pairs, -1)
+    place[n.heap[:size]] = np.arange(size)
+    is_heap = n.priority[n.heap[:size]] <= n.priority[n.heap[np.arange(-1, size - 1) // 2]]
+    return bool((place == n.place).all() and is_heap[1:].all() and (n.priority >= 0).all())
+
+
 MAZE = """\
 .......#G
 ..#....#.
@@ -137,7 +149,7 @@ def test_priority_is_never_less_than_the_error_and_who_has_it_waits(seed, steps)
         for pair in x.tried[: x.now.pairs]:
             assert abs(expected_target(agent.memory, x, pair) - q[pair]) <= x.notes.priority[pair] + 1e-12
         waiting = x.notes.heap[: x.notes.waiting[0]]
-        assert set(np.flatnonzero(x.notes.priority > smallest)) <= set(waiting.tolist()) and can_be(x.notes)
+        assert set(np.flatnonzero(x.notes.priority > smallest)) <= set(waiting.tolist()) and is_sound(x.notes)
         assert (np.flatnonzero(x.notes.place >= 0) == np.sort(waiting)).all()
 
 
@@ -168,7 +180,7 @@ def test_the_heap_gives_the_pair_of_highest_priority_first(calls):
             put(n, pair)
         elif waiting:
             assert waiting.pop(int(first := pop(n))) == max([n.priority[first], *waiting.values()])
-        assert can_be(n) and sorted(n.heap[: n.waiting[0]].tolist()) == sorted(waiting)
+        assert is_sound(n) and sorted(n.heap[: n.waiting[0]].tolist()) == sorted(waiting)
 
 
 @pytest.mark.parametrize("planner", PLANNERS)
@@ -198,56 +210,21 @@ def test_to_imagine_nothing_is_to_have_no_planner(wander_model, method, planner)
 
 
 @pytest.mark.parametrize("planner", PLANNERS)
-def test_a_saved_planner_continues_bit_for_bit_where_it_stopped(wander_model, tmp_path, planner):
-    def fresh():
-        return rl.Agent(wander_model, "Q+SR", planner=planner, seed=1), rl.make_env(wander_model, 2)
-
-    whole, env = fresh()
-    rl.learn(whole, env, 600, progress=False)
-    half, env = fresh()
-    rl.learn(half, env, 250, progress=False)
-    half.save(tmp_path / "half.npz")
-    method = rl.Method("Q", "SR", SWEEPING) if planner is SWEEPING else None
-    loaded = rl.Agent.load(tmp_path / "half.npz", method)
-    rl.learn(loaded, env, 350, progress=False, resume=True)
-    assert np.array_equal(loaded.q, whole.q) and loaded.rng.random() == whole.rng.random()
-    assert loaded.method == whole.method and whole.method.planner.name in repr(loaded)
-    met, again = whole.experience, loaded.experience
-    assert met.now.outcomes == again.now.outcomes and met.now.pairs == again.now.pairs
-    n = met.now.outcomes
-    for name in met._fields[:11]:
-        rows = slice(n) if name in OUTCOME else slice(None)
-        assert np.array_equal(getattr(met, name)[rows], getattr(again, name)[rows]), name
-    assert all(np.array_equal(mine, its) for mine, its in zip(met.notes, again.notes, strict=True))
+def test_a_saved_planner_keeps_what_it_has_learned_and_observes_anew(wander_model, tmp_path, planner):
+    agent, env = rl.Agent(wander_model, "Q+SR", planner=planner, seed=1), rl.make_env(wander_model, 2)
+    rl.learn(agent, env, 250, progress=False)
+    agent.save(tmp_path / "agent.npz")
+    loaded = rl.Agent.load(tmp_path / "agent.npz", agent.method if planner is SWEEPING else None)
+    assert np.array_equal(loaded.q, agent.q) and loaded.rng.random() == agent.rng.random()
+    assert loaded.method == agent.method and loaded.experience.now.outcomes == 0
+    rl.learn(loaded, env, 50, progress=False, resume=True)
+    assert loaded.experience.tries.sum() == 50
 
 
-def test_an_agent_with_a_planner_of_ones_own_comes_back_with_that_planner_alone(tmp_path):
+def test_an_agent_with_a_planner_of_ones_own_comes_back_when_that_planner_is_given(tmp_path):
     rl.Agent("wander_simple", "Q+SR", planner=SWEEPING).save(tmp_path / "agent.npz")
-    with pytest.raises(ValueError, match=r"has a method of its own; give method=rl\.Method(?s:.*)def plan\(m, x, s"):
+    with pytest.raises(ValueError, match=r"has a method of its own; give it as method=rl\.Method"):
         rl.Agent.load(tmp_path / "agent.npz")
-    with pytest.raises(ValueError, match=r"is not the Q\+SR that"):
-        rl.Agent.load(tmp_path / "agent.npz", rl.Method("Q", "SR", "dyna"))
-
-
-DAMAGES = [
-    ("pair", 10**6), ("pair", -1), ("s_next", 10**6), ("r", np.nan), ("times", 0), ("times", 2**60),
-    ("notes_0", np.inf), ("notes_0", -1.0), ("notes_1", np.nan), ("notes_2", 10**6), ("notes_2", -1),
-    ("notes_3", 10**6), ("notes_4", -1), ("notes_4", 10**6),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("name", "wrong"), DAMAGES)
-def test_an_experience_that_cannot_be_is_refused(wander_model, tmp_path, name, wrong):
-    agent = rl.Agent(wander_model, "Q+SR", planner=SWEEPING, planning_steps=1, seed=1)
-    rl.learn(agent, rl.make_env(wander_model, 2), 200, progress=False)
-    path = tmp_path / "agent.npz"
-    agent.save(path)
-    with np.load(path) as file:
-        arrays = dict(file)
-    arrays[name][min(1, len(arrays[name]) - 1)] = wrong
-    np.savez(path, **arrays)
-    with pytest.raises(ValueError, match=rf"agent\.npz.*{name.partition('_')[0]}"):
-        rl.Agent.load(path, rl.Method("Q", "SR", SWEEPING))
 
 
 def test_the_experience_is_what_a_sample_model_counts(wander_model):

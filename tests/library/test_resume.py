@@ -78,16 +78,16 @@ def same_state(agent, env, other, twin):
 @given(cuts=st.lists(st.integers(0, STEPS), max_size=2).map(sorted), saved=st.booleans())
 @settings(max_examples=12)
 def test_the_parts_of_a_process_say_together_what_the_whole_says(make, cuts, saved, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("parts") if saved else None
+    file = tmp_path_factory.mktemp("parts") / "part.npz" if saved else None
     agent, env = fresh(make)
     whole = rl.learn(agent, env, STEPS, progress=False)
     other, twin = fresh(make)
     parts = []
     for i, (begin, end) in enumerate(zip([0, *cuts], [*cuts, STEPS], strict=True)):
         part = rl.learn(other, twin, end - begin, progress=False, resume=i > 0)
-        if folder:
-            part.save(folder / "part.npz"), other.save(folder / "agent.npz")
-            part, other = rl.History.load(folder / "part.npz"), rl.Agent.load(folder / "agent.npz")
+        if file:
+            part.save(file)
+            part = rl.History.load(file)
         parts.append(part)
     assert [*np.concatenate([part.rewards for part in parts])] == [*whole.rewards]
     np.testing.assert_allclose(np.concatenate([part.returns for part in parts]), whole.returns)
@@ -145,23 +145,28 @@ def test_an_environment_that_is_not_where_the_agent_left_it_is_refused(make, mea
     assert len(rl.learn(agent, env, 5, progress=False)) == 5
 
 
-def test_an_agent_from_a_file_goes_on_in_a_copy_of_its_world(tmp_path):
+def test_an_agent_from_a_file_goes_on_in_a_copy_of_its_world_with_the_next_episode(tmp_path):
     for make in WORLDS.values():
         agent, env = fresh(make)
         rl.learn(agent, env, 25, progress=False)
         twin = copy.deepcopy(env)
         agent.save(tmp_path / "agent.npz")
-        assert same_state(agent, env, rl.Agent.load(tmp_path / "agent.npz"), twin)
+        loaded = rl.Agent.load(tmp_path / "agent.npz")
+        with pytest.raises(ValueError, match="nothing to resume: it has begun no episode"):
+            rl.learn(loaded, twin, 5, progress=False, resume=True)
+        rest = [rl.learn(a, e, 20, keep=True, progress=False) for a, e in ((agent, env), (loaded, twin))]
+        assert np.array_equal(rest[0].s, rest[1].s) and agent.e.tobytes() == loaded.e.tobytes()
+        assert same_state(agent, env, loaded, twin)
 
 
-@pytest.mark.parametrize("left", [[-1, 0.0, {}], ["x", 0.0, {}], [3, float("nan"), {}], [1.5, 0.0, {}], [1, "x", {}]])
-def test_where_an_agent_was_left_is_checked_in_its_file(left, tmp_path):
+@pytest.mark.parametrize("before", [[-1, 0.0, {}], ["x", 0.0, {}], [3, np.nan, {}], [1.5, 0.0, {}], [1, "x", {}]])
+def test_where_a_history_began_is_checked_in_its_file(before, tmp_path):
     agent, env = fresh(Lane)
-    rl.learn(agent, env, 2, progress=False)
-    agent.left = left
-    agent.save(tmp_path / "agent.npz")
-    with pytest.raises(ValueError, match=r"agent\.npz: this agent is damaged"):
-        rl.Agent.load(tmp_path / "agent.npz")
+    history = rl.learn(agent, env, 2, progress=False)
+    vars(history)["before"] = before
+    history.save(tmp_path / "history.npz")
+    with pytest.raises(ValueError, match=r"history\.npz: this history is damaged"):
+        rl.History.load(tmp_path / "history.npz")
 
 
 def lines_of_ours(call, press):

@@ -1,6 +1,7 @@
 """Sample models: what they count, how they sample, plan, tell their weak points, and repeat themselves."""
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -84,7 +85,7 @@ def test_siblings_lend_their_outcomes_to_a_pair_that_was_never_tried():
 
 
 def test_an_unknown_policy_for_the_unseen_is_refused():
-    with pytest.raises(ValueError, match="unseen must be one of uniform, stay, siblings, start"):
+    with pytest.raises(ValueError, match="unseen must be one of uniform, stay, siblings, got"):
         rl.SampleModel.from_recording(recording_of(ROWS), unseen="guess")
 
 
@@ -145,14 +146,13 @@ def test_a_model_comes_back_from_its_file_as_it_was(tmp_path):
         rl.SampleModel.load(tmp_path / "model.npz")
 
 
-def test_a_model_remembers_the_task_of_its_recording_and_its_file_is_told_it(wander_model, tmp_path):
+def test_a_model_remembers_the_task_of_its_recording_and_its_file_does_not(wander_model, tmp_path):
     task, path = wander_model.task, tmp_path / "model.npz"
     assert task.name == "wander_1k" and rl.Agent(wander_model).task is task
     assert rl.SampleModel.from_recording(recording_of(ROWS)).task is None
     wander_model.save(path)
-    assert rl.SampleModel.load(path).task is None and rl.SampleModel.load(path, task).task is task
-    with pytest.raises(ValueError, match=r"model\.npz: not a model of task arm_1k"):
-        rl.SampleModel.load(path, "arm_1k")
+    loaded = rl.SampleModel.load(path)
+    assert loaded.task is None and replace(loaded, task=task).task is task
 
 
 def test_a_model_is_a_good_gymnasium_environment(wander_model):

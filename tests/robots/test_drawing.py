@@ -285,7 +285,7 @@ def test_a_recording_keeps_the_drawing_line_by_line_and_asks_for_the_same(tmp_pa
     assert package["rlrobot"]["scene"] == {"lines": BAY.text.split("\n"), "cell": 0.45}
     assert rl.Recording.load(tmp_path, task).source == recording.source
     for other in (ROOM, "square_2x2"):
-        with pytest.raises(ValueError, match="not a recording of task wander_simple: scene is Drawing"):
+        with pytest.raises(ValueError, match="not a recording of task wander_simple: scene is a drawing"):
             rl.Recording.load(tmp_path, in_a(other))
     for spoilt in ({}, {"lines": ["#"], "cell": 1}, {"lines": 3, "cell": 1}, {"lines": [3], "cell": 1}, {"lines": []}):
         package["rlrobot"]["scene"] = spoilt
