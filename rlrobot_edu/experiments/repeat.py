@@ -84,8 +84,6 @@ def run(
     bar: what a progress bar says; None for no bar
     share: (k, n) runs, and returns, the k-th of n shares: each n-th repetition of all
     """
-    if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
-        raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
     keys = list(jobs)[share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
