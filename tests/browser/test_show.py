@@ -386,7 +386,7 @@ def test_sliders_are_those_that_were_asked_for(wander_model):
 
 
 def test_curves_that_cannot_be_drawn_are_refused_in_words():
-    with pytest.raises(ValueError, match="empty"):
+    with pytest.raises(ValueError, match="a History of at least 1 step"):
         plot_learning([])
     with pytest.raises(ValueError, match="1 labels for 2 curves"):
         plot_learning(history("Q+SR", 0), history("Q+SR", 1), labels=["one"])
