@@ -24,17 +24,14 @@ World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
 def as_world(world: World | str | Path) -> World:
     """The task, model, or function or spec of a Gymnasium environment itself; an id, as CliffWalking-v1, is a spec's.
 
-    Raises ValueError if it is none of these, nor the name or path of a task.
+    Raises ValueError if it is none of these, nor the name or path of a task; gymnasium.error.Error for an id unknown.
     """
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
         raise ValueError(f"{world} must be a new one each time: give its id, or a function that makes it")
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
-        try:
-            return gymnasium.spec(world)
-        except gymnasium.error.Error as error:
-            raise ValueError(f"Gymnasium has no environment {world!r:.200}: {error}") from error
+        return gymnasium.spec(world)
     return load_task(world)
 
 
@@ -83,19 +80,19 @@ def make_env(
         If there is no such task file.
     ImportError
         If the engine that you ask for is missing; it says what to install.
+    gymnasium.error.Error
+        If Gymnasium has no environment of this id.
     """
     if realism is not None and not isinstance(realism, Realism):
         raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     world = as_world(task)
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
+    if (engine, realism, link) != (None, None, None):
+        raise ValueError("only a task has a robot: leave engine, realism and link out of any other world")
     options |= {} if render_mode is None else {"render_mode": render_mode}
-    for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
-        if value is not None and (name not in options or isinstance(world, SampleModel)):
-            what = "a sample model" if isinstance(world, SampleModel) else "an environment of Gymnasium"
-            raise ValueError(f"{what} has no robot, so {name} says nothing; give it with a task instead")
     if isinstance(world, SampleModel):
-        return SampleModelEnv(world, seed)
+        return SampleModelEnv(world, seed, **options)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
     if not isinstance(env, gymnasium.Env):
         raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}")

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from in_markdown import in_markdown
 from scipy import stats
 
 import rlrobot_edu as rl
@@ -113,7 +114,7 @@ def table(found: Found) -> str:
             "p < 0.0001" if p < 1e-4 else f"p = {p:.2g}", f"{alone['reward']:.2f} ({wheels} rad/s)",
         ])  # fmt: skip
     head = ["world", "steps", BLIND, *OTHERS, "blind against VBIASSR", "the best single action, for ever"]
-    return "\n".join(Table("", head, rows).markdown.splitlines()[2:])
+    return "\n".join(in_markdown(Table("", head, rows)).splitlines()[2:])
 
 
 def verdicts(found: Found) -> str:

@@ -58,7 +58,7 @@ def compare_all(quick: bool, store: Path | None) -> Results:
 def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
     """Average reward over the first steps, array (repetitions,); at the end what the paper compares by."""
     runs = result[label]
-    return runs.final if steps == STEPS else np.array([rewards[:steps].mean() for rewards in runs.rewards])
+    return runs.final if steps == STEPS else np.array([history.rewards[:steps].mean() for history in runs])
 
 
 def methods_of(result: rl.Comparison) -> list[str]:
@@ -145,9 +145,9 @@ def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: 
     model, result = model_of("wander_1k"), results["wander_1k, model"]
     for method in METHODS:
         for planner in ("dyna", "sweeping"):
-            with_it = last(result[f"{method}, {planner}"].rewards)
+            with_it = last(result[f"{method}, {planner}"])
             steps = round(STEPS * max(1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]))
-            without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False).rewards)
+            without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False))
             p = Tukey.of({"without": without, "with": with_it}).pairs[0].p
             lines.append(
                 f"| {method} | {planner} | {with_it.mean():.2f} | {without.mean():.2f} ({stars(p)}) | {steps:,} |"
@@ -155,9 +155,9 @@ def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: 
     return lines
 
 
-def last(rewards: list[np.ndarray]) -> np.ndarray:
+def last(runs: rl.Runs) -> np.ndarray:
     """Average reward of the last 300 steps: how well each agent acts by then."""
-    return np.array([run[-EARLY:].mean() for run in rewards])
+    return np.array([history.rewards[-EARLY:].mean() for history in runs])
 
 
 def figure(results: Results) -> Figure:

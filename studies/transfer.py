@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from in_markdown import in_markdown
 from joblib import delayed
 from scipy import stats
 
@@ -235,7 +236,7 @@ def main() -> None:
         tests=tests,
         alt=figure.alt,
         shares=", ".join(f"{share} ({name})" for name, share in names.items()),
-        tables="\n\n".join(shown.markdown for shown in tables.values()),
+        tables="\n\n".join(map(in_markdown, tables.values())),
     )
     (DOCS / "transfer.md").write_text(page, encoding="utf-8")
 

@@ -11,8 +11,9 @@ import numpy as np
 
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
+from rlrobot_edu.experiments.repeat import Key, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
@@ -90,8 +91,10 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
-        have, episodes that do not end, and a store of another experiment, or a damaged one.
+        For unknown methods, a share that does not exist, a realism or engine that the robot cannot have, episodes
+        that do not end, and a store of another experiment, or a damaged one.
+    TypeError
+        For a setting that no agent has.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -108,7 +111,7 @@ def compare(
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
     for label, its_own in _by_label(methods).items():
-        agents[label] = learner(env, settings | its_own)
+        agents[label] = Agent(env, seed=seed, **settings | its_own)
         one = partial(repetition, world, settings | its_own, length, **robot)
         root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
         jobs |= {(label, i): partial(one, its_seed) for i, its_seed in enumerate(root.spawn(repetitions))}
@@ -147,8 +150,7 @@ def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]])
     """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, Mapping):
         if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
-            example = "{'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
-            raise ValueError(f"each label needs its parameters by name, such as {example}")
+            raise ValueError("each label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
         given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
     else:
         several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]

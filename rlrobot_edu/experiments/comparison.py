@@ -4,7 +4,7 @@ from collections import UserDict
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,8 +17,6 @@ from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.sample_model import SampleModel
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rlrobot_edu.show.picture import Picture
 
 
@@ -31,18 +29,12 @@ class Comparison(Tabled, UserDict[str, Runs]):
         What they learned in, see `compare`.
     groups : mapping of str to Runs
         By label, the repetitions of each method.
-
-    Attributes
-    ----------
-    missing : dict of str to list of int
-        By label, the numbers of the repetitions that a store lacks below the highest that it holds.
     """
 
     def __init__(self, world: World, groups: Mapping[str, Runs]) -> None:
         super().__init__(groups)
         self.world = world
         self.groups = self.data
-        self.missing: dict[str, list[int]] = {}
 
     @classmethod
     def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
@@ -58,7 +50,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
         Returns
         -------
         Comparison
-            The repetitions that are there; its `missing`, and what it prints, say which are not.
+            The repetitions that are there; it prints how many. The same call of `compare` runs the others.
 
         Raises
         ------
@@ -67,21 +59,15 @@ class Comparison(Tabled, UserDict[str, Runs]):
             something else, or if the store was made in another world.
         """
         store = Store.at(path)
-        kept = {label: store.histories(label) for label in store.facts["methods"]}
-        groups = {label: Runs(histories.values()) for label, histories in kept.items() if histories}
+        kept = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
+        groups = {label: runs for label, runs in kept.items() if runs}
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        loaded = cls(store.world(world), groups)
-        numbers = range(1 + max(number for histories in kept.values() for number in histories))
-        for label, histories in kept.items():
-            if lacks := [number for number in numbers if number not in histories]:
-                loaded.missing[label] = lacks
-        return loaded
+        return cls(store.world(world), groups)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
-        missing = "".join(f"; missing: {label} {str(lacks)[1:-1]}" for label, lacks in self.missing.items())
-        return f"<Comparison in {self.name}: {counts}{missing}>"
+        return f"<Comparison in {self.name}: {counts}>"
 
     @property
     def name(self) -> str:
@@ -145,39 +131,30 @@ class Comparison(Tabled, UserDict[str, Runs]):
             several = len(final) > 1
             interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
-            cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
+            cost = float(np.median([h.seconds / len(h) for h in runs]) * 1e6)
             mean, *extremes = map(float, (statistics.average(final), final.min(), final.max()))
             rows.append([label, len(final), mean, interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
-    @overload
-    def plot(self, *, ax: None = None, title: str | None = None) -> "Picture": ...
-    @overload
-    def plot(self, *, ax: "Axes", title: str | None = None) -> "Axes": ...
-    def plot(self, *, ax: "Axes | None" = None, title: str | None = None) -> "Picture | Axes":
+    def plot(self, *, title: str | None = None) -> "Picture":
         """Mean learning curves with bands of their 95 % intervals; on a sample model, the best achievable as a line.
 
         Parameters
         ----------
-        ax : matplotlib.axes.Axes, optional
-            Axes to draw on; None makes a figure of its own.
         title : str, optional
             What the curves show.
 
         Returns
         -------
-        Picture or matplotlib.axes.Axes
-            The figure, or `ax` where one was given.
-
-        Raises
-        ------
-        ValueError
-            If `ax` is something else.
+        Picture
+            The figure; for axes of your own see `plot_learning`.
         """
         from rlrobot_edu.show.curves import plot_curves, steps_of  # numbers alone need no matplotlib
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
         title = title or f"How the average reward develops in {self.name}"
-        return plot_curves([(label, runs.curves) for label, runs in self.items()], x, title, ax, self.optimum)
+        curves = [(label, runs.curves) for label, runs in self.items()]
+        picture: Picture = plot_curves(curves, x, title, None, self.optimum)
+        return picture

@@ -17,26 +17,16 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.messages import check_count, known
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
 Settings = Mapping[str, Any]  # parameters of an agent, its method included
 Seed = np.random.SeedSequence
-
-
-def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
-    """A new agent for this environment. Raises ValueError for wrong settings."""
-    if "seed" in settings:
-        raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
-    for name in settings:
-        known(name, ["method", "planner", *Parameters.__annotations__], "setting", "an agent")
-    return Agent(env, **{**settings, "seed": seed})
 
 
 def repetition(world: World, settings: Settings, length: Settings, seed: Seed, **robot: Any) -> History:
@@ -47,7 +37,7 @@ def repetition(world: World, settings: Settings, length: Settings, seed: Seed, *
     # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
     agent_seed, env_seed = copy(seed).spawn(2)
     with make_env(world, env_seed, **robot) as env:
-        history = learn(learner(env, settings, agent_seed), env, **length, progress=False)
+        history = learn(Agent(env, seed=agent_seed, **settings), env, **length, progress=False)
     if (ended := len(history.returns)) < (length.get("episodes") or 0):
         raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
     return history
@@ -84,8 +74,6 @@ def run(
     bar: what a progress bar says; None for no bar
     share: (k, n) runs, and returns, the k-th of n shares: each n-th repetition of all
     """
-    if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
-        raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
     keys = list(jobs)[share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
@@ -152,7 +140,9 @@ def repeat(
     Raises
     ------
     ValueError
-        For an unknown world, method or setting, and for impossible numbers.
+        For an unknown world or method, and for impossible numbers.
+    TypeError
+        For a setting that no agent has.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -163,7 +153,7 @@ def repeat(
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
     settings["method"] = method
-    name = learner(env, settings).method.name
+    name = Agent(env, seed=seed, **settings).method.name
     one = partial(repetition, world, settings, {"steps": steps}, **robot)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}

@@ -39,13 +39,3 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
     def final(self) -> NDArray[np.float64]:
         """The final average reward of each repetition, array (repetitions,)."""
         return np.array([history.final_average_reward for history in self])
-
-    @property
-    def rewards(self) -> list[NDArray[np.float64]]:
-        """The rewards of each repetition, arrays (steps,)."""
-        return [history.rewards for history in self]
-
-    @property
-    def seconds(self) -> NDArray[np.float64]:
-        """How long each repetition took, array (repetitions,) [s]."""
-        return np.array([history.seconds for history in self])

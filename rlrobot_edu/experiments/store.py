@@ -33,8 +33,6 @@ class Store:
     """
 
     def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
-        if not isinstance(folder, str | Path):
-            raise ValueError(f"store must be the path of a folder, got {folder!r:.200}")
         self.folder = Path(folder)
         # NumPy's numbers become Python's
         self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))
@@ -97,17 +95,11 @@ class Store:
             raise ValueError(f"{error}; delete this file, and the same call runs it again") from error
         return history
 
-    def histories(self, label: str) -> dict[int, History]:
-        """The repetitions of one method that are kept, by number, in order.
-
-        Raises ValueError that names a damaged file, or one that is no repetition.
-        """
-        paths = {path.stem: path for path in self.path(label, 0).parent.glob("[!.]*.npz")}
-        for stem, path in paths.items():
-            if not (stem.isdecimal() and path == self.path(label, int(stem))):
-                raise ValueError(f"{path}: no repetition of this store has this name; take the file away")
-        found = ((number, self.load(label, number)) for number in sorted(map(int, paths)))
-        return {number: history for number, history in found if history is not None}
+    def histories(self, label: str) -> list[History]:
+        """The repetitions of one method that are kept, in order. Raises ValueError that names a damaged file."""
+        stems = [path.stem for path in self.path(label, 0).parent.glob("*.npz")]
+        numbers = sorted({int(stem) for stem in stems if stem.isdecimal()})
+        return [history for number in numbers if (history := self.load(label, number)) is not None]
 
     def world(self, world: World | str | Path | None = None) -> World:
         """Where the methods learned: what is given, or else the model kept here, or what the store names.

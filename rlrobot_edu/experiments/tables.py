@@ -1,12 +1,8 @@
-"""Tables that read well as text, in a notebook (HTML) and in a document (Markdown)."""
+"""Tables that read well as text and in a notebook (HTML)."""
 
 import html
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-
-# what Markdown takes for a sign of its own, but for the underscore inside a word such as wander_1k
-_SIGNS = re.compile(r"[\\`*|~$&]|<(?=[A-Za-z/!?])|(?<=\])\(|(?<![^\W_])_|_(?![^\W_])")
 
 
 @dataclass(frozen=True)
@@ -21,7 +17,7 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def __str__(self) -> str:
-        flush, lines = self._lines(_in_a_line)
+        flush, lines = self.lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
         formats = [f"{sign}{width}" for sign, width in zip(flush, widths, strict=True)]
@@ -30,19 +26,8 @@ class Table:
 
     __repr__ = __str__
 
-    @property
-    def markdown(self) -> str:
-        """The table for a Markdown document."""
-        flush, lines = self._lines(_in_markdown)
-        lines.insert(1, ["---:" if sign == ">" else ":---" for sign in flush])
-        rows = (f"| {' | '.join(line)} |" for line in lines)
-        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *rows])
-
-    def _repr_markdown_(self) -> str:
-        return self.markdown
-
     def _repr_html_(self) -> str:
-        flush, (head, *body) = self._lines(html.escape)
+        flush, (head, *body) = self.lines(html.escape)
         sides = ["right" if sign == ">" else "left" for sign in flush]
 
         def row(cells: Sequence[str], tag: str) -> str:
@@ -53,7 +38,7 @@ class Table:
         title = f"<caption>{html.escape(self.caption)}</caption><thead>{row(head, 'th')}</thead>"
         return f"<table>{title}<tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
 
-    def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
+    def lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
         """On which side each column is flush, numbers on the right (>); and cells as text, names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
         flush = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
@@ -62,10 +47,6 @@ class Table:
 
 def _in_a_line(text: str) -> str:
     return " ".join(text.splitlines())
-
-
-def _in_markdown(text: str) -> str:
-    return _SIGNS.sub(r"\\\g<0>", _in_a_line(text)).strip()
 
 
 class Tabled:

@@ -1,7 +1,7 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
 from collections.abc import Iterable, Sequence
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,9 +25,7 @@ Title = str | None
 def plot_learning(*histories: Group, labels: Names = ..., ax: None = ..., title: Title = ...) -> Picture: ...
 @overload
 def plot_learning(*histories: Group, labels: Names = ..., ax: Axes, title: Title = ...) -> Axes: ...
-def plot_learning(
-    *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
-) -> Picture | Axes:
+def plot_learning(*histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None) -> Any:
     """Learning curves, average reward over steps.
 
     Parameters
@@ -54,10 +52,8 @@ def plot_learning(
         For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
     """
     groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
-    if not all(isinstance(h, History) for group in groups for h in group):
-        raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
-    if not groups or not all(group and all(map(len, group)) for group in groups):
-        raise ValueError("plot_learning needs a History of at least 1 step for each curve; one is empty")
+    if not groups or not all(group and all(isinstance(h, History) and len(h) for h in group) for group in groups):
+        raise ValueError("each curve needs what rl.learn returns, a History of at least 1 step, or a list of them")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
@@ -72,9 +68,7 @@ def steps_of(groups: Iterable[Sequence[History]]) -> str:
     return "step of the last episode" if in_episode else "step"
 
 
-def plot_curves(
-    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None
-) -> Picture | Axes:
+def plot_curves(curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None) -> Any:
     """The same for curves at hand, over `x`; the best achievable, if it is known, as a line."""
     curves = [(name, repetitions[:, ~np.isnan(repetitions).any(axis=0)]) for name, repetitions in curves]
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]

@@ -5,6 +5,8 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from in_markdown import in_markdown
+
 from paper.experiments import EXPERIMENTS
 from paper.figures import write_figures
 from paper.outcome import read_outcomes
@@ -33,7 +35,7 @@ def write_page(folder: Path, pictures: Mapping[str, str], *, has_prose: bool) ->
     outcomes = read_outcomes(folder / "averages.csv", EXPERIMENTS)
     made = {"about": about_words(about, outcomes), **pictures, **write_figures(folder, outcomes), **tables(outcomes)}
     if costs := about["seconds a step"]:
-        made["costs"] = cost_table(costs).markdown
+        made["costs"] = in_markdown(cost_table(costs))
     path = folder / "README.md"
     bare = "\n\n".join(["# The paper's experiments, run again", *(block(name, "") for name in made)]) + "\n"
     write_whole(path, filled(path.read_text(encoding="utf-8") if has_prose and path.is_file() else bare, made))

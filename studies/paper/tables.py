@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
+from in_markdown import in_markdown
 from scipy import stats
 
 from paper import paper
@@ -26,7 +27,7 @@ def tables(outcomes: Outcomes) -> dict[str, str]:
         made[f"changes in {task}"] = changes_table(outcomes, task)
     made |= {"TOSL against Q-learning": order_table(outcomes), "few repetitions": few_table(outcomes)}
     made |= {"values": values_table(outcomes), "methods": methods_table(outcomes)}
-    return {name: table.markdown for name, table in made.items() if table.rows}
+    return {name: in_markdown(table) for name, table in made.items() if table.rows}
 
 
 def mean_and_half(values: np.ndarray) -> str:

@@ -395,7 +395,7 @@ def test_sliders_also_let_a_robot_of_geometry_learn_but_none_that_is_too_slow_to
 
 
 def test_curves_that_cannot_be_drawn_are_refused_in_words():
-    with pytest.raises(ValueError, match="empty"):
+    with pytest.raises(ValueError, match="a History of at least 1 step"):
         plot_learning([])
     with pytest.raises(ValueError, match="1 labels for 2 curves"):
         plot_learning(history("Q+SR", 0), history("Q+SR", 1), labels=["one"])

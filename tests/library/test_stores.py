@@ -24,12 +24,11 @@ def compared(world, repetitions=2, **more):
     return rl.compare(world, ["Q+SR"], repetitions, **{"steps": 30, "n_jobs": 1, "progress": False, **more})
 
 
-@pytest.mark.parametrize("name", ["1.npz", "00001.npz", "١.npz", "0001 copy.npz", "+001.npz"])
-def test_a_file_under_another_spelling_of_its_number_is_refused_by_name(model, tmp_path, name):
-    compared(model, store=tmp_path)
+@pytest.mark.parametrize("name", ["1.npz", "00001.npz", "١.npz", "0001 copy.npz", "+001.npz", "7.npz"])
+def test_a_file_under_another_spelling_of_its_number_does_not_count(model, tmp_path, name):
+    ran = compared(model, store=tmp_path)
     shutil.copy(tmp_path / "Q+SR" / "0001.npz", tmp_path / "Q+SR" / name)
-    with pytest.raises(ValueError, match=f"{re.escape(name)}: no repetition of this store has this name; take"):
-        rl.Comparison.load(tmp_path)
+    assert same(rl.Comparison.load(tmp_path), ran)
 
 
 def test_what_an_operating_system_puts_beside_the_files_is_no_repetition(model, tmp_path):
@@ -43,7 +42,7 @@ def test_ten_thousand_repetitions_stay_in_order(model, tmp_path):
     store = Store.at(tmp_path)
     for number in (9999, 10000):
         store.save("Q+SR", number, store.load("Q+SR", 0))
-    origins = [history.origin.split()[1] for history in store.histories("Q+SR").values()]
+    origins = [history.origin.split()[1] for history in store.histories("Q+SR")]
     assert origins == ["0", "9999", "10000"]
 
 

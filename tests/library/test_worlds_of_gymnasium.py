@@ -63,7 +63,7 @@ def test_each_repetition_makes_its_own_environment_and_closes_it():
 def test_a_store_goes_on_in_gymnasiums_world(tmp_path, world):
     first = rl.compare(world, ["Q+EG"], 1, steps=200, n_jobs=1, progress=False, store=tmp_path)
     more = rl.compare(world, ["Q+EG"], steps=200, store=tmp_path, **FAST)
-    assert np.array_equal(first["Q+EG"].seconds, more["Q+EG"].seconds[:1])  # not run again
+    assert first["Q+EG"][0].seconds == more["Q+EG"][0].seconds  # not run again
     assert same(rl.Comparison.load(tmp_path, world), more)
 
 
@@ -103,7 +103,7 @@ def test_episodes_that_do_not_end_in_time_are_said():
 
 @pytest.mark.parametrize(
     "world, match",
-    [("CliffWalkin-v1", "Gymnasium has no environment 'CliffWalkin-v1': .*CliffWalking"),
+    [("CliffWalkin-v1", "`CliffWalkin` doesn't exist. Did you mean: `CliffWalking`"),
      ("wander", "the toolkit has no task 'wander'; did you mean"), (3, "a task is a Task, the name of one"),
      (lambda: 3, "must return a new environment of Gymnasium, not 3"),
      (gymnasium.make(CLIFF), "must be a new one each time: give its id, or a function that makes it"),
@@ -111,13 +111,13 @@ def test_episodes_that_do_not_end_in_time_are_said():
 )  # fmt: skip
 def test_what_is_no_world_is_refused_before_anything_runs(world, match):
     for call in (partial(rl.compare, world, ["Q+SR"]), partial(rl.repeat, world, "Q+SR", repetitions=2)):
-        with pytest.raises(ValueError, match=match):
+        with pytest.raises((ValueError, gymnasium.error.Error), match=match):
             call(steps=10, progress=False)
 
 
 def test_gymnasiums_world_has_no_robot_but_may_be_drawn():
     for weak in ({"engine": "kinematic"}, {"realism": rl.Realism()}):
-        with pytest.raises(ValueError, match=f"so {next(iter(weak))} says nothing; give it with a task instead"):
+        with pytest.raises(ValueError, match="only a task has a robot: leave engine, realism"):
             rl.make_env(CLIFF, **weak)
     with rl.make_env(CLIFF, seed=0, render_mode="rgb_array") as env:
         env.reset()

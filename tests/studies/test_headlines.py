@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from in_markdown import in_markdown
 from paper import paper, tables, verdicts
 from paper.experiments import EXPERIMENTS, PRELIMINARIES
 from paper.outcome import Outcome, read_outcomes, shuttles
@@ -52,7 +53,7 @@ def outcomes() -> dict[str, Outcome]:
 def test_the_reports_tables_follow_from_the_averages_beside_it(outcomes):
     made = tables.tables(outcomes)
     costs = json.loads((DOCS / "reproduction/environment.json").read_text())["seconds a step"]
-    made["costs"] = tables.cost_table(costs).markdown
+    made["costs"] = in_markdown(tables.cost_table(costs))
     page = (ROOT / REPORT).read_text(encoding="utf-8")
     blocks = {found[1]: found[0] for found in BLOCK.finditer(page)}
     assert [name for name, table in made.items() if table not in blocks.get(name, "")] == []

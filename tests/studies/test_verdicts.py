@@ -3,6 +3,7 @@
 import gymnasium
 import numpy as np
 import pytest
+from in_markdown import in_markdown
 from paper import paper, tables, verdicts
 from paper.experiments import by_key
 from paper.outcome import Outcome, half_width, interval, shuttles, significant_with
@@ -69,7 +70,7 @@ def test_a_chosen_value_is_only_asked_whether_it_is_the_best(chosen, said):
 def test_a_tiny_p_value_is_never_printed_as_zero():
     groups = {"a": np.arange(9.0), "b": np.arange(9.0) + 1e9, "c": np.arange(9.0) + 2e9}
     for table in (Tukey.of(groups).table(), Anova.of(list(groups.values())).table()):
-        for text in (str(table), table.markdown, table._repr_html_()):
+        for text in (str(table), in_markdown(table), table._repr_html_()):
             assert "1e-15" in text and " 0.0000" not in text
     assert exact(0.0) == exact(9e-16) == "p < 1e-15" and exact(1e-15) == 1e-15 and np.isnan(exact(float("nan")))
 
