@@ -226,7 +226,8 @@ class History:
 
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
-        yield "before", type(self.before.steps) is int and self.before.steps >= 0 and np.isfinite(self.before.reward)
+        yield "before", type(self.before.steps) is int and self.before.steps >= 0
+        yield "before", np.isfinite(self.before.reward)
         n_states = self.size.n_states
         limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
         limits |= {"pair": n_states * self.size.n_actions, "visits": np.iinfo(np.int64).max}
