@@ -18,8 +18,8 @@ what only planners need. traces.py serves SARSA(λ) and true online SARSA(λ); l
 a softmax. methods.py lists them all and says what a method is. step.py makes one step of learning from an algorithm
 and a selection.
 
-agent.py keeps the memory and writes it to a file. loop.py lets the agent act, under a bar (progress.py), and
-observations.py numbers the states that an environment shows. compiled_loop.py is the same loop as one kernel.
+agent.py keeps the memory and writes what was learned to a file. loop.py lets the agent act, under a bar (progress.py),
+and observations.py numbers the states that an environment shows. compiled_loop.py is the same loop as one kernel.
 validation.py checks the numbers that reach a kernel. jit.py compiles the kernels where numba is installed, and
 kernel_cache.py keeps them, each under a name that fingerprint.py makes of its code.
 

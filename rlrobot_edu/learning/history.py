@@ -215,7 +215,7 @@ class History:
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             about["size"] = Size.of(Size(*about["size"]))
-            about["before"] = Left.read(*about["before"])
+            about["before"] = Left(*about["before"])
             transitions = Transitions._make(arrays[name] for name in Transitions._fields)
             learned = Learned._make(arrays[name] for name in Learned._fields)
             history = cls(transitions=transitions, learned=learned, **about)
@@ -226,6 +226,8 @@ class History:
 
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
+        yield "before", type(self.before.steps) is int and self.before.steps >= 0
+        yield "before", np.isfinite(self.before.reward)
         n_states = self.size.n_states
         limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
         limits |= {"pair": n_states * self.size.n_actions, "visits": np.iinfo(np.int64).max}

@@ -76,9 +76,9 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
         if method not in NAMES:
-            parts = f"{' or '.join(ALGORITHMS)} and {' or '.join(SELECTIONS)}, or an rl.Method"
+            parts = f"{' or '.join(ALGORITHMS)}, and {' or '.join(SELECTIONS)}; or an rl.Method"
             hint = did_you_mean(str(method).upper(), NAMES)
-            raise ValueError(f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION, {parts}")
+            raise ValueError(f"unknown method {method!r:.200}; {hint}Write ALGORITHM+SELECTION: {parts}")
         method = Method(*method.split("+"))
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now

@@ -8,7 +8,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.task.messages import WHOLE, existing, expect
+from rlrobot_edu.task.messages import WHOLE, existing
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
 WALK = "_walk_of_an_agent"
@@ -25,12 +25,6 @@ class Left(NamedTuple):
     steps: int = 0
     reward: float = 0.0
     place: dict[str, int] | None = None
-
-    @classmethod
-    def read(cls, steps: int, reward: float, place: dict[str, int] | None) -> "Left":
-        """One from a file. Raises ValueError for what learning cannot have left."""
-        expect("episode", [("steps", isinstance(steps, int) and steps >= 0), ("reward", np.isfinite(reward))])
-        return cls(steps, reward, place)
 
 
 def place_of(env: Env) -> dict[str, int]:

@@ -90,5 +90,5 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
         row = int(np.argmax(bad))
         it = f"episode {episode[row]:.0f}, step {step[row]:.0f}"
         due = f"episode {episode_due[row]}, step {step_due[row]}"
-        raise ValueError(f"{where(row)}: {it} stands where {due} is due: rows are missing or out of order; {REMEDY}")
+        raise ValueError(f"{where(row)}: {it} stands where {due} is due: rows are missing or moved; {REMEDY}")
     return transitions

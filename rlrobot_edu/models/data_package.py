@@ -106,8 +106,6 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
     try:
         package = json.loads(text)
         resource = (_get(package, "resources", list, "") or [{}])[0]
-        if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
-            raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r:.200}")
         digits = _get(resource, "hash", str, "resources.0.").removeprefix("sha256:")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}

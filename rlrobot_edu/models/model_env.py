@@ -135,6 +135,17 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         return run_slices(self, run, self._tables, agent, log, episodes)
 
     def arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
-        """Be in `state`; returns what is seen there."""
+        """Be in `state`, as after a loop that ran elsewhere.
+
+        Parameters
+        ----------
+        state : int
+            Number of the state.
+
+        Returns
+        -------
+        tuple
+            The observation and the info there.
+        """
         self.state = int(state)
         return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64), {"state": self.state}

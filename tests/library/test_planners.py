@@ -13,6 +13,7 @@ from worlds import RandomWorld, recording_of
 import rlrobot_edu as rl
 from rlrobot_course.lesson_17.heap import pop, put
 from rlrobot_course.lesson_17.sweeping import SMALLEST, SWEEPING, expected_target, new_notes
+from rlrobot_edu.learning.planning import experience
 
 PLANNERS = ("dyna", SWEEPING)
 
@@ -217,8 +218,16 @@ def test_a_saved_planner_keeps_what_it_has_learned_and_observes_anew(wander_mode
     loaded = rl.Agent.load(tmp_path / "agent.npz", agent.method if planner is SWEEPING else None)
     assert np.array_equal(loaded.q, agent.q) and loaded.rng.random() == agent.rng.random()
     assert loaded.method == agent.method and loaded.experience.now.outcomes == 0
-    rl.learn(loaded, env, 50, progress=False, resume=True)
+    rl.learn(loaded, env, 50, progress=False)
     assert loaded.experience.tries.sum() == 50
+
+
+def test_a_planner_that_has_observed_all_it_can_keep_is_told_so(wander_model, monkeypatch):
+    monkeypatch.setattr(experience, "MOST_OUTCOMES", 100)
+    agent, env = rl.Agent(wander_model, planner="dyna", seed=0), rl.make_env(wander_model, seed=0)
+    with pytest.raises(ValueError, match="a planner keeps at most 100 outcomes; plan in a smaller world"):
+        list(rl.steps(agent, env, 1000))
+    assert len(agent.experience.pair) == 100
 
 
 def test_an_agent_with_a_planner_of_ones_own_comes_back_when_that_planner_is_given(tmp_path):

@@ -67,7 +67,7 @@ class Experience(NamedTuple):
 
 
 OUTCOME = Experience._fields[:7]  # the arrays with one entry for each outcome
-MOST_OUTCOMES = 2**22  # about half of a file: each takes 33 bytes there
+MOST_OUTCOMES = 2**22  # 206 MB: each takes 49 bytes
 
 
 def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experience:
@@ -85,15 +85,13 @@ def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experienc
 def with_room(x: Experience, n: int) -> Experience:
     """The same experience with room for `n` outcomes more: itself, or one at least twice as large.
 
-    Raises ValueError where a file could not hold so many.
+    Raises ValueError for too many.
     """
     size, room = int(x.now.outcomes), len(x.pair)
     if size + n <= room:
         return x
     if size + n > MOST_OUTCOMES:
-        raise ValueError(
-            f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; save the agent, and plan in a smaller world"
-        )
+        raise ValueError(f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; plan in a smaller world")
     more = min(max(2 * room, size + n), MOST_OUTCOMES) - size
     parts = {name: getattr(x, name)[:size] for name in OUTCOME}
     larger: Any = {name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()}
@@ -101,12 +99,12 @@ def with_room(x: Experience, n: int) -> Experience:
 
 
 @compiled
-def meet(x, pair, s_next, r, terminated, times):
-    """Count what happened after `pair`, so many `times`. There must be room for one outcome more."""
+def meet(x, pair, s_next, r, terminated):
+    """Count what happened after `pair`. There must be room for one outcome more."""
     if x.tries[pair] == 0:
         x.tried[x.now.pairs] = pair
         x.now.pairs += 1
-    x.tries[pair] += times
+    x.tries[pair] += 1
     i = x.last_of[pair]
     while i >= 0 and not (x.s_next[i] == s_next and x.r[i] == r and x.terminated[i] == terminated):
         i = x.same_pair[i]
@@ -116,4 +114,4 @@ def meet(x, pair, s_next, r, terminated, times):
         x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = pair, s_next, r, terminated, 0
         x.same_pair[i], x.same_next[i] = x.last_of[pair], x.last_into[s_next]
         x.last_of[pair] = x.last_into[s_next] = i
-    x.times[i] += times
+    x.times[i] += 1

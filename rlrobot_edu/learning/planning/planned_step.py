@@ -24,7 +24,7 @@ def make_plan(planner: Planner) -> Callable[..., Any]:
         what planning changes there.
         """
         before = 0.0 if terminated else m.q[s_next, a_next]
-        meet(x, s * m.q.shape[1] + a, s_next, r, terminated, 1)
+        meet(x, s * m.q.shape[1] + a, s_next, r, terminated)
         imagine(m, x, s, a, m.parameters.planning_steps, rng)
         if not terminated:
             m.now.q_old += m.q[s_next, a_next] - before
