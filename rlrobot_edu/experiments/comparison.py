@@ -156,5 +156,4 @@ class Comparison(Tabled, UserDict[str, Runs]):
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
         title = title or f"How the average reward develops in {self.name}"
         curves = [(label, runs.curves) for label, runs in self.items()]
-        picture: Picture = plot_curves(curves, x, title, None, self.optimum)
-        return picture
+        return plot_curves(curves, x, title, optimum=self.optimum)
