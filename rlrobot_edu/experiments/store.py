@@ -62,8 +62,7 @@ class Store:
                 what = f"this store is of another experiment: {differ} in this call"
                 raise ValueError(f"{self.folder}: {what}; give the same arguments, or another folder")
         else:
-            text = json.dumps(self.facts, indent=1, ensure_ascii=False)
-            write_whole(self.folder / DESCRIPTION, f"{text}\n")
+            write_whole(self.folder / DESCRIPTION, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
