@@ -131,9 +131,9 @@ class Comparison(Tabled, UserDict[str, Runs]):
             several = len(final) > 1
             interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
-            cost = float(np.median([h.seconds / len(h) for h in runs]) * 1e6)
-            mean, *extremes = map(float, (statistics.average(final), final.min(), final.max()))
-            rows.append([label, len(final), mean, interval, spread, *extremes, cost])
+            cost = np.median([h.seconds / len(h) for h in runs]) * 1e6
+            mean = statistics.average(final)
+            rows.append([label, len(final), mean, interval, spread, final.min(), final.max(), cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

@@ -87,9 +87,8 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            lost = "They are lost; with store='a folder' the same call of rl.compare would go on from there."
-            kept = store and f"They are kept in {store.folder}: make the same call again to go on."
-            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions. {kept or lost}") from None
+            where = f"kept in {store.folder}: the same call goes on" if store else "lost: rl.compare can store= them"
+            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions; they are {where}.") from None
     labels = dict.fromkeys(label for label, _ in jobs)
     return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 

@@ -109,12 +109,10 @@ class Anova(Tabled):
         n = self.df_between + self.df_within + 1
         total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
-
-        def share(level: float) -> float:
-            noncentrality = scale * special.ncfdtrinc(self.df_between, self.df_within, level, self.f / scale)
-            return float(noncentrality / (noncentrality + n))
-
-        return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
+        levels = np.array([0.975, 0.025])
+        noncentrality = scale * special.ncfdtrinc(self.df_between, self.df_within, levels, self.f / scale)
+        low, high = noncentrality / (noncentrality + n)
+        return Interval(self.ss_between / total if total else math.nan, float(low), float(high))
 
     def table(self) -> Table:
         """The table in the paper's layout."""
@@ -169,9 +167,7 @@ class Tukey(Tabled):
 
     def table(self) -> Table:
         """The table in the paper's layout, with the size of each difference."""
-        rows = []
-        for p in self.pairs:
-            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)])
+        rows = [[f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, p.g] for p in self.pairs]
         columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return Table("Post-hoc Tukey HSD test", columns, rows)
 
