@@ -59,8 +59,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
             something else, or if the store was made in another world.
         """
         store = Store.at(path)
-        kept = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
-        groups = {label: runs for label, runs in kept.items() if runs}
+        groups = {label: runs for label in store.facts["methods"] if (runs := Runs(store.histories(label)))}
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
         return cls(store.world(world), groups)

@@ -151,9 +151,8 @@ def repeat(
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
-    settings["method"] = method
-    name = Agent(env, seed=seed, **settings).method.name
-    one = partial(repetition, world, settings, {"steps": steps}, **robot)
+    name = Agent(env, method, seed=seed, **settings).method.name
+    one = partial(repetition, world, {"method": method, **settings}, {"steps": steps}, **robot)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}
     bar = name if progress else None

@@ -109,9 +109,9 @@ class Anova(Tabled):
         n = self.df_between + self.df_within + 1
         total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
-        levels = np.array([0.975, 0.025])
-        noncentrality = scale * special.ncfdtrinc(self.df_between, self.df_within, levels, self.f / scale)
-        low, high = noncentrality / (noncentrality + n)
+        # noncentralities, for which this F is at either end of the distribution
+        ends = scale * special.ncfdtrinc(self.df_between, self.df_within, [0.975, 0.025], self.f / scale)
+        low, high = ends / (ends + n)
         return Interval(self.ss_between / total if total else math.nan, float(low), float(high))
 
     def table(self) -> Table:
