@@ -59,8 +59,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
             something else, or if the store was made in another world.
         """
         store = Store.at(path)
-        kept = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
-        groups = {label: runs for label, runs in kept.items() if runs}
+        groups = {label: runs for label in store.facts["methods"] if (runs := Runs(store.histories(label)))}
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
         return cls(store.world(world), groups)
@@ -131,9 +130,9 @@ class Comparison(Tabled, UserDict[str, Runs]):
             several = len(final) > 1
             interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
-            cost = float(np.median([h.seconds / len(h) for h in runs]) * 1e6)
-            mean, *extremes = map(float, (statistics.average(final), final.min(), final.max()))
-            rows.append([label, len(final), mean, interval, spread, *extremes, cost])
+            cost = np.median([h.seconds / len(h) for h in runs]) * 1e6
+            mean = statistics.average(final)
+            rows.append([label, len(final), mean, interval, spread, final.min(), final.max(), cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
@@ -156,5 +155,4 @@ class Comparison(Tabled, UserDict[str, Runs]):
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
         title = title or f"How the average reward develops in {self.name}"
         curves = [(label, runs.curves) for label, runs in self.items()]
-        picture: Picture = plot_curves(curves, x, title, None, self.optimum)
-        return picture
+        return plot_curves(curves, x, title, optimum=self.optimum)

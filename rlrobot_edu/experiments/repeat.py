@@ -87,9 +87,8 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            lost = "They are lost; with store='a folder' the same call of rl.compare would go on from there."
-            kept = store and f"They are kept in {store.folder}: make the same call again to go on."
-            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions. {kept or lost}") from None
+            where = f"kept in {store.folder}: the same call goes on" if store else "lost: rl.compare can store= them"
+            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions; they are {where}.") from None
     labels = dict.fromkeys(label for label, _ in jobs)
     return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 
@@ -152,9 +151,8 @@ def repeat(
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
-    settings["method"] = method
-    name = Agent(env, seed=seed, **settings).method.name
-    one = partial(repetition, world, settings, {"steps": steps}, **robot)
+    name = Agent(env, method, seed=seed, **settings).method.name
+    one = partial(repetition, world, {"method": method, **settings}, {"steps": steps}, **robot)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}
     bar = name if progress else None

@@ -93,11 +93,10 @@ class Anova(Tabled):
         return self.ss_within / self.df_within
 
     @property
+    @np.errstate(all="ignore")
     def f(self) -> float:
-        """How many times larger the variance between the groups is than chance would make it."""
-        if self.ms_within == 0:
-            return math.inf if self.ms_between > 0 else math.nan
-        return self.ms_between / self.ms_within
+        """How many times larger the variance between the groups is than chance would make it; infinity, NaN for 0."""
+        return float(np.divide(self.ms_between, self.ms_within))
 
     @property
     def p(self) -> float:
@@ -110,12 +109,10 @@ class Anova(Tabled):
         n = self.df_between + self.df_within + 1
         total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
-
-        def share(level: float) -> float:
-            noncentrality = scale * special.ncfdtrinc(self.df_between, self.df_within, level, self.f / scale)
-            return float(noncentrality / (noncentrality + n))
-
-        return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
+        # noncentralities, for which this F is at either end of the distribution
+        ends = scale * special.ncfdtrinc(self.df_between, self.df_within, [0.975, 0.025], self.f / scale)
+        low, high = ends / (ends + n)
+        return Interval(self.ss_between / total if total else math.nan, float(low), float(high))
 
     def table(self) -> Table:
         """The table in the paper's layout."""
@@ -129,7 +126,11 @@ class Anova(Tabled):
 
 
 class Pair(NamedTuple):
-    """Two methods in Tukey's test; q: its statistic; g: Hedges' g, the first mean less the second in SDs."""
+    """Two methods in Tukey's test.
+
+    difference: of their means; q: the test's statistic; p: its probability, or that of a larger one, if all methods
+    were equally good; g: Hedges' g, the difference in SDs
+    """
 
     first: str
     second: str
@@ -160,15 +161,13 @@ class Tukey(Tabled):
             difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
             q = abs(difference) / error if error else math.inf if difference else math.nan
-            p = tukey_p(q, len(groups), anova.df_within)
+            p = float(stats.studentized_range.sf(q, len(groups), anova.df_within))
             pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
         return cls(tuple(pairs))
 
     def table(self) -> Table:
         """The table in the paper's layout, with the size of each difference."""
-        rows = []
-        for p in self.pairs:
-            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)])
+        rows = [[f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, p.g] for p in self.pairs]
         columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return Table("Post-hoc Tukey HSD test", columns, rows)
 
@@ -178,17 +177,11 @@ def exact(p: float) -> float | str:
     return p if not p < 1e-15 else "p < 1e-15"
 
 
-def tukey_p(q: float, groups: int, df_within: int) -> float:
-    """Probability of a Tukey statistic of `q` or more if all `groups` methods were equally good."""
-    return float(stats.studentized_range.sf(q, groups, df_within))
-
-
 def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     """Difference of two means in SDs, without small-sample bias; interval from the noncentral t.
 
-    Source: Hedges (1981). Positive where `x` has the larger mean.
+    Source: Hedges (1981). Positive where `x` has the larger mean. x, y: arrays (n,) without rounding
     """
-    x, y = without_rounding([x, y])
     df = len(x) + len(y) - 2
     unit = math.sqrt(1 / len(x) + 1 / len(y))
     sd = math.sqrt((squares(x) + squares(y)) / df)

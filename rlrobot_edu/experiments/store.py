@@ -59,11 +59,9 @@ class Store:
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
-                what = f"this store is of another experiment: {differ} in this call"
-                raise ValueError(f"{self.folder}: {what}; give the same arguments, or another folder")
+                raise ValueError(f"{self.folder} holds another experiment: {differ} in this call; give another folder")
         else:
-            text = json.dumps(self.facts, indent=1, ensure_ascii=False)
-            write_whole(self.folder / DESCRIPTION, f"{text}\n")
+            write_whole(self.folder / DESCRIPTION, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -106,18 +104,17 @@ class Store:
 
         Raises ValueError that says what differs if it is not what the store was made with.
         """
-        path = self.folder
-        named = str(self.facts["world"])
-        if world is None and (path / MODEL).is_file():
-            path = path / MODEL
+        path = self.folder / MODEL
+        if world is None and path.is_file():
             world = SampleModel.load(path)
         elif world is None:
+            named = str(self.facts["world"])
             world = named.removeprefix("the task ").removeprefix("the environment ")
             if world == named:
-                raise ValueError(f"{path}: the store was made in {named}, which it lacks; give it as world=")
+                raise ValueError(f"{self.folder}: it was made in {named}, which it lacks; give it as world=")
         world = as_world(world)
-        if differ := difference(self.facts, self.facts | Store(path, facts_of(world)).facts, "store"):
-            raise ValueError(f"{path}: the store was made in another world: {differ} here; give it as world=")
+        if differ := difference(self.facts, self.facts | Store("", facts_of(world)).facts, "store"):
+            raise ValueError(f"{self.folder}: the store was made in another world: {differ} here; give it as world=")
         return world
 
 

@@ -16,15 +16,13 @@ class Table:
     columns: Sequence[str]
     rows: Sequence[Sequence[object]]
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         flush, lines = self.lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
         formats = [f"{sign}{width}" for sign, width in zip(flush, widths, strict=True)]
         rows = ("  ".join(map(format, line, formats)).rstrip() for line in lines)
         return "\n".join([_in_a_line(self.caption), "", *rows])
-
-    __repr__ = __str__
 
     def _repr_html_(self) -> str:
         flush, (head, *body) = self.lines(html.escape)
@@ -52,9 +50,7 @@ def _in_a_line(text: str) -> str:
 class Tabled:
     """A mixin: `print` and a notebook show its table."""
 
-    def table(self) -> Table:
-        """The table."""
-        raise NotImplementedError
+    table: Callable[[], Table]
 
     def __repr__(self) -> str:
         return str(self.table())

@@ -35,8 +35,7 @@ class Wall(NamedTuple):
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
         along = np.array([cos(self.angle), sin(self.angle)]) * self.length / 2
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
-        corners = [-along - across, along - across, along + across, across - along]
-        return np.array([self.x, self.y]) + np.array(corners)
+        return np.array([-along - across, along - across, along + across, across - along]) + (self.x, self.y)
 
 
 class Arena(NamedTuple):

@@ -205,8 +205,9 @@ class MobileBase(SimulatedRobot):
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
         others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
-        (x, y), heading, reach = self._body.position, self._body.angle, 2 * LASER_RANGE
-        angles = heading + 2 * math.pi / rays * np.arange(rays)
+        x, y = self._body.position
+        reach = 2 * LASER_RANGE
+        angles = self._body.angle + 2 * math.pi / rays * np.arange(rays)
         ends = [(x + reach * math.cos(angle), y + reach * math.sin(angle)) for angle in angles]
         return [self._free_part((x, y), end) * reach for end in ends]
 

@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Self
 
@@ -88,8 +88,8 @@ class Realism:
         on_wheels = engine == "pymunk", "it needs a robot on wheels that pymunk simulates"
         turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
         needs = {
-            "laser_noise": (_measurable(LASERS, card), "this robot has no lasers"),
-            "odometry_noise": (_measurable(ODOMETRY, card), "this robot does not measure x, y and theta"),
+            "laser_noise": (card.sensors.keys() >= {*LASERS}, "this robot has no lasers"),
+            "odometry_noise": (card.sensors.keys() >= {*ODOMETRY}, "this robot does not measure x, y and theta"),
             "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
             "lag": on_wheels,
             "wall_friction": on_wheels,
@@ -98,13 +98,7 @@ class Realism:
             if getattr(self, name) and not is_met:
                 raise ValueError(f"{name} has nothing to act on: {need}")
         if self.lag >= step_time:
-            limit = f"less than a control step of {step_time:g} s"
-            raise ValueError(f"lag must be {limit}, got {self.lag}; see delay")
-
-
-def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:
-    """Those of `sensors` that the robot measures in metres or radians."""
-    return [name for name in sensors if name in card.sensors and card.sensors[name].unit in ("m", "rad")]
+            raise ValueError(f"lag must be below the {step_time:g} s of a control step, got {self.lag}; see delay")
 
 
 class RealisticRobot(SimulatedRobot):
@@ -121,7 +115,7 @@ class RealisticRobot(SimulatedRobot):
         super().__init__(card)
         self._robot, self._realism = robot, realism
         noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))
-        self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in _measurable(names, card)]
+        self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in names]
 
     def _begin(self, rng: np.random.Generator) -> None:
         self._on_the_way = deque([dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay)

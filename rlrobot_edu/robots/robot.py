@@ -57,15 +57,9 @@ class SimulatedRobot(Robot):
         return dict(self._readings)
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Put the robot at its start and return the readings; what is random is drawn from `rng`.
-
-        Raises ValueError if it does not sense all that is on its card.
-        """
+        """Put the robot at its start and return the readings; what is random is drawn from `rng`."""
         self._begin(np.random.default_rng(rng))
-        self._readings = self._sense()
-        if missing := ", ".join(sorted(self._card.sensors.keys() - self._readings.keys())):
-            raise ValueError(f"{type(self).__name__} does not sense {missing}, which its card promises")
-        return self.readings
+        return self.look()
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
         """Carry out `command` for one control step and return the readings.

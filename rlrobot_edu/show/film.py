@@ -64,10 +64,9 @@ class Film(Displayed):
     def _captions(self) -> list[str]:
         """One line a step; it gives the reward in words and numbers, not by a colour."""
         n = len(self.frames)
-        texts = [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(self.rewards, 1)]
-        if not self.notes:
-            return texts
-        return [f"{text}, {note}" for text, note in zip(texts, self.notes, strict=True)]
+        notes = [f", {note}" for note in self.notes] or [""] * n
+        steps = enumerate(zip(self.rewards, notes, strict=True), 1)
+        return [f"step {i} of {n}: reward {reward:+.4g}{note}" for i, (reward, note) in steps]
 
     def _pictures(self, texts: list[str]) -> list[Image.Image]:
         """Each frame from above, below its text, in few colours."""

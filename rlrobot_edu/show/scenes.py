@@ -22,11 +22,10 @@ def robot_of(env: Env) -> Robot:
 
 def as_scenes(scenes: Scenes) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
-    several = [scenes] if isinstance(scenes, Scene) else scenes
-    are_scenes = isinstance(several, Sequence) and all(isinstance(scene, Scene) for scene in several)
-    if not are_scenes or not several:
+    several = [scenes] if isinstance(scenes, Scene) else list(scenes)
+    if not several or not all(isinstance(scene, Scene) for scene in several):
         raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
-    return list(several)
+    return several
 
 
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:

@@ -321,7 +321,7 @@ def test_what_was_finished_before_kill_9_is_not_lost(tmp_path):
 @pytest.mark.long
 def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
     code, said = interrupted(tmp_path / "s", signal.SIGINT)
-    assert code != 0 and "make the same call again to go on" in said and str(tmp_path / "s") in said
+    assert code != 0 and "the same call goes on" in said and str(tmp_path / "s") in said
     assert "repetition" in said and "<" in said  # the progress bar, with the time left
     assert json.loads((tmp_path / "s" / "experiment.json").read_text())["alpha of Q+SR"] == 0.1
     assert sum(map(len, rl.Comparison.load(tmp_path / "s").groups.values())) >= 2

@@ -50,9 +50,7 @@ def test_another_model_in_the_place_of_the_stores_own_is_refused(model, tmp_path
     compared(model, store=tmp_path)
     rl.SampleModel.from_recording(rl.read_recording("worked_example")).save(tmp_path / "model.npz")
     for open_it in (rl.Comparison.load, lambda path: compared(model, 3, store=path)):
-        with pytest.raises(
-            ValueError, match=r"model\.npz: the store was made in another world: shape is \[2, 2\] in the"
-        ):
+        with pytest.raises(ValueError, match=r"the store was made in another world: shape is \[2, 2\] in the"):
             open_it(tmp_path)
     (tmp_path / "model.npz").unlink()
     assert len(compared(model, 3, store=tmp_path)["Q+SR"]) == 3  # which writes it anew

@@ -163,7 +163,7 @@ def test_a_realism_that_cannot_be_is_refused(values):
 def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(weakness, wander_model):
     with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
         rl.make_env("worked_example", realism=rl.Realism(**{weakness: 0.1}))
-    with pytest.raises(ValueError, match="sample model"):
+    with pytest.raises(ValueError, match="only a task has a robot"):
         rl.make_env(wander_model, realism=rl.Realism(**{weakness: 0.1}))
 
 
@@ -183,5 +183,5 @@ def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):
 
 
 def test_a_robot_itself_refuses_a_lag_longer_than_its_step():
-    with pytest.raises(ValueError, match=r"lag must be less than a control step of 0\.5 s"):
+    with pytest.raises(ValueError, match=r"lag must be below the 0\.5 s of a control step"):
         MobileBase("square_2x2", 0.5, realism=rl.Realism(lag=5.0))

@@ -154,15 +154,6 @@ def test_the_cell_robot_refuses_half_moves(command):
         CellRobot("four_cells", 1.0).act(command)
 
 
-@pytest.mark.parametrize(("name", "robot"), [("worked_example", "CellRobot"), ("wander_1k", "MobileBase")])
-def test_a_robot_that_does_not_sense_all_that_its_card_promises_is_refused_as_it_begins(monkeypatch, name, robot):
-    env = rl.make_env(name, seed=0)
-    sense, missing = env.unwrapped.robot._sense, next(iter(env.unwrapped.robot.readings))
-    monkeypatch.setattr(env.unwrapped.robot, "_sense", lambda: {k: v for k, v in sense().items() if k != missing})
-    with pytest.raises(ValueError, match=f"^{robot} does not sense {missing}, which its card promises$"):
-        env.reset()
-
-
 @pytest.mark.parametrize("engine", ["", 0, [], "pymunkk"])
 def test_only_none_leaves_the_choice_of_an_engine_to_the_robot(engine):
     with pytest.raises(ValueError, match="is simulated by pymunk or pybullet or kinematic, not by"):
