@@ -25,6 +25,8 @@ LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS |= {".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)", ".mp4": rb"....ftyp"}  # csv: not as what is no text
+# What the system says too shortly where a file cannot be written
+BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "part of it is a file"}
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
@@ -48,10 +50,10 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     of these names, from processes that were killed, are removed.
 
     A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
-    one (hard links) keep the old content.
+    one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
 
-    Raises OSError that names the file, for root also if it is read-only, or if it is a folder, a device or a pipe;
-    ValueError if the file's ending belongs to another kind of file.
+    Raises OSError that names the file, for root also if it is read-only; ValueError if the file's ending belongs to
+    another kind of file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
@@ -61,13 +63,14 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
             if Path(path).suffix in BEGINNINGS.keys() - fits:
                 raise ValueError(f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}")
-            place = Path(os.path.realpath(path))
-            old = place.stat() if os.path.lexists(place) else None
+            old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
-                raise OSError(errno.EINVAL, "this is a folder or a device; give the name of a file", str(path))
-            # root may write everywhere, but had better not
-            if old and not (old.st_mode & 0o222 and os.access(place, os.W_OK)):
-                raise PermissionError(errno.EPERM, "protected from writing; give another name", str(path))
+                # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
+                with open(os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb") as file:
+                    os.set_blocking(file.fileno(), True)
+                    file.write(data)
+                continue
+            place = Path(os.path.realpath(path))
             place.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
             part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
@@ -85,10 +88,25 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     except OSError as error:
         if error.errno is not None and (error.filename is None or str(error.filename).endswith(".part")):
             error.filename = str(path)  # a full disk does not say what did not fit
+        error.strerror = BLOCKED.get(error.errno or 0, error.strerror)
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
             remove_old(temporary, -float("inf"))  # of any age; what is not there, or cannot go, is no fault here
+
+
+def _what_is_at(path: Path) -> os.stat_result | None:
+    """What is known of a file to be written; None if there is none. Raises OSError for a folder or a protected file."""
+    try:
+        old = path.stat()
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(old.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
+    # root may write everywhere, but had better not
+    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
+        raise PermissionError(errno.EPERM, "protected from writing; give another name", str(path))
+    return old
 
 
 def parts_of(path: Path) -> list[Path]:
@@ -137,11 +155,13 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
     Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;
     FileNotFoundError if there is none.
     """
-    size = Path(path).stat().st_size
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
     try:
         with zipfile.ZipFile(path) as archive:
             claimed = sum(entry.file_size for entry in archive.infolist())
-        if max(claimed, size) > LARGEST:
+        if max(claimed, path.stat().st_size) > LARGEST:
             raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
         with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)

@@ -83,7 +83,7 @@ def test_a_wrong_task_is_told_in_a_sentence():
 def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems_number(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(os, "fsync", Mock(side_effect=PermissionError(13, "Permission denied")))
-    with pytest.raises(SystemExit, match=r"^Permission denied: 'mine\.py'$"):
+    with pytest.raises(SystemExit, match=r"^not writable; choose a folder of your own: 'mine\.py'$"):
         commands.main(["new-task", "mine"])
 
 
