@@ -19,9 +19,12 @@ FIRST = "%(prog)s COMMAND --help says more about a command, with an example."
 def list_tasks() -> None:
     """List the robots' tasks: name, states × actions, robot and scene, and what it is about."""
     for name in rl.available_tasks():
-        task = rl.load_task(name)
-        size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
-        print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
+        try:
+            task = rl.load_task(name)
+            size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
+            print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
+        except (ValueError, OSError) as error:  # the others are shown all the same
+            print(f"{name:<16} cannot be loaded: {error}")
 
 
 def make_task(name: str, robot: str) -> None:
