@@ -20,7 +20,7 @@ from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import check_pair, check_transition
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import expect, known
+from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -294,8 +294,7 @@ class Agent:
         if not self._is_sound():
             raise ValueError(f"{path}: q of this agent is out of range, so it could not be read again")
         about = {
-            "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
-            "own_parts": [*own_parts(self.method)], "settings": dataclasses.asdict(self.parameters),
+            "method": _made_of(self.method), "settings": dataclasses.asdict(self.parameters),
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
         }  # fmt: skip
         save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
@@ -309,8 +308,8 @@ class Agent:
         path : str or Path
             The file.
         method : Method, optional
-            How it goes on learning; the file names its own method. It must be given if that has parts of your own, for
-            a file holds no code.
+            The agent's, if it has parts that are not the toolkit's: a file holds no code, but a short name of it, to
+            compare.
 
         Returns
         -------
@@ -320,15 +319,18 @@ class Agent:
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind, or names parts that are not the toolkit's.
+            If the file is damaged or of another kind, or if the method is not the one that the agent had.
         FileNotFoundError
             If there is none.
         """
 
-        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | None":
-            if about["own_parts"] and method is None:
-                return None
-            its_method = method or parse_method(about["method"], about["planner"])
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
+            name, planner, *own = about["method"].values()
+            if own and method is None:
+                return "this agent has a method of its own; give it as method=rl.Method(…)"
+            its_method = method or parse_method(name, planner)
+            if differ := difference(about["method"], _made_of(its_method), "file"):
+                return f"this agent's method is not the one that was given: {differ} in this call"
             agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             expect("agent", [(name, arrays[name].shape == agent.q.shape) for name in ("q", "visits")])
@@ -338,10 +340,15 @@ class Agent:
             return agent
 
         agent = load_arrays(path, "agent", make)
-        if agent is None:  # the file is whole
-            raise ValueError(f"{path}: this agent has a method of its own; give it as method=rl.Method(…)")
+        if isinstance(agent, str):  # the file is whole
+            raise ValueError(f"{path}: {agent}")
         return agent
 
     def _is_sound(self) -> bool:
         """Whether learning can have left the tables like that."""
         return bool((np.abs(self.q) <= LARGEST_KEPT).all() and (self.visits >= 0).all())
+
+
+def _made_of(method: Method) -> dict[str, str | None]:
+    """The names of a method and its planner, and short names of the code of its own parts."""
+    return {"the method": method.name, "the planner": method.planner and method.planner.name, **own_parts(method)}

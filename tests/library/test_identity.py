@@ -224,7 +224,7 @@ def test_what_a_function_does_not_ask_for_does_not_change_its_name(module):
     assert len(names) == 1
 
 
-# Stores
+# Stores and saved agents
 
 
 def method_of(program, **kind):
@@ -253,7 +253,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_a_store_takes_no_changed_method_for_the_same(change, wander_model, tmp_path):
+def test_neither_a_store_nor_a_saved_agent_takes_a_changed_method_for_the_same(change, wander_model, tmp_path):
     program, old, new, flags = CHANGES[change]
 
     def run(method):
@@ -262,9 +262,13 @@ def test_a_store_takes_no_changed_method_for_the_same(change, wander_model, tmp_
 
     first = run(method_of(program))
     assert run(method_of(program)) == first
+    rl.Agent(wander_model, method_of(program)).save(tmp_path / "agent.npz")
+    rl.Agent.load(tmp_path / "agent.npz", method_of(program))
     other = method_of(program.replace(old, new), **flags)
     with pytest.raises(ValueError, match="another experiment: the code of MINE"):
         run(other)
+    with pytest.raises(ValueError, match="is not the one that was given: the code of MINE"):
+        rl.Agent.load(tmp_path / "agent.npz", other)
 
 
 TOOLKITS = """
