@@ -27,6 +27,8 @@
 # a pipe fails when any part of it does
 SHELL := bash
 .SHELLFLAGS := -o pipefail -c
+# where it is set, each of the thousand processes that the tests start would compile anew all that it imports
+unexport PYTHONDONTWRITEBYTECODE
 
 # An environment is made by the first of these that is recent enough and can make one: VENV for learners and TOOLS for
 # developers, whose tools would show in a learner's JupyterLab
@@ -72,11 +74,9 @@ test: $(TOOLS)/tools.done
 	$(DEV) -m rlrobot_course course check $(LESSON)
 else
 test: $(TOOLS)/tools.done
-	$(DEV) -m rlrobot_course compile
-	$(DEV) -m ruff check .
-	$(DEV) -m ruff format --check .
-	$(TOOLS)/bin/lint-imports --no-cache
-	$(TOOLS)/bin/mypy
+	$(DEV) -m rlrobot_course compile & \
+	$(DEV) -m ruff check . && $(DEV) -m ruff format --check . && \
+	$(TOOLS)/bin/lint-imports --no-cache && $(TOOLS)/bin/mypy && wait $$!
 	$(PYTEST) -m "not long" tests notebooks homework
 endif
 

@@ -60,6 +60,12 @@ LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
 QUICK_NOTEBOOKS = ("03_q_learning.ipynb", "14_sample_models.ipynb")  # one with exercises, one about a recording
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_xdist_auto_num_workers():
+    """One more than there are processors: for two fifths of their time, the long tests wait for others."""
+    return (yield) + 1
+
+
 @pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out
 def pytest_collection_modifyitems(items):
     """Slow files first, then notebooks, then the rest: no worker is left alone with a slow file at the end."""
