@@ -57,7 +57,7 @@ SLOW_FILES = [  # the slowest first
 
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
 LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
-QUICK_NOTEBOOKS = ("03_q_learning.ipynb", "14_sample_models.ipynb")  # one with exercises, one about a recording
+QUICK_NOTEBOOK = "03_q_learning.ipynb"
 
 
 @pytest.hookimpl(wrapper=True)
@@ -71,8 +71,7 @@ def pytest_collection_modifyitems(items):
     """Slow files first, then notebooks, then the rest: no worker is left alone with a slow file at the end."""
     for item in items:
         where = item.path.relative_to(item.config.rootpath).as_posix()
-        is_quick = item.path.name in QUICK_NOTEBOOKS or item.get_closest_marker("quick")
-        if where.startswith(LONG) and not is_quick:
+        if where.startswith(LONG) and item.path.name != QUICK_NOTEBOOK:
             item.add_marker("long")
     rank = {name: i for i, name in enumerate(SLOW_FILES)}
     items.sort(key=lambda item: rank.get(item.path.name, len(rank) + (item.path.suffix != ".ipynb")))

@@ -50,6 +50,11 @@ WRONG = [
 ]
 
 
+def some_long(rows: list[tuple]) -> list:
+    """The rows as parameters of a test that judges answers: with those of lesson 10, which learn, it takes seconds."""
+    return [pytest.param(*row, marks=[pytest.mark.long] * (row[0] == "lesson_10")) for row in rows]
+
+
 @functools.cache
 def verdict_on_wrong(lesson: str, name: str, i: int):
     """What the check says of a wrong answer."""
@@ -105,7 +110,7 @@ def test_nothing_that_a_learner_writes_raises(lesson, name):
         assert repr(verdict).startswith(("✗ ", "… "))
 
 
-@pytest.mark.parametrize(("lesson", "name"), EVERY)
+@pytest.mark.parametrize(("lesson", "name"), some_long(EVERY))
 def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
     wrong = wrong_answers(lesson)[name]
     assert len(wrong) >= 4
@@ -113,13 +118,13 @@ def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
     assert len(set(hints)) >= 4, "four different mistakes, four different hints"
 
 
-@pytest.mark.parametrize(("lesson", "name", "i"), WRONG)
+@pytest.mark.parametrize(("lesson", "name", "i"), some_long(WRONG))
 def test_a_typical_mistake_gets_its_hint(lesson, name, i):
     verdict, known = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
     assert verdict.status == "wrong" and verdict.id == known and verdict.hint, verdict
 
 
-@pytest.mark.parametrize(("lesson", "name"), EVERY)
+@pytest.mark.parametrize(("lesson", "name"), some_long(EVERY))
 def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
     exercise = exercises(lesson)[name]
     values = [mistake.wrong for mistake in exercise.mistakes]

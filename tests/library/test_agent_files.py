@@ -38,6 +38,7 @@ def lived(agent, steps):
     return {name: array.tobytes() for name, array in changing(agent.memory).items()}
 
 
+@pytest.mark.long
 @given(st.sampled_from(METHODS), st.sampled_from([None, "dyna"]), CHANGES, STEPS)
 @example("Q+EG", None, {"alpha": Fraction(1, 3)}, [])
 @example("TOSL+QBIASSR", None, {"alpha": 1.0}, [(0, 0, 1e100, 0, False)] * 12)
@@ -62,6 +63,7 @@ def test_what_can_be_saved_comes_back_and_goes_on_bit_for_bit(tmp_path_factory, 
         assert lived(loaded, steps) == lived(agent, steps)
 
 
+@pytest.mark.long
 @given(st.integers(1, 4000), st.integers(1, 3), st.booleans(), st.floats(0.9, 0.9999), st.sampled_from([None, "dyna"]))
 @settings(max_examples=60, deadline=None)
 def test_an_agent_that_can_be_made_can_be_saved_whatever_it_learns(

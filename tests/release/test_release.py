@@ -151,7 +151,7 @@ def colab(released):
     settings = {name: value for name, value in os.environ.items() if name.startswith("PIP_")}
     settings |= {"PIP_CONFIG_FILE": str(theirs)} if theirs.exists() else {}
     settings["PIP_FIND_LINKS"] = f"{copy / 'dist'} {settings.get('PIP_FIND_LINKS', '')}"
-    settings["PIP_CONSTRAINT"] = str(ROOT / "constraints.txt")
+    settings |= {"PIP_CONSTRAINT": str(ROOT / "constraints.txt"), "PIP_NO_COMPILE": "1"}
     run_alone(home, "ipython", "first.ipy", **settings)  # Colab has no JupyterLab before
     run_alone(home, "jupyter", "nbconvert", "--to", "notebook", "--execute", "--inplace", str(lesson), **settings)
     return home
