@@ -43,15 +43,16 @@ BROWSER_FLAGS = (  # WebGL without a graphics card, and no connections to other 
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
 SLOW_FILES = [  # the slowest first
-    "test_base_tasks.py",
-    "test_datasets.py",
-    "test_notebooks.py",
-    "test_browser.py",
-    "test_arm.py",
-    "test_bullet_base.py",
-    "test_compare.py",
     "test_release.py",
-    "test_cluster.py",
+    "test_browser.py",
+    "test_lite.py",
+    "test_site.py",
+    "test_grade.py",
+    "test_base_tasks.py",
+    "test_howto.py",
+    "test_show.py",
+    "test_nbgrader.py",
+    "test_pages.py",
 ]
 
 
