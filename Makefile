@@ -77,15 +77,14 @@ test: $(TOOLS)/tools.done
 	$(DEV) -m rlrobot_course compile & \
 	$(DEV) -m ruff check . && $(DEV) -m ruff format --check . && \
 	$(TOOLS)/bin/lint-imports --no-cache && $(TOOLS)/bin/mypy && wait $$!
-	$(PYTEST) -m "not long" tests notebooks homework
+	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks homework
 endif
 
 # LONG=1: with what takes ten minutes more
-test-long: $(TOOLS)/tools.done
-	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) -m long tests notebooks homework
-
-test-all: test
-	$(MAKE) test-long
+SOME = -m "not long"
+test-long: SOME = -m long
+test-all: SOME =
+test-long test-all: test
 
 # Where a version stands behind pyenv: PATH=~/.pyenv/versions/3.12.1/bin:$PATH make test-pythons
 test-pythons:

@@ -63,7 +63,7 @@ QUICK_NOTEBOOK = "03_q_learning.ipynb"
 
 @pytest.hookimpl(wrapper=True)
 def pytest_xdist_auto_num_workers():
-    """One more than there are processors: for two fifths of their time, the long tests wait for others."""
+    """One more than there are processors: many tests wait, for a browser or for another process."""
     return (yield) + 1
 
 

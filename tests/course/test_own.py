@@ -55,7 +55,7 @@ def test_a_student_has_the_same_difficulty_as_others(lesson):
 @pytest.mark.long
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_all_students_have_the_same_difficulty(lesson):
-    """Two hundred of them with make test-long LONG=1."""
+    """Two hundred of them with make test-all LONG=1."""
     assert not [(student, told) for student in STUDENTS if (told := fault(lesson, student))]
 
 

@@ -97,7 +97,7 @@ def test_learning_with_an_arm_of_geometry_beats_a_random_policy(name, steps):
 def test_learning_with_an_arm_in_pybullet_beats_a_random_policy(name, steps):
     pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
     if name != "arm_1k" and not os.environ.get("RLROBOT_EDU_LONG"):
-        pytest.skip("the physics of this robot takes minutes; make test-long LONG=1 does them")
+        pytest.skip("the physics of this robot takes minutes; make test-all LONG=1 does them")
     assert_learned(name, steps, 6 if name == "mobile_arm_2k" else 10)
 
 
