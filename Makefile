@@ -3,7 +3,7 @@
 # make tools  an environment of its own with all that developers need; what follows makes it when it is missing
 # make test   whether all is well, in five minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
-# make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
+# make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
 # make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes benchmarks/README.md
