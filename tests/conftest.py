@@ -42,18 +42,8 @@ BROWSER_FLAGS = (  # WebGL without a graphics card, and no connections to other 
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
-SLOW_FILES = [  # the slowest first
-    "test_release.py",
-    "test_browser.py",
-    "test_lite.py",
-    "test_site.py",
-    "test_grade.py",
-    "test_base_tasks.py",
-    "test_howto.py",
-    "test_show.py",
-    "test_nbgrader.py",
-    "test_pages.py",
-]
+# The slowest first
+SLOW_FILES = ["release", "browser", "lite", "site", "grade", "base_tasks", "howto", "show", "nbgrader", "pages"]
 
 
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
@@ -74,7 +64,7 @@ def pytest_collection_modifyitems(items):
         where = item.path.relative_to(item.config.rootpath).as_posix()
         if where.startswith(LONG) and item.path.name != QUICK_NOTEBOOK:
             item.add_marker("long")
-    rank = {name: i for i, name in enumerate(SLOW_FILES)}
+    rank = {f"test_{name}.py": i for i, name in enumerate(SLOW_FILES)}
     items.sort(key=lambda item: rank.get(item.path.name, len(rank) + (item.path.suffix != ".ipynb")))
 
 
