@@ -3,7 +3,7 @@
 # make tools  an environment of its own with all that developers need; what follows makes it when it is missing
 # make test   whether all is well, in five minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
-# make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
+# make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
 # make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes benchmarks/README.md
@@ -27,6 +27,8 @@
 # a pipe fails when any part of it does
 SHELL := bash
 .SHELLFLAGS := -o pipefail -c
+# where it is set, each of the thousand processes that the tests start would compile anew all that it imports
+unexport PYTHONDONTWRITEBYTECODE
 
 # An environment is made by the first of these that is recent enough and can make one: VENV for learners and TOOLS for
 # developers, whose tools would show in a learner's JupyterLab
@@ -72,20 +74,17 @@ test: $(TOOLS)/tools.done
 	$(DEV) -m rlrobot_course course check $(LESSON)
 else
 test: $(TOOLS)/tools.done
-	$(DEV) -m rlrobot_course compile
-	$(DEV) -m ruff check .
-	$(DEV) -m ruff format --check .
-	$(TOOLS)/bin/lint-imports --no-cache
-	$(TOOLS)/bin/mypy
-	$(PYTEST) -m "not long" tests notebooks homework
+	$(DEV) -m rlrobot_course compile & \
+	$(DEV) -m ruff check . && $(DEV) -m ruff format --check . && \
+	$(TOOLS)/bin/lint-imports --no-cache && $(TOOLS)/bin/mypy && wait $$!
+	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks homework
 endif
 
 # LONG=1: with what takes ten minutes more
-test-long: $(TOOLS)/tools.done
-	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) -m long tests notebooks homework
-
-test-all: test
-	$(MAKE) test-long
+SOME = -m "not long"
+test-long: SOME = -m long
+test-all: SOME =
+test-long test-all: test
 
 # Where a version stands behind pyenv: PATH=~/.pyenv/versions/3.12.1/bin:$PATH make test-pythons
 test-pythons:

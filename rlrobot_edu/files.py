@@ -144,7 +144,7 @@ def save_arrays(
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
     if not fit_in_a_file(columns.values()):
-        raise ValueError(f"{path}: a {kind} of more than {LARGEST >> 20} MB would not be read again")
+        raise ValueError(f"{path}: more than {LARGEST >> 20} MB of one {kind} would not be read again")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 

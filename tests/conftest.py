@@ -42,22 +42,19 @@ BROWSER_FLAGS = (  # WebGL without a graphics card, and no connections to other 
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
-SLOW_FILES = [  # the slowest first
-    "test_base_tasks.py",
-    "test_datasets.py",
-    "test_notebooks.py",
-    "test_browser.py",
-    "test_arm.py",
-    "test_bullet_base.py",
-    "test_compare.py",
-    "test_release.py",
-    "test_cluster.py",
-]
+# The slowest first
+SLOW_FILES = ["release", "browser", "lite", "site", "grade", "base_tasks", "howto", "show", "nbgrader", "pages"]
 
 
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
 LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
-QUICK_NOTEBOOKS = ("03_q_learning.ipynb", "14_sample_models.ipynb")  # one with exercises, one about a recording
+QUICK_NOTEBOOK = "03_q_learning.ipynb"
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_xdist_auto_num_workers():
+    """One more than there are processors: many tests wait, for a browser or for another process."""
+    return (yield) + 1
 
 
 @pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out
@@ -65,10 +62,9 @@ def pytest_collection_modifyitems(items):
     """Slow files first, then notebooks, then the rest: no worker is left alone with a slow file at the end."""
     for item in items:
         where = item.path.relative_to(item.config.rootpath).as_posix()
-        is_quick = item.path.name in QUICK_NOTEBOOKS or item.get_closest_marker("quick")
-        if where.startswith(LONG) and not is_quick:
+        if where.startswith(LONG) and item.path.name != QUICK_NOTEBOOK:
             item.add_marker("long")
-    rank = {name: i for i, name in enumerate(SLOW_FILES)}
+    rank = {f"test_{name}.py": i for i, name in enumerate(SLOW_FILES)}
     items.sort(key=lambda item: rank.get(item.path.name, len(rank) + (item.path.suffix != ".ipynb")))
 
 

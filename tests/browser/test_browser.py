@@ -264,7 +264,6 @@ def looks_right(page, widget=".rl-stepper"):
     assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
 
 
-@pytest.mark.quick
 def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
     with lesson(browser, lab, "03_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)

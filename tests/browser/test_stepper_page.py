@@ -261,6 +261,7 @@ def test_a_kernel_that_does_not_answer_is_missed_and_the_steps_stay(notebook):
 def test_a_jump_far_ahead_goes_in_slices_and_can_be_stopped(notebook):
     one = notebook(stepper_of(at=1))
     page = one.page
+    page.evaluate("window.setTimeout = () => 0")  # a busy machine may answer late: the page shall not give it up
     page.fill(".rl-go", "250")
     page.keyboard.press("Enter")
     for _ in range(3):

@@ -63,6 +63,7 @@ def test_the_shipped_landmarks_of_robots_repeat(lesson):
     assert score == pytest.approx(shipped, abs=1e-4)
 
 
+@pytest.mark.long
 def test_the_same_answer_has_the_same_score_in_another_process():
     code = "import challenges as s; print(*s.challenge_of('15').score(s.sequential))"
     around = {"PYTHONPATH": f"{Path(study.__file__).parent}:{Path(study.__file__).parents[1]}", "PYTHONHASHSEED": "7"}

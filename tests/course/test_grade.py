@@ -126,13 +126,13 @@ def no_target(sources: dict[str, str], told: str, *notes: str, lost: tuple[str, 
     return Case(sources, ("target", *lost), {"target": told}, notes or None)
 
 
-HASTY = {  # they use all the time that they have
+HASTY = {  # they use all the time that they have, and as little else as can be
     "stubborn": Case(
-        with_cell("while True:\n    try:\n        while True: pass\n    except BaseException: pass"),
+        with_cell("import time\nwhile True:\n    try: time.sleep(9)\n    except BaseException: pass"),
         notes=("has not ended after 15 seconds",),
     ),
     "endless": no_target(
-        with_cell("while True: pass", target=calls("while True:\n        pass")),
+        with_cell("import time\nwhile True: time.sleep(9)", target=calls("while True:\n        pass")),
         "a loop in it never ends",
         "has not ended after 15 seconds",
     ),

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from test_checks import EVERY, RIGHT, exercises, wrong_answers
+from test_checks import EVERY, RIGHT, exercises, some_long, wrong_answers
 
 from rlrobot_course.assignment_4 import exercises as assignment_4
 from rlrobot_course.finished import finished
@@ -46,7 +46,7 @@ def still_to_do(q, r, s_next, terminated, gamma):
     return ...
 
 
-@pytest.mark.parametrize("lesson, name", EVERY)
+@pytest.mark.parametrize("lesson, name", some_long(EVERY))
 def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, name):
     check, (wrong, _) = exercises(lesson)[name], wrong_answers(lesson)[name][0]
     solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)

@@ -58,6 +58,7 @@ def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
         assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
 
 
+@pytest.mark.long
 def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_from_the_goal():
     plain = steps_needed(7)
     swept = steps_needed(7, planner=SWEEPING, planning_steps=5)

@@ -130,7 +130,3 @@ def test_a_new_lesson_passes_its_checks_and_a_broken_solution_does_not(tmp_path)
     done = run(tmp_path, "check", "23")
     assert done.returncode == 1
     assert "test_the_solution_is_right[lesson_23-running_mean]" in done.stdout
-    exercise.write_text(right.replace("(r - mean)", "(-mean + r)", 1), encoding="utf-8")
-    done = run(tmp_path, "check", "23")
-    assert done.returncode != 0
-    assert "ValueError: '(r - mean)' does not occur in the body" in done.stdout

@@ -90,6 +90,7 @@ def survivors(exercise: Exercise) -> list[str]:
         ]
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize(
     ("lesson", "name"), [one for one in EVERY if type(exercises(one[0])[one[1]]) in (Exercise, OfRows)]

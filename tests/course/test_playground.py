@@ -45,6 +45,7 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
     return agent.q
 
 
+@pytest.mark.long
 @needs_node
 def test_each_method_learns_to_the_last_bit_what_the_library_learns():
     pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example"))]

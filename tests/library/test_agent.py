@@ -185,6 +185,7 @@ def test_who_is_evaluated_acts_as_one_who_learns_next_to_nothing_and_stays_as_it
     assert agent.rng.bit_generator.state == drawn
 
 
+@pytest.mark.long
 def test_a_frozen_agent_goes_wherever_an_agent_goes(wander_model):
     agent = rl.Agent(wander_model, "TOSL+SR", planner="dyna", seed=0)
     rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)

@@ -39,6 +39,7 @@ def lived_anew(agent, steps):
     return [*lived(agent, steps), agent.e.tobytes(), agent.probabilities.tobytes(), agent.rng.random()]
 
 
+@pytest.mark.long
 @given(st.sampled_from(METHODS), CHANGES, STEPS)
 @example("Q+EG", {"alpha": Fraction(1, 3)}, [])
 @example("TOSL+QBIASSR", {"alpha": 1.0}, [(0, 0, 1e100, 0, False)] * 12)

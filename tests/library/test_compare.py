@@ -496,6 +496,7 @@ rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=2, store=sys.argv[1])
 """
 
 
+@pytest.mark.long
 def test_a_program_without_a_console_can_compare(tmp_path):
     subprocess.run([sys.executable, "-c", WITHOUT_STREAMS, tmp_path / "s"], check=True, timeout=300)
     assert len(rl.Comparison.load(tmp_path / "s")["Q+SR"]) == 2

@@ -128,6 +128,7 @@ def steppers(tasks, method="TOSL+QBIASSR"):
     return [rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), at=3) for task in tasks]
 
 
+@pytest.mark.long
 def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
     for few, texts in ((tasks, SHORT), (long_words, [NASTY + "1"])):
         nasty, calm = steppers(few)

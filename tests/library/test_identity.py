@@ -154,6 +154,7 @@ def in_another_process(script, *folders, seed="1", **environment):
     return run.stdout.strip()
 
 
+@pytest.mark.long
 def test_a_program_has_one_name_in_every_process_and_every_folder(tmp_path):
     here = str({pair: made(program) for pair, (program, _, _) in PAIRS.items()})
     for seed in "12":
@@ -335,6 +336,7 @@ print(*(facts_of(rl.load_task(name)) for name in rl.available_tasks()), sep="; "
 """
 
 
+@pytest.mark.long
 def test_the_facts_of_the_toolkits_tasks_are_the_same_in_every_process():
     facts = {in_another_process(FACTS, Path(__file__).parent, seed=seed) for seed in "12"}
     assert len(facts) == 1

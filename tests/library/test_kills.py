@@ -108,6 +108,7 @@ rl.compare(model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, store=sys.arg
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("end", ["done", "killed"])
 def test_two_processes_on_one_store_come_to_the_same_numbers_and_neither_spoils_what_the_other_kept(tmp_path, end):
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))

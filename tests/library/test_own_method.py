@@ -132,6 +132,7 @@ print(hashlib.sha256(agent.q.tobytes()).hexdigest())
 """
 
 
+@pytest.mark.long
 def test_compiled_or_not_the_numbers_are_the_same_to_the_last_bit(tmp_path):
     folder = os.path.dirname(__file__)
     said = [

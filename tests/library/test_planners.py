@@ -81,6 +81,7 @@ def test_on_a_deterministic_grid_a_planner_reaches_the_values_of_value_iteration
     np.testing.assert_allclose(agent.q, rl.value_iteration(maze).q, rtol=0, atol=tolerance)
 
 
+@pytest.mark.long
 def test_sweeping_needs_at_most_a_fifth_of_the_real_steps_of_q_learning(maze):
     plan = rl.value_iteration(maze)  # both act at random, so for each seed they take the same steps until one is done
     without, with_it = (

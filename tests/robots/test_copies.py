@@ -133,6 +133,7 @@ def fingerprint(env, future):
     return hashlib.sha256(repr(seen_on_the_way(env, future)).encode()).hexdigest()
 
 
+@pytest.mark.long
 def test_an_environment_goes_on_in_another_process_to_the_last_bit():
     worlds = [make() for make in (*WORLDS.values(), *(IN_PYBULLET.values() if find_spec("pybullet") else ()))]
     for env in worlds:

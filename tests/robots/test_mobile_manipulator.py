@@ -73,6 +73,7 @@ def test_driven_well_it_reaches_the_object_on_the_table(robot):
     assert distance(readings) <= 0.20
 
 
+@pytest.mark.long
 def test_it_never_falls_over_and_enters_no_wall(robot):
     robot.reset()
     for command in random_commands(2, 400):

@@ -113,6 +113,7 @@ def test_the_quick_set_has_a_folder_of_its_own(small_set, tmp_path):
     assert list(tmp_path.glob("*.md")) == []
 
 
+@pytest.mark.long
 def test_another_engine_has_a_folder_of_its_own_and_says_whom_it_cannot_simulate(small_set, tmp_path, monkeypatch):
     giraff = next(e for e in experiments.EXPERIMENTS if e.key == "robot_giraff_wander_simple")
     monkeypatch.setattr(reproduce, "EXPERIMENTS", (*reproduce.EXPERIMENTS, giraff._replace(repetitions=(2, 2))))
