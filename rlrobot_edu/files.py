@@ -127,11 +127,6 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def fit_in_a_file(arrays: Iterable[np.ndarray], more: float = 0) -> bool:
-    """Whether arrays, and so many bytes more, can be saved with headers and read again; packing may add, too."""
-    return more + sum(1000 + 1.001 * array.nbytes for array in arrays) <= LARGEST
-
-
 def save_arrays(
     path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray], packed: bool = True
 ) -> None:
@@ -143,7 +138,7 @@ def save_arrays(
     buffer = io.BytesIO()
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
-    if not fit_in_a_file(columns.values()):
+    if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # headers; packing may add, too
         raise ValueError(f"{path}: more than {LARGEST >> 20} MB of one {kind} would not be read again")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())

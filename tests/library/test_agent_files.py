@@ -70,7 +70,7 @@ def test_an_agent_too_large_for_a_file_keeps_the_file_that_it_had(tmp_path, monk
     agent, path = rl.Agent("wander_simple", seed=0), tmp_path / "agent.npz"
     agent.save(path)
     monkeypatch.setattr(files, "LARGEST", 5000)
-    with pytest.raises(ValueError, match=r"agent\.npz: a agent of more than"):
+    with pytest.raises(ValueError, match=r"agent\.npz: more than 0 MB of one agent"):
         rl.Agent("wander_1k").save(path)
     monkeypatch.undo()
     assert rl.Agent.load(path).q.shape == agent.q.shape
