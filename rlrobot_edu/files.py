@@ -137,11 +137,13 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
     Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;
     FileNotFoundError if there is none.
     """
-    size = Path(path).stat().st_size
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
     try:
         with zipfile.ZipFile(path) as archive:
             claimed = sum(entry.file_size for entry in archive.infolist())
-        if max(claimed, size) > LARGEST:
+        if max(claimed, path.stat().st_size) > LARGEST:
             raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
         with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)
