@@ -64,7 +64,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             place = Path(os.path.realpath(path))
             old = place.stat() if os.path.lexists(place) else None
             if old and not stat.S_ISREG(old.st_mode):
-                raise OSError(errno.EINVAL, "this is a folder or a device; give the name of a file", str(path))
+                raise OSError(errno.EINVAL, "a folder or a device is there; give another name", str(path))
             # root may write everywhere, but had better not
             if old and not (old.st_mode & 0o222 and os.access(place, os.W_OK)):
                 raise PermissionError(errno.EPERM, "protected from writing; give another name", str(path))

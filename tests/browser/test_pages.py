@@ -72,7 +72,7 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
     for steps in (-1, 20):
         with pytest.raises(ValueError, match=rf"there is no step {steps} to show: the earliest that is kept is 21"):
             stepper.save(page, steps)
-    with pytest.raises(OSError, match="this is a folder or a device; give the name of a file"):
+    with pytest.raises(OSError, match="a folder or a device is there; give another name"):
         stepper.save(tmp_path)
     with pytest.raises(ValueError, match="a film without steps shows nothing"):
         Film([], []).save(page)
