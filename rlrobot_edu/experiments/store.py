@@ -55,11 +55,11 @@ class Store:
     def begin(self, world: World) -> None:
         """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
 
-        Raises ValueError that says what differs if the folder holds another experiment, or something else.
+        Raises ValueError that says what differs if the folder has another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
-                raise ValueError(f"{self.folder} holds another experiment: {differ} in this call; take another")
+                raise ValueError(f"{self.folder} has another experiment: {differ} in this call; take another")
         else:
             text = json.dumps(self.facts, indent=1, ensure_ascii=False)
             write_whole(self.folder / DESCRIPTION, f"{text}\n")
