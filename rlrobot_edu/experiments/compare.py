@@ -150,7 +150,7 @@ def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]])
     """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, Mapping):
         if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
-            raise ValueError("each label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
+            raise ValueError("a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
         given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
     else:
         several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]

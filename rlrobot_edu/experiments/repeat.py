@@ -87,8 +87,8 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            where = f"kept in {store.folder}: the same call goes on" if store else "lost: rl.compare can store= them"
-            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions; they are {where}.") from None
+            kept = f"kept in {store.folder}: the same call goes on" if store else "lost: there is no store"
+            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions, {kept}.") from None
     labels = dict.fromkeys(label for label, _ in jobs)
     return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 

@@ -167,7 +167,9 @@ class Tukey(Tabled):
 
     def table(self) -> Table:
         """The table in the paper's layout, with the size of each difference."""
-        rows = [[f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, p.g] for p in self.pairs]
+        rows = []
+        for p in self.pairs:
+            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, p.g])
         columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return Table("Post-hoc Tukey HSD test", columns, rows)
 

@@ -55,13 +55,14 @@ class Store:
     def begin(self, world: World) -> None:
         """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
 
-        Raises ValueError that says what differs if the folder holds another experiment, or something else.
+        Raises ValueError that says what differs if the folder has another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
-                raise ValueError(f"{self.folder} holds another experiment: {differ} in this call; give another folder")
+                raise ValueError(f"{self.folder} has another experiment: {differ} in this call; take another")
         else:
-            write_whole(self.folder / DESCRIPTION, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
+            text = json.dumps(self.facts, indent=1, ensure_ascii=False)
+            write_whole(self.folder / DESCRIPTION, f"{text}\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -114,7 +115,7 @@ class Store:
                 raise ValueError(f"{self.folder}: it was made in {named}, which it lacks; give it as world=")
         world = as_world(world)
         if differ := difference(self.facts, self.facts | Store("", facts_of(world)).facts, "store"):
-            raise ValueError(f"{self.folder}: the store was made in another world: {differ} here; give it as world=")
+            raise ValueError(f"{self.folder} was made in another world: {differ} here; give it as world=")
         return world
 
 

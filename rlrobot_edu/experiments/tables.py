@@ -61,10 +61,8 @@ class Tabled:
 
 def as_text(cell: object) -> str:
     """A number with the digits that matter, anything else as it is."""
-    if cell is None:
-        return ""
     if not isinstance(cell, float):
-        return str(cell)
+        return "" if cell is None else str(cell)
     if cell != 0 and abs(cell) < 5e-4:
         return f"{cell:.2e}"
     return f"{cell:.4f}" if abs(cell) < 0.1 else f"{cell:.2f}" if abs(cell) >= 1 else f"{cell:.3f}"

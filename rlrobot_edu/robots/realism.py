@@ -89,7 +89,7 @@ class Realism:
         turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
         needs = {
             "laser_noise": (card.sensors.keys() >= {*LASERS}, "this robot has no lasers"),
-            "odometry_noise": (card.sensors.keys() >= {*ODOMETRY}, "this robot does not measure x, y and theta"),
+            "odometry_noise": (card.sensors.keys() >= {*ODOMETRY}, "this robot measures no x, y and theta"),
             "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
             "lag": on_wheels,
             "wall_friction": on_wheels,
@@ -98,7 +98,7 @@ class Realism:
             if getattr(self, name) and not is_met:
                 raise ValueError(f"{name} has nothing to act on: {need}")
         if self.lag >= step_time:
-            raise ValueError(f"lag must be below the {step_time:g} s of a control step, got {self.lag}; see delay")
+            raise ValueError(f"lag must be below {step_time:g} s, a control step, got {self.lag}; see delay")
 
 
 class RealisticRobot(SimulatedRobot):

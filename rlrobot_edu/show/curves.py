@@ -47,8 +47,9 @@ def plot_learning(
         For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
     """
     groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
-    if not groups or not all(group and all(isinstance(h, History) and len(h) for h in group) for group in groups):
-        raise ValueError("each curve needs what rl.learn returns, a History of at least 1 step, or a list of them")
+    drawn = [h for group in groups for h in group]
+    if not groups or not all(groups) or not all(isinstance(h, History) and len(h) for h in drawn):
+        raise ValueError("each curve needs a History of at least 1 step, or a list of them; see rl.learn")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]

@@ -13,7 +13,7 @@ def test_a_method_beside_the_methods_of_a_comparison_is_refused():
 
 
 def test_a_label_without_names_of_its_parameters_is_refused():
-    with pytest.raises(ValueError, match="each label needs parameters by name"):
+    with pytest.raises(ValueError, match="a label needs parameters by name"):
         rl.compare("wander_simple", {"mine": "Q+SR"}, 1, **FEW)
 
 

@@ -302,7 +302,7 @@ def test_agents_compare_in_a_drawn_room_in_any_number_of_processes_and_a_store_k
         result = rl.compare(task, ["Q+SR"], 2, steps=40, n_jobs=jobs, progress=False, store=store)
         rewards.append([history.rewards for history in result["Q+SR"]])
     assert np.array_equal(*rewards)
-    with pytest.raises(ValueError, match="another experiment: scene is"):
+    with pytest.raises(ValueError, match="has another experiment: scene is"):
         rl.compare(in_a(ROOM), ["Q+SR"], 2, steps=40, n_jobs=1, progress=False, store=tmp_path)
     agent = rl.Agent(task, "Q+SR", seed=0)
     rl.learn(agent, rl.make_env(task, seed=0), steps=50, progress=False)

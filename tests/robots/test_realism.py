@@ -183,5 +183,5 @@ def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):
 
 
 def test_a_robot_itself_refuses_a_lag_longer_than_its_step():
-    with pytest.raises(ValueError, match=r"lag must be below the 0\.5 s of a control step"):
+    with pytest.raises(ValueError, match=r"lag must be below 0\.5 s, a control step"):
         MobileBase("square_2x2", 0.5, realism=rl.Realism(lag=5.0))
