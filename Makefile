@@ -27,7 +27,7 @@
 # a pipe fails when any part of it does
 SHELL := bash
 .SHELLFLAGS := -o pipefail -c
-# where it is set, each of the thousand processes that the tests start would compile anew all that it imports
+# where it is set, each of the many processes that the tests start compiles anew all that it imports
 unexport PYTHONDONTWRITEBYTECODE
 
 # An environment is made by the first of these that is recent enough and can make one: VENV for learners and TOOLS for
