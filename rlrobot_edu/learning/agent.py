@@ -351,4 +351,5 @@ class Agent:
 
 def _made_of(method: Method) -> dict[str, str | None]:
     """The names of a method and its planner, and short names of the code of its own parts."""
-    return {"the method": method.name, "the planner": method.planner and method.planner.name, **own_parts(method)}
+    planner = method.planner and method.planner.name
+    return {"the method": method.name, "the planner": planner, **own_parts(method)}

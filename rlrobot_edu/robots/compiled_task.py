@@ -76,7 +76,8 @@ def _kernel_of(function: Any) -> Any:
     used = {name: v for name, v in function.__globals__.items() if name in function.__code__.co_names}
     around = {name: _kernel_of(v) if isinstance(v, FunctionType) else v for name, v in used.items()}
     around["__name__"] = __name__  # kept on disk, a kernel is read again only under a module that can be imported
-    copy = FunctionType(function.__code__, around, function.__name__, function.__defaults__, function.__closure__)
+    name, defaults = function.__name__, function.__defaults__
+    copy = FunctionType(function.__code__, around, name, defaults, function.__closure__)
     copy.__kwdefaults__ = function.__kwdefaults__
     return numba.njit(error_model="python")(copy)
 

@@ -64,13 +64,16 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     if judge is None:
         return None
     numbers = np.array([[*robot.readings.values()]] * 2)
+    records = numbers.view([(name, float) for name in names])[:, 0]
     width = max(v.n_bins for v in task.inputs)
     cuts = [[*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))] for v in task.inputs]
     inputs = [(names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins) for v in task.inputs]
+    told = [robot.in_numbers(command) for command in commands]
     return World(
-        robot.parts, start, start.copy(), np.array([*map(robot.in_numbers, commands)]),
-        numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), np.array(cuts),
-        judge, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
+        parts=robot.parts, start=start, place=start.copy(), commands=np.array(told),
+        numbers=numbers, records=records, inputs=np.array(inputs, INPUT), cuts=np.array(cuts), judge=judge,
+        at_goal=np.array([at_goal]), rewards=np.array(task.rewards), goal_steps=task.goal_steps,
+        episode_steps=task.episode_steps or NEVER,
     )  # fmt: skip
 
 
