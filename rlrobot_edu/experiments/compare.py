@@ -11,9 +11,8 @@ import numpy as np
 
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Key, repetition, run, tried
+from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
-from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
@@ -91,10 +90,8 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods, a share that does not exist, a realism or engine that the robot cannot have, episodes
-        that do not end, and a store of another experiment, or a damaged one.
-    TypeError
-        For a setting that no agent has.
+        For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
+        have, episodes that do not end, and a store of another experiment, or a damaged one.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -111,7 +108,7 @@ def compare(
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
     for label, its_own in _by_label(methods).items():
-        agents[label] = Agent(env, seed=seed, **settings | its_own)
+        agents[label] = learner(env, settings | its_own)
         one = partial(repetition, world, settings | its_own, length, **robot)
         root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
         jobs |= {(label, i): partial(one, its_seed) for i, its_seed in enumerate(root.spawn(repetitions))}

@@ -17,16 +17,26 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
 Settings = Mapping[str, Any]  # parameters of an agent, its method included
 Seed = np.random.SeedSequence
+
+
+def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
+    """A new agent for this environment. Raises ValueError for wrong settings."""
+    if "seed" in settings:
+        raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
+    for name in settings:
+        known(name, ["method", "planner", *Parameters.__annotations__], "setting", "an agent")
+    return Agent(env, **{**settings, "seed": seed})
 
 
 def repetition(world: World, settings: Settings, length: Settings, seed: Seed, **robot: Any) -> History:
@@ -37,7 +47,7 @@ def repetition(world: World, settings: Settings, length: Settings, seed: Seed, *
     # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
     agent_seed, env_seed = copy(seed).spawn(2)
     with make_env(world, env_seed, **robot) as env:
-        history = learn(Agent(env, seed=agent_seed, **settings), env, **length, progress=False)
+        history = learn(learner(env, settings, agent_seed), env, **length, progress=False)
     if (ended := len(history.returns)) < (length.get("episodes") or 0):
         raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
     return history
@@ -139,9 +149,7 @@ def repeat(
     Raises
     ------
     ValueError
-        For an unknown world or method, and for impossible numbers.
-    TypeError
-        For a setting that no agent has.
+        For an unknown world, method or setting, and for impossible numbers.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -151,8 +159,9 @@ def repeat(
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
-    name = Agent(env, method, seed=seed, **settings).method.name
-    one = partial(repetition, world, {"method": method, **settings}, {"steps": steps}, **robot)
+    settings["method"] = method
+    name = learner(env, settings).method.name
+    one = partial(repetition, world, settings, {"steps": steps}, **robot)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}
     bar = name if progress else None
