@@ -26,11 +26,13 @@ class Plan:
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,), greedy in Q*
+    sweeps: how many it took
     """
 
     q: Numbers
     v: Numbers
     policy: NDArray[np.intp]
+    sweeps: int
 
 
 class Expected(NamedTuple):
@@ -98,7 +100,7 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
     Returns
     -------
     Plan
-        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,).
+        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,), ``sweeps``: how many it took.
 
     Raises
     ------
@@ -129,7 +131,7 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
         change = float(np.abs(v - before).max())
         # A sweep brings V at least γ times nearer to V*, so what is missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
-            return Plan(q, v, q.argmax(axis=1))
+            return Plan(q, v, q.argmax(axis=1), sweeps)
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     fault = f"a value still changes by {change:.3g} in sweep {sweeps}"

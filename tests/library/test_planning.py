@@ -78,6 +78,7 @@ def test_plans_in_textbook_worlds_approach_the_undiscounted_value_as_gamma_appro
     for gamma in (0.99, 0.9999, 0.999999, 1):
         plan = rl.value_iteration(model, gamma)
         np.testing.assert_allclose(plan.q.max(axis=1), plan.v)
+        assert 0 < plan.sweeps < 20_000
         missing.append(abs(plan.v[model.starts].mean() - undiscounted))
     assert missing == sorted(missing, reverse=True)
     assert missing[2] < 2e-4 and missing[3] < 1e-9
