@@ -43,9 +43,19 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
         f"--ServerApp.root_dir={folder.parent}", f"--LabApp.app_settings_dir={settings}",
         f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
     ]  # fmt: skip
-    lab = subprocess.Popen(command, cwd=folder)
+    ended, lab = False, None
+
+    def end(*_: object) -> None:
+        nonlocal ended
+        ended = True
+        if lab:
+            lab.terminate()
+
     for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:  # who ends this program ends JupyterLab, too
-        signal.signal(getattr(signal, name), lambda *_: lab.terminate())
+        signal.signal(getattr(signal, name), end)
+    lab = subprocess.Popen(command, cwd=folder)
+    if ended:  # while it started
+        lab.terminate()
     while True:
         try:
             code = lab.wait()

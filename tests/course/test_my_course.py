@@ -125,10 +125,11 @@ SLEEPER = "import os, time; print(os.getpid(), flush=True); time.sleep(600)"
 @pytest.mark.parametrize("sent", ["SIGTERM", "SIGHUP"])
 def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
     (tmp_path / "jupyterlab.py").write_text(SLEEPER)
+    slow = "import subprocess as s, time; start = s.Popen; s.Popen = lambda *x, **y: (start(*x, **y), time.sleep(1))[0]"
     call = "import sys, pathlib, rlrobot_course.my_course as m; m.open_lab([], *map(pathlib.Path, sys.argv[1:]))"
     paths = os.pathsep.join([str(tmp_path), str(my_course.NOTEBOOKS.parent)])
     command = subprocess.Popen(
-        [sys.executable, "-c", call, course["source"], course["folder"]],
+        [sys.executable, "-c", f"{slow}\n{call}", course["source"], course["folder"]],
         stdout=subprocess.PIPE,
         text=True,
         env=os.environ | {"PYTHONPATH": paths},
