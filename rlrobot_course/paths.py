@@ -29,10 +29,10 @@ def length_of(path: np.ndarray) -> float:
     return sum(math.dist(a, b) for a, b in pairwise(path))
 
 
-def plot_paths(scene: Scene, paths: Mapping[str, np.ndarray], title: str, own: Axes | None = None) -> Picture:
+def plot_paths(scene: Scene, paths: Mapping[str, np.ndarray], title: str, ax: Axes | None = None) -> Picture | Axes:
     """The room of `scene` with a line for each path. paths: label -> array (n, 2) [m], in the order of time."""
     ends = "; ".join(f"{label}: {length_of(path):.1f} m in {len(path) - 1} steps" for label, path in paths.items())
-    ax, figure = axes_or_new(own, f"Ways through the room from above. {ends}.", (5.2, 5.2))
+    ax, shown = axes_or_new(ax, f"Ways through the room from above. {ends}.", (5.2, 5.2))
     view = TopDown(ax, scene)
 
     for name, patch in view.patches.items():
@@ -44,8 +44,8 @@ def plot_paths(scene: Scene, paths: Mapping[str, np.ndarray], title: str, own: A
         handles += ax.plot(*path.T, color=colour, linestyle=dashes, linewidth=2, zorder=6, label=plain(label))
         ax.plot(*path[-1], "o", color=colour, markersize=7, markeredgecolor="white", zorder=7)
     ax.set_title(plain(title))
-    if own is not None:
+    if shown is ax:
         ax.legend(handles=handles, loc="best")
     else:
-        figure.legend(handles=handles, loc="outside lower center", ncols=3)
-    return figure
+        shown.legend(handles=handles, loc="outside lower center", ncols=3)
+    return shown

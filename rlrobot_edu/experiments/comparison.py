@@ -4,7 +4,7 @@ from collections import UserDict
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -155,4 +155,4 @@ class Comparison(Tabled, UserDict[str, Runs]):
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
         title = title or f"How the average reward develops in {self.name}"
         curves = [(label, runs.curves) for label, runs in self.items()]
-        return plot_curves(curves, x, title, optimum=self.optimum)
+        return cast("Picture", plot_curves(curves, x, title, None, self.optimum))

@@ -1,6 +1,7 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
 from collections.abc import Iterable, Sequence
+from typing import overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,11 +17,17 @@ START = 0.02  # part of the steps in which an average leaps, and which may leave
 
 Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps), with NaN after an end
 Group = History | Sequence[History]
+Names = Sequence[str] | None
+Title = str | None
 
 
+@overload
+def plot_learning(*histories: Group, labels: Names = ..., ax: None = ..., title: Title = ...) -> Picture: ...
+@overload
+def plot_learning(*histories: Group, labels: Names = ..., ax: Axes, title: Title = ...) -> Axes: ...
 def plot_learning(
-    *histories: Group, labels: Sequence[str] | None = None, ax: Axes | None = None, title: str | None = None
-) -> Picture:
+    *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
+) -> Picture | Axes:
     """Learning curves, average reward over steps.
 
     Parameters
@@ -38,8 +45,8 @@ def plot_learning(
 
     Returns
     -------
-    Picture
-        The new figure, or the one of `ax` where it was given.
+    Picture or matplotlib.axes.Axes
+        The figure, or `ax` where one was given.
 
     Raises
     ------
@@ -65,14 +72,14 @@ def steps_of(groups: Iterable[Sequence[History]]) -> str:
 
 
 def plot_curves(
-    curves: list[Curve], x: str, title: str, own: Axes | None = None, optimum: float | None = None
-) -> Picture:
+    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None
+) -> Picture | Axes:
     """The same for curves at hand, over `x`; the best achievable, if it is known, as a line."""
     curves = [(name, repetitions[:, ~np.isnan(repetitions).any(axis=0)]) for name, repetitions in curves]
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
-    ax, figure = axes_or_new(own, alt)
+    ax, shown = axes_or_new(ax, alt)
     later = [] if optimum is None else [optimum]
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
@@ -93,9 +100,9 @@ def plot_curves(
     ax.grid(alpha=0.3)
     ax.margins(x=0)
     note = "means, and bands of their 95 % intervals" if any(len(each) > 1 for _, each in curves) else None
-    if own is not None:
+    if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve
         columns = 2 if max(len(name) for name, _ in curves) <= 20 else 1
-        figure.legend(title=note, loc="outside lower center", ncols=columns)
-    return figure
+        shown.legend(title=note, loc="outside lower center", ncols=columns)
+    return shown

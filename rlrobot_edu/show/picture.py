@@ -61,11 +61,11 @@ def plain(text: str) -> str:
     return " " * seen.startswith("_") + seen.replace("$", r"\$")
 
 
-def axes_or_new(ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)) -> tuple[Axes, Picture]:
-    """Where to plot, and its figure: `ax` and the figure of it, or without one the axes of a new picture, and that."""
+def axes_or_new(ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)) -> tuple[Axes, Picture | Axes]:
+    """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
     if ax is not None:
         if not isinstance(ax, Axes):
             raise ValueError(f"ax must be axes of matplotlib, or None for a new picture; got {ax!r:.200}")
-        return ax, ax.figure  # type: ignore[return-value]  # a caller with axes knows their figure
+        return ax, ax
     picture = Picture(figsize, alt)
     return picture.subplots(), picture

@@ -1,7 +1,7 @@
 """Scenes seen from above: walls, robot and heading, laser beams and the way the robot came; and a camera for films."""
 
 import math
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -131,7 +131,11 @@ class Camera:
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
 
-def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None) -> Picture:
+@overload
+def plot_scene(scenes: Scenes, ax: None = None, title: str | None = None) -> Picture: ...
+@overload
+def plot_scene(scenes: Scenes, ax: Axes, title: str | None = None) -> Axes: ...
+def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
     """Picture of a scene from above, axes in metres.
 
     Parameters
@@ -145,8 +149,8 @@ def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None)
 
     Returns
     -------
-    Picture
-        The new figure, or the one of `ax` where it was given.
+    Picture or matplotlib.axes.Axes
+        The new figure, or `ax` where it was given.
 
     Raises
     ------
@@ -154,7 +158,7 @@ def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None)
         If there is no scene in `scenes`.
     """
     scenes = as_scenes(scenes)
-    ax, figure = axes_or_new(ax, describe(scenes[-1]), (4.5, 4.5))
+    ax, drawn = axes_or_new(ax, describe(scenes[-1]), (4.5, 4.5))
     TopDown(ax, scenes[-1]).update(scenes[-1], path_of(scenes))
     ax.set_title(plain(title or "The robot's world from above"))
-    return figure
+    return drawn

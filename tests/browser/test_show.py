@@ -99,7 +99,7 @@ def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
 
 def test_a_picture_goes_where_it_is_told_and_refuses_nothing_at_all():
     ax = plot_scene(scene()).axes[0]
-    assert plot_scene(SCENES, ax=ax, title="Here") is ax.figure and ax.get_title() == "Here"
+    assert plot_scene(SCENES, ax=ax, title="Here") is ax and ax.get_title() == "Here"
     with pytest.raises(ValueError, match="one scene or several"):
         plot_scene([])
 
