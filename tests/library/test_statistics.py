@@ -233,6 +233,7 @@ def test_taking_rounding_out_changes_nothing_by_more_than_rounding_and_twice_is_
         assert np.array_equal(after, again)
 
 
+@pytest.mark.filterwarnings("ignore:Precision loss")  # SciPy's word for numbers that are all the same
 def test_a_constant_group_beside_one_that_varies_is_tested_as_any_other():
     rng = np.random.default_rng(0)
     x, y = np.full(10, 0.1), rng.normal(0.1, 1, 10)
