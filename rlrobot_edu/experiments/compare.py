@@ -15,7 +15,7 @@ from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import MOST_STEPS
-from rlrobot_edu.learning.methods import Method, own_parts
+from rlrobot_edu.learning.methods import Method, made_of
 from rlrobot_edu.learning.size import Env, Size, can_end
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
@@ -116,8 +116,7 @@ def compare(
     if store is not None:
         facts: dict[str, Any] = {"methods": {label: agent.method.name for label, agent in agents.items()}}
         for label, agent in agents.items():
-            planner = agent.method.planner and agent.method.planner.name
-            parameters = dataclasses.asdict(agent.parameters) | {"planner": planner} | own_parts(agent.method)
+            parameters = dataclasses.asdict(agent.parameters) | made_of(agent.method)
             facts |= {f"{name} of {label}": value for name, value in parameters.items()}
         facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
         kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
-from rlrobot_edu.learning.methods import Method, own_parts, parse_method
+from rlrobot_edu.learning.methods import Method, made_of, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import Experience, new_experience, with_room
@@ -294,7 +294,8 @@ class Agent:
         if not self._is_sound():
             raise ValueError(f"{path}: q of this agent is out of range, so it could not be read again")
         about = {
-            "method": _made_of(self.method), "settings": dataclasses.asdict(self.parameters),
+            "method": {"the method": self.method.name} | made_of(self.method),
+            "settings": dataclasses.asdict(self.parameters),
             "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
         }  # fmt: skip
         save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
@@ -329,7 +330,8 @@ class Agent:
             if own and method is None:
                 return "this agent has a method of its own; give it as method=rl.Method(…)"
             its_method = method or parse_method(name, planner)
-            if differ := difference(about["method"], _made_of(its_method), "file"):
+            given = {"the method": its_method.name} | made_of(its_method)
+            if differ := difference(about["method"], given, "file"):
                 return f"this agent's method is not the one that was given: {differ} in this call"
             agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
@@ -347,9 +349,3 @@ class Agent:
     def _is_sound(self) -> bool:
         """Whether learning can have left the tables like that."""
         return bool((np.abs(self.q) <= LARGEST_KEPT).all() and (self.visits >= 0).all())
-
-
-def _made_of(method: Method) -> dict[str, str | None]:
-    """The names of a method and its planner, and short names of the code of its own parts."""
-    planner = method.planner and method.planner.name
-    return {"the method": method.name, "the planner": planner, **own_parts(method)}

@@ -90,3 +90,8 @@ def own_parts(method: Method) -> dict[str, str]:
     toolkits = {code_of(tuple(part)) for part in TOOLKIT}
     codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
     return {name: code for name, code in codes.items() if code not in toolkits}
+
+
+def made_of(method: Method) -> dict[str, str | None]:
+    """The name of a method's planner, and its own parts: by these and its name a file knows it again."""
+    return {"planner": method.planner and method.planner.name, **own_parts(method)}
