@@ -220,8 +220,7 @@ class Agent:
             As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        a_next = 0 if terminated else a_next  # after the end nothing is chosen
-        _, a_next = check_pair(self.memory, s_next, a_next)
+        _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
         real = (s, a, r, s_next, a_next, bool(terminated))
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:

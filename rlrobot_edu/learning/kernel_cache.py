@@ -30,13 +30,13 @@ class KernelCache(NullCache):
     are as trustworthy as Python's own bytecode next to them: a user who can change one can change the other.
     """
 
-    def __init__(self, kernel: Any, folder: Any) -> None:
-        self._kernel = kernel
+    def __init__(self, dispatcher: Any, folder: Any) -> None:
+        self._kernel, self._options = dispatcher.py_func, dispatcher.targetoptions
         self._folder = folder  # without one nothing is kept
 
     def _path(self, signature: Any, codegen: Any) -> Any:
-        versions = numba.__version__, sys.implementation.cache_tag
-        kind = code_of(self._kernel, toolkit=True), str(signature), codegen.magic_tuple(), *versions
+        how = self._options, numba.__version__, sys.implementation.cache_tag
+        kind = code_of(self._kernel, toolkit=True), str(signature), codegen.magic_tuple(), *how
         name = f"{self._kernel.__module__.rpartition('.')[2]}.{self._kernel.__name__}"
         return self._folder / f"{name}-{sha256(repr(kind).encode())[:16]}.nbc"
 
@@ -50,8 +50,9 @@ class KernelCache(NullCache):
                 path.touch()
             return result
         for _, part in references(self._kernel):
+            # one of the learner's, compiled before with globals as they were then
             if hasattr(part, "recompile") and not goes_by_name(part.__module__):
-                part.recompile()  # one of the learner's, compiled before with globals as they were then
+                getattr(part, "inner", part).recompile()
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:

@@ -95,8 +95,3 @@ def new_record(dtype: np.dtype) -> Any:
     if IS_PLAIN:
         return SimpleNamespace(**{name: dtype[name].type(0) for name in dtype.names or ()})
     return np.zeros(1, dtype).view(np.recarray)[0]
-
-
-def as_array(record: Any, dtype: np.dtype) -> np.ndarray:
-    """The numbers of a record, array () of its dtype."""
-    return np.array(tuple(getattr(record, name) for name in dtype.names or ()), dtype)

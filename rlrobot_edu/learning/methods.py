@@ -1,7 +1,7 @@
 """What a method is, and those that the toolkit brings, by name."""
 
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
@@ -20,7 +20,6 @@ from rlrobot_edu.task.messages import did_you_mean, known
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
-TOOLKIT: list[Any] = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
 NAMES = [f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS]
 T = TypeVar("T")
 
@@ -84,14 +83,13 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
     return Method(method.algorithm, method.selection, planner)  # as its code is now
 
 
-def own_parts(method: Method) -> dict[str, str]:
-    """The code of each part of `method` that is not the toolkit's, with all that it refers to, as a short name."""
-    parts: Any = filter(None, (method.algorithm, method.selection, method.planner))
-    toolkits = {code_of(tuple(part)) for part in TOOLKIT}
-    codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
-    return {name: code for name, code in codes.items() if code not in toolkits}
-
-
 def made_of(method: Method) -> dict[str, str | None]:
-    """The name of a method's planner, and its own parts: by these and its name a file knows it again."""
-    return {"planner": method.planner and method.planner.name, **own_parts(method)}
+    """The name of a method's planner, and the code of each part that is not the toolkit's, as a short name.
+
+    The code is that of all it refers to. By these and by its own name, a file knows a method again.
+    """
+    toolkits = {code_of(tuple(part)) for kind in (ALGORITHMS, SELECTIONS, PLANNERS) for part in kind.values()}
+    parts = [part for part in (method.algorithm, method.selection, method.planner) if part]
+    codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
+    own = {name: code for name, code in codes.items() if code not in toolkits}
+    return {"planner": method.planner and method.planner.name, **own}

@@ -35,8 +35,7 @@ class Size(NamedTuple):
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if isinstance(world, gymnasium.Env):
-            space = world.observation_space
-            actions = world.action_space
+            space, actions = world.observation_space, world.action_space
             if not isinstance(space, Discrete | MultiDiscrete):
                 raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
             if not isinstance(actions, Discrete) or actions.start != 0:

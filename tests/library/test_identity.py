@@ -17,7 +17,7 @@ from rlrobot_edu.experiments.compare import facts_of
 from rlrobot_edu.files import shipped
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.jit import IS_PLAIN, compiled
-from rlrobot_edu.learning.methods import own_parts
+from rlrobot_edu.learning.methods import made_of
 
 # A program whose `f` is looked at, a text in it, and what stands there in another program
 # ruff: noqa: E501
@@ -274,18 +274,18 @@ def test_neither_a_store_nor_a_saved_agent_takes_a_changed_method_for_the_same(c
 
 TOOLKITS = """
 import pickle
-from test_identity import own_parts
-print(own_parts(pickle.loads(bytes.fromhex("{}"))))
+from test_identity import made_of
+print(made_of(pickle.loads(bytes.fromhex("{}"))))
 """
 
 
 def test_the_toolkits_parts_are_not_own_ones_in_whatever_process():
     method = rl.Method("Q", "SR", "dyna")
     folders = (Path(__file__).parent,)
-    assert own_parts(method) == own_parts(pickle.loads(pickle.dumps(method))) == {}
-    assert in_another_process(TOOLKITS.format(cloudpickle.dumps(method).hex()), *folders) == "{}"
+    assert made_of(method) == made_of(pickle.loads(pickle.dumps(method))) == {"planner": "dyna"}
+    assert in_another_process(TOOLKITS.format(cloudpickle.dumps(method).hex()), *folders) == "{'planner': 'dyna'}"
     impostor = rl.Method(rl.Algorithm("Q", rl.Method("SARSA", "SR").algorithm.update), "SR")
-    assert [*own_parts(impostor)] == ["the code of Q"]
+    assert [*made_of(impostor)] == ["planner", "the code of Q"]
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.memory import NOW, SETTINGS, as_array, new_memory
+from rlrobot_edu.learning.memory import NOW, SETTINGS, new_memory
 from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.robots.arenas import ARENAS
@@ -73,7 +73,7 @@ def memory_of(shape, n_actions, parameters):
     lists = {name: array.tolist() for name, array in m._asdict().items() if name not in ("parameters", "now")}
     records = {"parameters": (m.parameters, SETTINGS), "now": (m.now, NOW)}
     return lists | {
-        name: dict(zip(dtype.names, as_array(record, dtype).item(), strict=True))
+        name: {number: np.asarray(getattr(record, number)).item() for number in dtype.names}
         for name, (record, dtype) in records.items()
     }
 

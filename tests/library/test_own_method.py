@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.methods import own_parts
+from rlrobot_edu.learning.methods import made_of
 from rlrobot_edu.widgets.stepper.code_view import code_html
 
 WORLDS = ("wander_simple", "model")
@@ -102,7 +102,7 @@ def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
     assert rl.Agent.load(tmp_path / "agent.npz").method.name == "TOSL+SR"
     with pytest.raises(ValueError, match=r"the method is TOSL\+SR in the file, Q\+SR in this call"):
         rl.Agent.load(tmp_path / "agent.npz", method=rl.Method("Q", "SR"))
-    assert own_parts(rl.Method("TOSL", "SR")) == {}
+    assert made_of(rl.Method("TOSL", "SR")) == {"planner": None}
 
 
 def test_the_stepper_shows_it_and_where_its_code_is():

@@ -7,7 +7,6 @@ import numpy as np
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
-from rlrobot_edu.task.messages import existing
 
 NOW = np.dtype([("outcomes", "i8"), ("pairs", "i8")])  # numbers of different outcomes met, and of pairs tried
 
@@ -41,30 +40,6 @@ class Experience(NamedTuple):
     notes: tuple[Any, ...]
     now: np.record
 
-    def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
-        """What was met after (s, a), as a sample model lists it.
-
-        Parameters
-        ----------
-        s, a : int
-            Numbers of a state and an action.
-
-        Returns
-        -------
-        list of tuple (int, float, bool, int)
-            The outcomes (s', r, terminated, count); empty for a pair that was never tried.
-
-        Raises
-        ------
-        ValueError
-            If there is no such state or action.
-        """
-        n_states, n_actions = len(self.last_into), len(self.tries) // len(self.last_into)
-        pair = existing("state", s, n_states) * n_actions + existing("action", a, n_actions)
-        rows = np.flatnonzero(self.pair[: self.now.outcomes] == pair)
-        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], self.times[rows])
-        return sorted(zip(*(column.tolist() for column in columns), strict=True))
-
 
 OUTCOME = Experience._fields[:7]  # the arrays with one entry for each outcome
 MOST_OUTCOMES = 2**22  # 206 MB: each takes 49 bytes
@@ -93,9 +68,7 @@ def with_room(x: Experience, n: int) -> Experience:
     if size + n > MOST_OUTCOMES:
         raise ValueError(f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; plan in a smaller world")
     more = min(max(2 * room, size + n), MOST_OUTCOMES) - size
-    parts = {name: getattr(x, name)[:size] for name in OUTCOME}
-    larger: Any = {name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()}
-    return x._replace(**larger)
+    return Experience(**x._asdict() | {name: np.pad(getattr(x, name)[:size], (0, more)) for name in OUTCOME})
 
 
 @compiled

@@ -11,7 +11,7 @@ import numpy as np
 from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker, TimeLimit
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.memory import NOW, SETTINGS, as_array, trace_steps
+from rlrobot_edu.learning.memory import NOW, SETTINGS, trace_steps
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.model_env import SampleModelEnv
@@ -42,7 +42,7 @@ class Beginning:
         self.parameters = {name: getattr(memory.parameters, name).item() for name in SETTINGS.names or ()}
         self._memory = {
             "q": sparse(memory.q), "visits": sparse(memory.visits),
-            "now": dict(zip(NOW.names or (), as_array(memory.now, NOW).item(), strict=True)),
+            "now": {name: np.asarray(getattr(memory.now, name)).item() for name in NOW.names or ()},
             "parameters": self.parameters,
             **{name: getattr(memory, name).tolist() for name in ("queue_states", "queue_rewards", "queue_count")},
         }  # fmt: skip
