@@ -38,8 +38,10 @@ if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_threa
 for _folder in ("studies", "docs/site"):  # these folders contain scripts that compute pages
     sys.path.insert(0, str(Path(__file__).parents[1] / _folder))
 
-BROWSER_FLAGS = (  # WebGL without a graphics card, and no connections to other servers
-    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
+# No connections to other servers. WebGL without a graphics card, for pages that use it: drawn that way, others would
+# keep two processors busy while they move
+BROWSER_FLAGS = (
+    "--no-sandbox --disable-gpu --enable-unsafe-swiftshader --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
 # The slowest first
