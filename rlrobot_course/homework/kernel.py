@@ -72,7 +72,7 @@ class Kernel:
             try:
                 self._start()
                 break
-            except EndedError:  # another program has taken one of the ports that were free a moment ago
+            except (EndedError, TimeoutError):  # another program has taken a port that was free a moment ago
                 if tries_left == 0:
                     raise
         return self
@@ -170,7 +170,7 @@ class Kernel:
                     return dict(message["content"])
                 continue
             self._look()
-        raise TimeoutError
+        raise TimeoutError(f"has not answered for {seconds:.0f} seconds")
 
 
 def ended(kind: str, text: str, memory: int) -> str:

@@ -347,11 +347,13 @@ def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
         assert path.name.startswith("00_")
 
 
-def test_a_kernel_that_ends_as_it_starts_is_started_again(tmp_path):
+@pytest.mark.parametrize("does", ["sys.exit()", "time.sleep(600)"])
+def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(tmp_path, monkeypatch, does):
+    monkeypatch.setattr("rlrobot_course.homework.kernel.START", 20.0)
     kernel = Kernel(tmp_path, tmp_path / "home", "03", ["target"], 2048)
     its_own, first = kernel._argv, tmp_path / "first"
-    # as if another program had taken one of its ports: the first process ends at once
-    once = f"import os, sys; os.path.exists({str(first)!r}) or sys.exit(open({str(first)!r}, 'w').close())"
+    # as if another program had taken one of its ports: this happens to the first process alone
+    once = f"import os, sys, time; os.path.exists({str(first)!r}) or (open({str(first)!r}, 'w').close(), {does})"
     kernel._argv = [*its_own[:2], f"{once}; {its_own[2]}", *its_own[3:]]
     with kernel:
         assert kernel.run("1 / 0", 60)[0] == "ZeroDivisionError"
