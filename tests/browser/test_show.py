@@ -468,6 +468,19 @@ def test_a_browser_draws_the_replay_and_moves_it(opened):
     assert page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count") > trail
 
 
+def test_a_page_that_is_told_something_does_not_go_on_talking_to_itself(opened):
+    page = opened(show_scene(SCENES))
+    until(page, "last === 19")
+    heard = """async () => {
+        let times = 0;
+        addEventListener("message", () => { times += 1; });
+        postMessage("news", "*");
+        await new Promise(done => setTimeout(done, 1000));
+        return times;
+    }"""
+    assert page.evaluate(heard) == 1
+
+
 def test_a_page_without_rewards_tells_the_steps_alone(opened):
     page = opened(show_scene(SCENES))
     until(page, "last === 19")

@@ -1,8 +1,9 @@
 """How close our physics is to V-REP's: the measure itself, and that the robot as it is now is nearer than as found."""
 
+from functools import cache
+
 import numpy as np
 import pytest
-from joblib import Parallel, delayed
 from vrep_comparison import distance, joined, often_seen, same_choices, shares
 from vrep_worlds import FOUND, NOW, PRESET, World
 
@@ -24,12 +25,16 @@ def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_refer
     assert distance(one, two, pairs, of=lambda s_next, r: r) == 0
 
 
+@pytest.fixture(scope="module")
+def lived(vrep):
+    """What our robot lives through in a world, in two recordings; the page has six, and without physics 24."""
+    return cache(lambda world: joined([same_choices(world, seed, vrep) for seed in (0, 1)]))
+
+
 @pytest.mark.long
-def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_friction_no_further_away(vrep):
-    """Two recordings each; the page has six. The limits are the noise of so few above what the page says."""
-    worlds = (FOUND, NOW, PRESET)
-    runs = Parallel(n_jobs=-1)(delayed(same_choices)(world, seed, vrep) for world in worlds for seed in (0, 1))
-    found, now, preset = (joined(runs[i : i + 2]) for i in (0, 2, 4))
+def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_friction_no_further_away(vrep, lived):
+    """The limits are the noise of so few recordings above what the page says."""
+    found, now, preset = map(lived, (FOUND, NOW, PRESET))
     pairs = often_seen([vrep, found, now, preset])
     assert len(pairs) > 40
     assert distance(vrep, now, pairs) < min(0.245, distance(vrep, found, pairs))
@@ -39,11 +44,9 @@ def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_
 
 
 @pytest.mark.long
-def test_the_base_without_a_physics_engine_is_about_as_near_to_vrep_as_pymunks(vrep):
-    """Two recordings each, so within their noise; docs/kinematic_base.md has 24."""
-    now, kinematic = (
-        joined([same_choices(world, seed, vrep) for seed in (0, 1)]) for world in (NOW, World(engine="kinematic"))
-    )
+def test_the_base_without_a_physics_engine_is_about_as_near_to_vrep_as_pymunks(vrep, lived):
+    """Within the noise of so few recordings."""
+    now, kinematic = map(lived, (NOW, World(engine="kinematic")))
     pairs = often_seen([vrep, now, kinematic])
     assert len(pairs) > 40
     assert distance(vrep, kinematic, pairs) == pytest.approx(distance(vrep, now, pairs), abs=0.02)

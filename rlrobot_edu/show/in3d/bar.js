@@ -193,6 +193,7 @@ function plot(i) {
 
 unpack().then(([library, commands, paid]) => {
   document.head.append(Object.assign(document.createElement("script"), {textContent: library}));
+  onmessage = null;  // meshcat's GIF encoder would take each message for a frame, answer it to itself, and so on for ever
   begin();
   hear(commands.map(text => Uint8Array.from(atob(text), sign => sign.charCodeAt())), paid, paid.length);
   requestAnimationFrame(tick);
