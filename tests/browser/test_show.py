@@ -474,7 +474,7 @@ def test_a_page_that_is_told_something_does_not_go_on_talking_to_itself(opened):
     heard = """async () => {
         let times = 0;
         addEventListener("message", () => { times += 1; });
-        postMessage("news", "*");
+        postMessage({commands: [], rewards: [], count: 0}, "*");
         await new Promise(done => setTimeout(done, 1000));
         return times;
     }"""
