@@ -188,10 +188,9 @@ def learn(
                 bar.update(done)
     except KeyboardInterrupt:
         raise Interrupted(f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept.") from None
-    seconds = time.perf_counter() - start
     log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
-    about = Learned.of(agent.q, agent.visits), seconds, Size.of(env)
-    return History(agent.method.name, log, *about, before=before)
+    about = time.perf_counter() - start, Size.of(env)
+    return History(agent.method.name, log, Learned.of(agent.q, agent.visits), *about, before=before)
 
 
 def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False) -> History:
