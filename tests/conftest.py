@@ -12,6 +12,7 @@ from pathlib import Path
 import hypothesis
 import numpy as np
 import pytest
+from hypothesis.internal.conjecture import providers
 
 # Before the library is imported: no test, and nothing that a test starts, reads or changes the settings and caches in
 # the home of the person who runs it. (The workers of pytest-xdist are started by a process that has been here.)
@@ -30,6 +31,8 @@ hypothesis.settings.register_profile(
     "steady", deadline=None, derandomize=True, suppress_health_check=[hypothesis.HealthCheck.too_slow]
 )
 hypothesis.settings.load_profile("steady")
+# It would also draw constants of all modules that are loaded; these are others in each worker, so luck would decide.
+providers._get_local_constants = lambda: providers._local_constants
 
 # If the tests are started in the background, they may ignore Ctrl-C, and so would every process that they start.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():

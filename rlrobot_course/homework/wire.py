@@ -46,8 +46,12 @@ def _plain(value: Any) -> Any:
         return {"array": numbers.tolist(), "shape": list(value.shape), "kind": ARRAYS[kind]}
     if type(value) is dict:
         return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
-    name = type(value).__name__
-    return {name: [_plain(entry) for entry in value]} if type(value) in CONTAINERS else {"unkept": show(value)}
+    if type(value) not in CONTAINERS:
+        return {"unkept": show(value)}
+    entries = [_plain(entry) for entry in value]
+    if isinstance(value, set | frozenset):  # its order is another one in each process
+        entries.sort(key=json.dumps)
+    return {type(value).__name__: entries}
 
 
 def _value(plain: Any) -> Any:

@@ -145,8 +145,9 @@ kinds = st.recursive(
 @settings(max_examples=400, deadline=None)
 @given(kinds, kinds)
 def test_home_and_grade_find_the_same_of_any_two_values(value, other):
-    data = as_data(other)  # a right answer is plain
-    assert same(value, data) == same(read(written(value)), data)
+    if "unkept" not in written(other):  # a right answer is plain
+        data = as_data(other)
+        assert same(value, data) == same(read(written(value)), data)
     assert read(written(read(written(value)))) is ... or written(read(written(value))) == written(value)
     if "unkept" not in written(value):
         assert same(value, read(written(value))), "and what travels is what was sent"
