@@ -72,7 +72,7 @@ class Kernel:
             try:
                 self._start()
                 break
-            except (EndedError, TimeoutError):  # another program has taken a port that was free a moment ago
+            except (EndedError, TimeoutError):  # it hangs, or another program has taken a port that was free
                 if tries_left == 0:
                     raise
         return self

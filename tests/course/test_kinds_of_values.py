@@ -145,7 +145,7 @@ kinds = st.recursive(
 @settings(max_examples=400, deadline=None)
 @given(kinds, kinds)
 def test_home_and_grade_find_the_same_of_any_two_values(value, other):
-    if "unkept" not in written(other):  # a right answer is plain
+    if not ("unkept" in written(value) and "unkept" in written(other)):  # at home, a function is the same as itself
         data = as_data(other)
         assert same(value, data) == same(read(written(value)), data)
     assert read(written(read(written(value)))) is ... or written(read(written(value))) == written(value)

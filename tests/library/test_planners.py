@@ -248,6 +248,7 @@ def test_the_experience_is_what_a_sample_model_counts(wander_model):
     after = defaultdict(list)
     for pair, *outcome in list(met)[: agent.experience.now.outcomes]:
         after[pair].append(tuple(outcome))
+    assert after.keys() == set(seen.tolist()), "nothing follows a pair that was never tried"
     for s, a in np.argwhere(wander_model.pair_count)[::40].tolist():
         assert sorted(after[s * agent.q.shape[1] + a]) == wander_model.outcomes(s, a)
 
