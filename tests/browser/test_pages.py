@@ -105,6 +105,8 @@ def opened(browser, tmp_path):
         page.on("console", lambda said: faults.append(said.text))
         page.on("request", lambda request: asked.add(request.url.split("#")[0].split(",")[0]))
         page.goto((tmp_path / "page.html").as_uri() + link)
+        if isinstance(thing, rl.BiasExplorer):
+            until(page, "!!document.querySelector('.rl-bias')")  # a page unpacks itself after it is loaded
         return page
 
     yield opened
@@ -331,7 +333,6 @@ def nine_actions() -> rl.BiasExplorer:
 @pytest.mark.parametrize("width", [400, 1000])
 def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     page = opened(nine_actions(), viewport={"width": width, "height": 800})
-    until(page, "!!document.querySelector('.rl-bias')")
     all_columns(page)
     assert page.evaluate("document.documentElement.scrollWidth") == width
     picture = page.get_by_role("region", name="Four columns")
