@@ -22,6 +22,7 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ["HOME"] = os.environ["USERPROFILE"] = _home.name
     for _name in ("XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"):
         os.environ.pop(_name, None)
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # or each of hundreds of processes would start threads that wait busily
     import matplotlib.font_manager  # noqa: F401 - lists the fonts once; if a notebook did, it might say so
 
 import rlrobot_edu as rl
@@ -58,8 +59,8 @@ QUICK_NOTEBOOK = "03_q_learning.ipynb"
 
 @pytest.hookimpl(wrapper=True)
 def pytest_xdist_auto_num_workers():
-    """One more than there are processors: many tests wait, for a browser or for another process."""
-    return (yield) + 1
+    """Two more than there are processors: many tests wait, for a browser or for another process."""
+    return (yield) + 2
 
 
 @pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out
