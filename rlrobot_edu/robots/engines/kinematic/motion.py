@@ -22,10 +22,10 @@ def sine(x):
 
     The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
     """
-    turns = math.floor(x / math.pi + 0.5)
+    turns = math.floor(x * (1 / math.pi) + 0.5)
     x -= turns * math.pi
     y = x * x
-    end = 1 / 6227020800 - y * (1 / 1307674368000 - y * (1 / 355687428096000 - y / 121645100408832000))
+    end = 1 / 6227020800 - y * (1 / 1307674368000 - y * (1 / 355687428096000 - y * (1 / 121645100408832000)))
     end = 1 / 5040 - y * (1 / 362880 - y * (1 / 39916800 - y * end))
     x *= 1 - y * (1 / 6 - y * (1 / 120 - y * end))
     return x if turns % 2 == 0 else -x
@@ -52,12 +52,12 @@ def follow_arc(place, v, omega, seconds):
 
 
 @compiled
-def distance_to_wall(place, walls, i):
-    """From the axle to wall i [m]."""
+def is_near(place, reach, walls, i):
+    """Whether wall i is nearer to the axle than `reach` [m]."""
     dx, dy = place[0] - walls[i, 0], place[1] - walls[i, 1]
     along = max(abs(dx * walls[i, 4] + dy * walls[i, 5]) - walls[i, 2], 0.0)
     across = max(abs(dy * walls[i, 4] - dx * walls[i, 5]) - walls[i, 3], 0.0)
-    return math.sqrt(along * along + across * across)
+    return along * along + across * across < reach * reach
 
 
 @compiled
@@ -65,7 +65,7 @@ def walls_within(place, reach, walls, near):
     """How many walls are nearer to the axle than `reach` [m]; their numbers are put at the beginning of `near`."""
     n = 0
     for i in range(walls.shape[0]):
-        if distance_to_wall(place, walls, i) < reach:
+        if is_near(place, reach, walls, i):
             near[n] = i
             n += 1
     return n
@@ -82,41 +82,64 @@ def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
     dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
     x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
     ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
-    length, thickness, widest = walls[i, 2], walls[i, 3], -math.inf
+    length, thickness = walls[i, 2], walls[i, 3]
+    left, right, low, high = math.inf, -math.inf, math.inf, -math.inf  # how far the hull reaches, as the wall sees it
+    for k in range(hull.shape[0]):
+        dx, dy = hull[k, 0] - x, hull[k, 1] - y
+        along, across = dx * ux + dy * uy, dy * ux - dx * uy
+        left, right, low, high = min(left, along), max(right, along), min(low, across), max(high, across)
+    off_end, off_face = max(left, -right) - length, max(low, -high) - thickness
+    widest, side = max(off_end, off_face), -1
+    if widest >= enough:
+        return widest
     for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
         nx, ny = hull[k, 2], hull[k, 3]
-        along, across = nx * ux + ny * uy, ny * ux - nx * uy
-        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1]) - abs(along) * length - abs(across) * thickness
-        if gap > widest:
-            if gap >= enough:
-                return gap
-            widest = gap
-            touch[0], touch[1] = -nx, -ny
-            a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
-            touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
-            if abs(along) * length < abs(across) * thickness:
-                a, touch[6] = -a, gap + 2 * abs(along) * length
-            else:
-                b, touch[6] = -b, gap + 2 * abs(across) * thickness
-            touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
-    nx, ny, half, other = ux, uy, length, thickness
-    for _ in range(4):  # the sides of the wall, one after the other: how far outside each the hull begins
-        gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
-        for k in range(hull.shape[0]):
-            outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
-            if outside < gap:
-                gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
-            elif outside < next_gap:
-                next_gap, next_nearest = outside, k
-        if gap > widest:
-            if gap >= enough:
-                return gap
-            widest = gap
-            touch[0], touch[1] = nx, ny
-            touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
-            touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
-        nx, ny, half, other = -ny, nx, other, half
+        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1])  # to the centre of the wall
+        if gap >= widest:
+            gap = gap - abs(nx * ux + ny * uy) * length - abs(ny * ux - nx * uy) * thickness
+            if gap > widest or (gap == widest and side < 0):
+                if gap >= enough:
+                    return gap
+                widest, side = gap, k
+    if side >= 0:
+        touch_side(hull, side, widest, x, y, ux, uy, length, thickness, touch)
+    elif off_end >= off_face:
+        ahead = 1.0 if left >= -right else -1.0
+        touch_corner(hull, x, y, ahead * ux, ahead * uy, length, touch)
+    else:
+        ahead = 1.0 if low >= -high else -1.0
+        touch_corner(hull, x, y, -ahead * uy, ahead * ux, thickness, touch)
     return widest
+
+
+@compiled
+def touch_side(hull, k, gap, x, y, ux, uy, length, thickness, touch):
+    """Let `touch` tell where a wall (its centre, its length's direction, half its sides) meets side k of the hull."""
+    nx, ny = hull[k, 2], hull[k, 3]
+    along, across = nx * ux + ny * uy, ny * ux - nx * uy
+    touch[0], touch[1] = -nx, -ny
+    a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
+    touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
+    if abs(along) * length < abs(across) * thickness:
+        a, touch[6] = -a, gap + 2 * abs(along) * length
+    else:
+        b, touch[6] = -b, gap + 2 * abs(across) * thickness
+    touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+
+
+@compiled
+def touch_corner(hull, x, y, nx, ny, half, touch):
+    """Let `touch` tell which corners of the hull meet a side of a wall, `half` from its centre; (nx, ny): normal."""
+    gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
+    for k in range(hull.shape[0]):
+        outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
+        if outside < gap:
+            gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
+        elif outside < next_gap:
+            next_gap, next_nearest = outside, k
+    touch[0], touch[1] = nx, ny
+    touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
+    touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
 
 
 @compiled
@@ -148,7 +171,7 @@ def push_out(place, hull, radius, moment, walls, near, n, touch):
     for pushes in range(ROUNDS):
         free = True
         for k in range(n):
-            if distance_to_wall(place, walls, near[k]) < radius:
+            if is_near(place, radius, walls, near[k]):
                 gap = gap_to_wall(place, cos, sin, hull, walls, near[k], 0.0, touch)
                 if gap < 0.0:
                     free = False
@@ -174,7 +197,7 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
         if pushes == 0:
             free, cos, sin = speed * seconds, cosine(place[2]), sine(place[2])
             for k in range(n):
-                if distance_to_wall(place, walls, near[k]) - radius < free:
+                if is_near(place, radius + free, walls, near[k]):
                     free = min(free, gap_to_wall(place, cos, sin, hull, walls, near[k], free, touch))
         piece = min(seconds, max(SUBSTEP, free / speed))
         x, y, theta = place[0], place[1], place[2]
