@@ -59,8 +59,8 @@ QUICK_NOTEBOOK = "03_q_learning.ipynb"
 
 @pytest.hookimpl(wrapper=True)
 def pytest_xdist_auto_num_workers():
-    """Two more than there are processors: many tests wait, for a browser or for another process."""
-    return (yield) + 2
+    """One more than there are processors: many tests wait, for a browser or for another process."""
+    return (yield) + 1
 
 
 @pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out
