@@ -22,7 +22,7 @@ def sine(x):
 
     The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
     """
-    turns = math.floor(x * (1 / math.pi) + 0.5)
+    turns = math.floor(x * (1 / math.pi) + 0.5)  # here and below products, for quotients take several times as long
     x -= turns * math.pi
     y = x * x
     end = 1 / 6227020800 - y * (1 / 1307674368000 - y * (1 / 355687428096000 - y * (1 / 121645100408832000)))
