@@ -218,7 +218,7 @@ SPY = """
 import glob, os, signal, time
 mine, found, end = os.getcwd(), [], time.monotonic() + {seconds}
 while time.monotonic() < end and not found:
-    for path in glob.glob("{shared}/rlrobot-grade-*/work/*.ipynb") + glob.glob("/proc/[0-9]*/cwd/*.ipynb"):
+    for path in glob.glob("{shared}/rlrobot-grade-*/*/*.ipynb") + glob.glob("/proc/[0-9]*/cwd/*.ipynb"):
         if not os.path.samefile(os.path.dirname(path), mine):
             found.append(path)
     time.sleep(0.2)
