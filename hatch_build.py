@@ -36,15 +36,27 @@ class Blank(BuildHookInterface):
         self.folder = Path(tempfile.mkdtemp())
         is_wheel = self.target_name == "wheel"
         source = self.metadata.core.urls.get("Source")
-        pages = f"[\\1]({source}/blob/v{self.metadata.version}/\\2\\3)" if source else r"\1 (in the repository: \2)"
+        pages = (
+            f"[\\1]({source}/blob/v{self.metadata.version}/\\2\\3)"
+            if source
+            else r"\1 (in the repository: \2)"
+        )
         for name in () if version == "editable" else FOLDERS:
             for path in Path(self.root, name).glob("*.ipynb"):
                 mine = self.folder / name.replace("/", "_") / path.name
                 mine.parent.mkdir(exist_ok=True)
-                mine.write_text(blank(path, pages if is_wheel else r"\g<0>"), encoding="utf-8", newline="\n")
-                build_data["force_include"][str(mine)] = f"{'rlrobot_edu/' * is_wheel}{name}/{path.name}"
+                mine.write_text(
+                    blank(path, pages if is_wheel else r"\g<0>"),
+                    encoding="utf-8",
+                    newline="\n",
+                )
+                build_data["force_include"][str(mine)] = (
+                    f"{'rlrobot_edu/' * is_wheel}{name}/{path.name}"
+                )
 
-    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
+    def finalize(
+        self, version: str, build_data: dict[str, Any], artifact_path: str
+    ) -> None:
         """Remove the temporary folder."""
         shutil.rmtree(self.folder)
 
@@ -53,7 +65,12 @@ def from_elsewhere(text: str, source: str | None, version: str) -> str:
     """A page of the repository's root with links that lead to this version in the repository, if it has an address."""
     if not source:
         return OF_README.sub(r"\2", text)
-    return OF_README.sub(lambda x: f"{x[1]}[{x[2]}]({source}/{'raw' if x[1] else 'blob'}/v{version}/{x[3]})", text)
+    return OF_README.sub(
+        lambda x: (
+            f"{x[1]}[{x[2]}]({source}/{'raw' if x[1] else 'blob'}/v{version}/{x[3]})"
+        ),
+        text,
+    )
 
 
 def blank(path: Path, pages: str) -> str:

@@ -37,8 +37,22 @@ sys.path.insert(0, str(HERE.parent / "tests"))
 from oracles import NumpyModelWorld, method_of_the_page  # noqa: E402 (the oracle of the tests is the one to beat)
 
 STEPS = 3600
-PEERS = ("mushroom-rl==1.10.2", f"numpy=={np.__version__}", "tqdm")  # without what its tables do not need, see peers.py
-FACTS = ("offsets", "cumulative", "s_next", "r", "starts", "rewards", "n_states", "n_actions", "r_max")
+PEERS = (
+    "mushroom-rl==1.10.2",
+    f"numpy=={np.__version__}",
+    "tqdm",
+)  # without what its tables do not need, see peers.py
+FACTS = (
+    "offsets",
+    "cumulative",
+    "s_next",
+    "r",
+    "starts",
+    "rewards",
+    "n_states",
+    "n_actions",
+    "r_max",
+)
 
 
 def seconds(task, repeat: int = 5) -> float:
@@ -76,20 +90,35 @@ def bench_methods(model):
 
     def plain():
         world = NumpyModelWorld(model, np.random.default_rng(11))
-        method_of_the_page()(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
+        method_of_the_page()(
+            world,
+            model.shape,
+            model.n_actions,
+            model.r_max,
+            STEPS,
+            np.random.default_rng(7),
+        )
 
     methods = ("TOSL+QBIASSR", "TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR")
     for method in methods:
         seconds_a_step(model, method)
     rounds = [
-        {"NumPy": seconds(plain, 1) / STEPS} | {method: seconds_a_step(model, method) for method in methods}
+        {"NumPy": seconds(plain, 1) / STEPS}
+        | {method: seconds_a_step(model, method) for method in methods}
         for _ in range(5)
     ]
-    names = ", ".join(f"{name} {statistics.median(r[name] for r in rounds) * 1e6:.2f}" for name in methods)
+    names = ", ".join(
+        f"{name} {statistics.median(r[name] for r in rounds) * 1e6:.2f}"
+        for name in methods
+    )
     yield "a step on the wander_1k model, compiled, one thread [µs]", names, "–"
     ratio = statistics.median(r["NumPy"] / r["TOSL+QBIASSR"] for r in rounds)
     slow = statistics.median(r["NumPy"] for r in rounds) * 1e6
-    yield "TOSL+QBIASSR in plain NumPy", f"{slow:.0f} µs a step: {ratio:.0f} times as long", "150 times"
+    yield (
+        "TOSL+QBIASSR in plain NumPy",
+        f"{slow:.0f} µs a step: {ratio:.0f} times as long",
+        "150 times",
+    )
     ratio = statistics.median(r["Q+SR"] / r["TOSL+QBIASSR"] for r in rounds)
     yield "Q+SR against TOSL+QBIASSR", f"{ratio:.2f}", "0.3"
 
@@ -107,10 +136,28 @@ def rounds_with_peers(model):
     np.savez(facts, **{name: getattr(model, name) for name in FACTS})
     with tempfile.TemporaryDirectory() as folder:
         run(sys.executable, "-m", "uv", "venv", folder, "--python", sys.executable)
-        run(sys.executable, "-m", "uv", "pip", "install", "--python", folder, "--no-deps", *PEERS)
+        run(
+            sys.executable,
+            "-m",
+            "uv",
+            "pip",
+            "install",
+            "--python",
+            folder,
+            "--no-deps",
+            *PEERS,
+        )
         for _ in range(5):
-            theirs = json.loads(run(f"{folder}/bin/python", HERE / "peers.py", input=facts.getvalue()))
-            yield theirs, {method: seconds_a_step(model, method, loop_evasion=False) for method in theirs}
+            theirs = json.loads(
+                run(f"{folder}/bin/python", HERE / "peers.py", input=facts.getvalue())
+            )
+            yield (
+                theirs,
+                {
+                    method: seconds_a_step(model, method, loop_evasion=False)
+                    for method in theirs
+                },
+            )
 
 
 def bench_peers(rounds):
@@ -126,8 +173,12 @@ def bench_peers(rounds):
         cells = [f"here {statistics.median(us[method] for us in ours) * 1e6:.2f} µs"]
         for who in peers:
             times = [them[method][who] for them in theirs]
-            ratio = statistics.median(time / us[method] for time, us in zip(times, ours, strict=True))
-            cells.append(f"{who} {statistics.median(times) * 1e6:.0f} µs: {ratio:,.0f} times as long")
+            ratio = statistics.median(
+                time / us[method] for time, us in zip(times, ours, strict=True)
+            )
+            cells.append(
+                f"{who} {statistics.median(times) * 1e6:.0f} µs: {ratio:,.0f} times as long"
+            )
         yield f"{what}: {method} without loop evasion", "; ".join(cells), "–"
 
 
@@ -154,7 +205,10 @@ def bench_comparison(model):
     def alone():
         for method in methods:
             for seed in range(100):
-                agent, env = rl.Agent(model, method, seed=seed), rl.make_env(model, seed)
+                agent, env = (
+                    rl.Agent(model, method, seed=seed),
+                    rl.make_env(model, seed),
+                )
                 rl.learn(agent, env, STEPS, progress=False)
 
     yield (
@@ -162,11 +216,19 @@ def bench_comparison(model):
         f"{seconds(compare, 3):.1f} s",
         "10 s",
     )
-    ratio = statistics.median(seconds(lambda: compare(n_jobs=1), 1) / (10 * seconds(alone, 1)) for _ in range(3))
+    ratio = statistics.median(
+        seconds(lambda: compare(n_jobs=1), 1) / (10 * seconds(alone, 1))
+        for _ in range(3)
+    )
     yield "what compare adds to its repetitions, on one core", f"{ratio - 1:.1%}", "3 %"
     with tempfile.TemporaryDirectory() as folder:
-        stored = (seconds(lambda i=i: compare(store=Path(folder) / str(i)), 1) for i in range(3))
-        cost = statistics.median(with_store - seconds(compare, 1) for with_store in stored) / (1000 * len(methods))
+        stored = (
+            seconds(lambda i=i: compare(store=Path(folder) / str(i)), 1)
+            for i in range(3)
+        )
+        cost = statistics.median(
+            with_store - seconds(compare, 1) for with_store in stored
+        ) / (1000 * len(methods))
     yield (
         "what a store adds to each repetition, on all cores: a file on disk",
         f"{cost * 1e3:.1f} ms",
@@ -204,14 +266,27 @@ def bench_robot():
 def wander(choices, v, omega, place, body, walls, near, touch, lengths):
     """The kinematic base by itself: it moves and looks, again and again."""
     for a in choices:
-        drive(place, v[a], omega[a], 1.0, body.hull, body.radius, body.moment, walls, near, touch)
+        drive(
+            place,
+            v[a],
+            omega[a],
+            1.0,
+            body.hull,
+            body.radius,
+            body.moment,
+            walls,
+            near,
+            touch,
+        )
         look(place, body.rays, 5.02, walls, lengths)
 
 
 def bench_kinematic():
     """The base without an engine: the compiled loop of learning, and its geometry alone with the same actions."""
     env, steps = rl.make_env("wander_1k", seed=0, engine="kinematic"), 100 * STEPS
-    twists = np.array([PIONEER.twist(env.task.command_for(a)) for a in range(env.task.actions.n)])
+    twists = np.array(
+        [PIONEER.twist(env.task.command_for(a)) for a in range(env.task.actions.n)]
+    )
     v, omega = np.ascontiguousarray(twists.T)
     body, walls = Body.of(PIONEER), walls_of(ARENAS["maze_6x6"])
     room = np.empty(len(walls), np.int64), np.empty(7), np.empty(8)
@@ -219,10 +294,14 @@ def bench_kinematic():
 
     def loop():
         agent = rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0)
-        actions[:] = rl.learn(agent, env, steps, keep=True, progress=False).transitions.a
+        actions[:] = rl.learn(
+            agent, env, steps, keep=True, progress=False
+        ).transitions.a
 
     def kernels():
-        wander(actions, v, omega, np.array([PIONEER.axle, 0.0, 0.0]), body, walls, *room)
+        wander(
+            actions, v, omega, np.array([PIONEER.axle, 0.0, 0.0]), body, walls, *room
+        )
 
     loop(), kernels()
     pairs = [(seconds(loop, 1), seconds(kernels, 1)) for _ in range(5)]
@@ -241,7 +320,10 @@ def bench_building():
     for n, limit in ((180_000, "0.2 s"), (10_000_000, "10 s")):
         rng = np.random.default_rng(0)
         never = np.zeros(n, dtype=bool)
-        s, s_next = rng.integers(task.states.n, size=n), rng.integers(task.states.n, size=n)
+        s, s_next = (
+            rng.integers(task.states.n, size=n),
+            rng.integers(task.states.n, size=n),
+        )
         a, r = rng.integers(task.actions.n, size=n), rng.choice(task.rewards, size=n)
         recording = Recording(Transitions(s, a, r, s_next, never, never), source)
 
@@ -249,7 +331,10 @@ def bench_building():
             return rl.SampleModel.from_recording(recording)
 
         time_taken = seconds(build, 5 if n < 1e6 else 1)
-        size = sum(v.nbytes for v in vars(build()).values() if isinstance(v, np.ndarray)) / 1e6
+        size = (
+            sum(v.nbytes for v in vars(build()).values() if isinstance(v, np.ndarray))
+            / 1e6
+        )
         peak = peak_megabytes(build)
         yield (
             f"sample model from {n:,} random transitions (all outcomes different, the worst case)",
@@ -265,7 +350,11 @@ def bench_set_up():
         return new_memory(shape, n_actions, Parameters())
 
     memory = set_up()
-    tables = sum(np.asarray(v).nbytes for k, v in memory._asdict().items() if k not in ("q", "e", "visits"))
+    tables = sum(
+        np.asarray(v).nbytes
+        for k, v in memory._asdict().items()
+        if k not in ("q", "e", "visits")
+    )
     yield (
         "set-up for 12,500 states × 25 actions, Q and all; memory of QBIASSR and LRLE beside Q, traces and visits",
         f"{seconds(set_up, 20) * 1e3:.2f} ms; {tables / 1e6:.2f} MB",
@@ -275,19 +364,37 @@ def bench_set_up():
 
 def bench_starts():
     def run(code, folder=HERE.parent):
-        subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, cwd=folder)
+        subprocess.run(
+            [sys.executable, "-c", code], check=True, capture_output=True, cwd=folder
+        )
 
     bare = seconds(lambda: run("pass"), 7)
     loaded = seconds(lambda: run("import rlrobot_edu"), 7)
-    yield "import rlrobot_edu (without the start of Python)", f"{loaded - bare:.2f} s", "0.5 s"
-    with tempfile.TemporaryDirectory() as folder:  # a fresh copy has no compiled kernels yet
+    yield (
+        "import rlrobot_edu (without the start of Python)",
+        f"{loaded - bare:.2f} s",
+        "0.5 s",
+    )
+    with (
+        tempfile.TemporaryDirectory() as folder
+    ):  # a fresh copy has no compiled kernels yet
         for name in ("rlrobot_edu", "rlrobot_course", "tasks", "datasets"):
-            shutil.copytree(HERE.parent / name, Path(folder) / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(
+                HERE.parent / name,
+                Path(folder) / name,
+                ignore=shutil.ignore_patterns("__pycache__"),
+            )
         code = "from rlrobot_course.__main__ import compile_kernels; compile_kernels()"
         first = seconds(lambda: run(code, folder), 1)
         again = seconds(lambda: run(code, folder), 5)
-    imports = seconds(lambda: run("import rlrobot_edu, numba, scipy.sparse, pymunk, gymnasium"), 5)
-    yield "first compilation of all kernels, with the start of Python", f"{first:.1f} s", "20 s"
+    imports = seconds(
+        lambda: run("import rlrobot_edu, numba, scipy.sparse, pymunk, gymnasium"), 5
+    )
+    yield (
+        "first compilation of all kernels, with the start of Python",
+        f"{first:.1f} s",
+        "20 s",
+    )
     yield (
         "the same from the cache; of it, the kernels alone (less the start of Python and the import of libraries)",
         f"{again:.2f} s; {again - imports:.2f} s",
@@ -300,8 +407,17 @@ def machine() -> str:
     model = platform.processor() or platform.machine()
     if Path("/proc/cpuinfo").is_file():
         lines = Path("/proc/cpuinfo").read_text().splitlines()
-        model = next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), model)
-    versions = ", ".join(f"{name} {__import__(name).__version__}" for name in ("numpy", "numba"))
+        model = next(
+            (
+                line.split(":")[1].strip()
+                for line in lines
+                if line.startswith("model name")
+            ),
+            model,
+        )
+    versions = ", ".join(
+        f"{name} {__import__(name).__version__}" for name in ("numpy", "numba")
+    )
     python = platform.python_version()
     return f"{model}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}, Python {python}, {versions}"
 

@@ -23,14 +23,26 @@ from mushroom_rl.utils.parameters import Parameter  # noqa: E402
 from mushroom_rl.utils.spaces import Discrete  # noqa: E402
 from oracles import NumpyModelWorld, numpy_q_learning  # noqa: E402
 
-STEPS, ALPHA, GAMMA, LAMBDA = 3600, 0.1, 0.9, 0.9  # and a temperature of 1, as the toolkit's defaults are
+STEPS, ALPHA, GAMMA, LAMBDA = (
+    3600,
+    0.1,
+    0.9,
+    0.9,
+)  # and a temperature of 1, as the toolkit's defaults are
 
 
 class MushroomWorld(Environment):
     """The world of the plain loop, as MushroomRL asks for it."""
 
     def __init__(self, world):
-        super().__init__(MDPInfo(Discrete(world.model.n_states), Discrete(world.model.n_actions), GAMMA, np.inf))
+        super().__init__(
+            MDPInfo(
+                Discrete(world.model.n_states),
+                Discrete(world.model.n_actions),
+                GAMMA,
+                np.inf,
+            )
+        )
         self.world = world
 
     def reset(self, state=None):
@@ -43,7 +55,12 @@ class MushroomWorld(Environment):
 
 def mushroom(world, algorithm, *parameters):
     env = MushroomWorld(world)
-    agent = algorithm(env.info, Boltzmann(100 * (1 - GAMMA) / world.model.r_max), Parameter(ALPHA), *parameters)
+    agent = algorithm(
+        env.info,
+        Boltzmann(100 * (1 - GAMMA) / world.model.r_max),
+        Parameter(ALPHA),
+        *parameters,
+    )
     Core(agent, env).learn(n_steps=STEPS, n_steps_per_fit=1, quiet=True)
 
 
@@ -54,8 +71,13 @@ def seconds_a_step(learn, *arguments):
 
 
 facts = np.load(io.BytesIO(sys.stdin.buffer.read()))
-model = SimpleNamespace(**{name: part if part.ndim else part.item() for name, part in facts.items()})
+model = SimpleNamespace(
+    **{name: part if part.ndim else part.item() for name, part in facts.items()}
+)
 who = f"MushroomRL {__version__}"
 plain = seconds_a_step(numpy_q_learning, STEPS, np.random.default_rng(7), ALPHA, GAMMA)
-q, sarsa = seconds_a_step(mushroom, QLearning), seconds_a_step(mushroom, SARSALambda, LAMBDA)
+q, sarsa = (
+    seconds_a_step(mushroom, QLearning),
+    seconds_a_step(mushroom, SARSALambda, LAMBDA),
+)
 print(json.dumps({"Q+SR": {who: q, "plain NumPy": plain}, "SL+SR": {who: sarsa}}))

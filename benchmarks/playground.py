@@ -17,7 +17,9 @@ RUNS = {
     "the cliff, Q-learning": "task=cliff&method=Q%2BEG",
 }
 FIRST = "performance.getEntriesByName('learned')[0].startTime"
-MARK = "new MutationObserver((_, it) => { performance.mark('learned'); it.disconnect(); })"
+MARK = (
+    "new MutationObserver((_, it) => { performance.mark('learned'); it.disconnect(); })"
+)
 COUNT = """(seconds) => new Promise((done) => {
   const from = yours.life.t, begun = performance.now();
   let frames = 0;
@@ -36,8 +38,12 @@ def main() -> None:
         path = Path(folder, "playground.html")
         rl.playground(path)
         browser = p.chromium.launch(executable_path=shutil.which("chromium"))
-        print(f"{path.stat().st_size / 1000:.0f} kB. Chromium {browser.version}, 1280 × 800, as fast as it can:\n")
-        print("| task and method | frames a second | steps a second | first update shown after |")
+        print(
+            f"{path.stat().st_size / 1000:.0f} kB. Chromium {browser.version}, 1280 × 800, as fast as it can:\n"
+        )
+        print(
+            "| task and method | frames a second | steps a second | first update shown after |"
+        )
         print("|---|---|---|---|")
         for name, link in RUNS.items():
             page = browser.new_page(viewport={"width": 1280, "height": 800})
@@ -48,7 +54,9 @@ def main() -> None:
             page.goto(f"{path.as_uri()}#{link}&speed=10000")
             page.wait_for_timeout(1500)  # until its code is compiled
             frames, steps = page.evaluate(COUNT, SECONDS)
-            print(f"| {name} | {frames:.0f} | {steps:,.0f} | {page.evaluate(FIRST) / 1000:.2f} s |")
+            print(
+                f"| {name} | {frames:.0f} | {steps:,.0f} | {page.evaluate(FIRST) / 1000:.2f} s |"
+            )
             page.close()
         browser.close()
 

@@ -77,7 +77,9 @@ def learner(name: str, method: str, seed: int) -> tuple[rl.Agent, gymnasium.Env]
     The datasets are older than the environments' own random numbers. So that their rows stay as they were, both draw
     the agent's here, each for itself. It matters in worked_example alone, whose box moves by chance.
     """
-    return rl.Agent(name, method, seed=seed), rl.make_env(name, seed=np.random.SeedSequence(seed))
+    return rl.Agent(name, method, seed=seed), rl.make_env(
+        name, seed=np.random.SeedSequence(seed)
+    )
 
 
 def make_dataset(name: str, folder: Path) -> None:
@@ -98,7 +100,9 @@ def card(name: str, recording: rl.Recording) -> str:
         name=name,
         title=task.description.partition("\n")[0],
         rows=len(recording),
-        episodes="one episode" if recording.episode[-1] == 0 else f"{recording.episode[-1] + 1:,} episodes",
+        episodes="one episode"
+        if recording.episode[-1] == 0
+        else f"{recording.episode[-1] + 1:,} episodes",
         platform=source.platform,
         robot=source.robot,
         scene=source.scene,

@@ -16,17 +16,28 @@ project = "RLROBOT-EDU"
 author = copyright = "the RLROBOT-EDU developers"
 version = release = rl.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.githubpages"]
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.githubpages",
+]
 root_doc = "docs/index"
 html_theme = "furo"
 html_favicon = "site/favicon.svg"
 html_title = "RLROBOT-EDU"
 html_copy_source = html_show_sourcelink = False
-html_static_path = ["site/site.css", "site/site.js", "../rlrobot_edu/widgets/playground/around.js"]
+html_static_path = [
+    "site/site.css",
+    "site/site.js",
+    "../rlrobot_edu/widgets/playground/around.js",
+]
 html_css_files = ["site.css"]
 html_js_files = ["around.js", "site.js"]
 
-html_math_renderer = "mathml"  # browsers draw it without a program and without a font of ours
+html_math_renderer = (
+    "mathml"  # browsers draw it without a program and without a font of ours
+)
 html_show_search_summary = False  # excerpts would load whole pages, 4 MB for one search
 
 myst_enable_extensions = ["dollarmath", "amsmath", "html_image"]
@@ -34,7 +45,10 @@ myst_heading_anchors = 4  # links such as README.md#your-own-task
 myst_links_external_new_tab = False
 nb_execution_mode = "off"  # the outputs are those that are committed
 # A widget needs a kernel; its still twin is HTML, with its alternative text
-nb_mime_priority_overrides = [("html", "text/html", 0), ("html", "application/vnd.jupyter.widget-view+json", None)]
+nb_mime_priority_overrides = [
+    ("html", "text/html", 0),
+    ("html", "application/vnd.jupyter.widget-view+json", None),
+]
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # numpydoc's sections say the types in words
@@ -63,17 +77,25 @@ def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
         if not folder.is_dir():
             return link[0]
         other = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
-        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), other)}.md"
-        return f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
+        made = (
+            root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), other)}.md"
+        )
+        return (
+            f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
+        )
 
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
 
 
-def with_levels(app: Sphinx, page: str, template: str, context: dict[str, Any], tree: object) -> None:
+def with_levels(
+    app: Sphinx, page: str, template: str, context: dict[str, Any], tree: object
+) -> None:
     """Sphinx calls the captions in the sidebar headings, but does not say of which level; screen readers want it."""
     for name in ("furo_navigation_tree", "body"):
         if isinstance(context.get(name), str):
-            context[name] = context[name].replace('role="heading">', 'role="heading" aria-level="2">')
+            context[name] = context[name].replace(
+                'role="heading">', 'role="heading" aria-level="2">'
+            )
 
 
 # A minus that follows nothing but an opening bracket or another sign belongs to its number
@@ -83,7 +105,9 @@ SIGN = re.compile(r"(<mo[^>]*>(?!&#x00029;|[\])|])[^<]+</mo>)<mo>(&#x02212;</mo>
 def write_math(writer: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
     """A formula as MathML."""
     is_block = isinstance(node, nodes.math_block)
-    formula = convert(node.astext().replace(r"\!", ""), display="block" if is_block else "inline")
+    formula = convert(
+        node.astext().replace(r"\!", ""), display="block" if is_block else "inline"
+    )
     formula = SIGN.sub(r'\1<mo form="prefix">\2', formula)
     writer.body.append(f'<div class="math">{formula}</div>' if is_block else formula)
     raise nodes.SkipNode

@@ -28,7 +28,11 @@ PYODIDE = "314.0.6"  # the one that JupyterLite's kernel is made for; its Python
 PYTHON, PLATFORM = "3.14", "pyemscripten_2026_0_wasm32"
 PUBLIC = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE}/full/pyodide.mjs"
 EXTENSIONS = Path(sys.prefix) / "share/jupyter/labextensions"
-WANTED = ("@jupyterlite/pyodide-kernel-extension", "@jupyter-widgets/jupyterlab-manager", "anywidget")
+WANTED = (
+    "@jupyterlite/pyodide-kernel-extension",
+    "@jupyter-widgets/jupyterlab-manager",
+    "anywidget",
+)
 INSTALL = """# In the browser the toolkit is installed each time a lesson is opened. Python is slower there: some
 # numbers, each with a comment, are smaller than those with which the results in the text were found.
 import piplite
@@ -50,7 +54,9 @@ def write_lessons(folder: Path, notebooks: list[Path]) -> None:
         notebook = in_browser(path, smaller_numbers().get(path.stem, {}))
         text = json.dumps(notebook, indent=1, ensure_ascii=False)
         (folder / path.name).write_text(text, encoding="utf-8")
-        for picture in re.findall(r"\(\.\./(docs/pictures/\w+\.\w+)\)", text):  # above the site's root is the root
+        for picture in re.findall(
+            r"\(\.\./(docs/pictures/\w+\.\w+)\)", text
+        ):  # above the site's root is the root
             (folder / picture).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / picture, folder / picture)
 
@@ -68,72 +74,133 @@ def in_browser(path: Path, smaller: dict[str, int]) -> Notebook:
     code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
     for name, number in smaller.items():
         line = re.compile(rf"^{name} = (\d+)$", re.MULTILINE)
-        if (times := sum(len(line.findall("".join(cell["source"]))) for cell in code)) != 1:
+        if (
+            times := sum(len(line.findall("".join(cell["source"]))) for cell in code)
+        ) != 1:
             raise ValueError(
                 f"lessons.toml sets {name}, which {path.name} has to assign once; it does so {times} times"
             )
         for cell in code:
-            cell["source"] = line.sub(rf"{name} = {number}  # in the browser; elsewhere \1", "".join(cell["source"]))
+            cell["source"] = line.sub(
+                rf"{name} = {number}  # in the browser; elsewhere \1",
+                "".join(cell["source"]),
+            )
     first = notebook["cells"].index(code[0])
-    notebook["cells"].insert(first, code[0] | {"id": "install", "metadata": {}, "source": INSTALL})
+    notebook["cells"].insert(
+        first, code[0] | {"id": "install", "metadata": {}, "source": INSTALL}
+    )
     notebook["metadata"]["kernelspec"] = KERNEL
     return notebook
 
 
 def recording(cell: Notebook) -> Notebook:
     """A code cell as a text with its saved outputs."""
-    parts = ["This cell needs a second process, which a browser does not have. Elsewhere it did this:"]
+    parts = [
+        "This cell needs a second process, which a browser does not have. Elsewhere it did this:"
+    ]
     parts.append(f"```python\n{''.join(cell['source'])}\n```")
     for output in cell["outputs"]:
         printed = f"```\n{''.join(output.get('text', ''))}```"
         parts.append("".join(output.get("data", {}).get("text/html", printed)))
-    return {"cell_type": "markdown", "id": cell["id"], "metadata": {}, "source": "\n\n".join(parts)}
+    return {
+        "cell_type": "markdown",
+        "id": cell["id"],
+        "metadata": {},
+        "source": "\n\n".join(parts),
+    }
 
 
 def bring_pyodide(pyodide: Path, site: Path) -> None:
     """Put a Pyodide into the site, which then asks for nothing elsewhere; raises ValueError if it is another one."""
     lock = pyodide / "pyodide-lock.json"
-    if not lock.is_file() or json.loads(lock.read_bytes())["info"]["abi_version"] not in PLATFORM:
-        raise ValueError(f"{pyodide} is no Pyodide {PYODIDE}: unpack the file pyodide-{PYODIDE}.tar.bz2 of its release")
+    if (
+        not lock.is_file()
+        or json.loads(lock.read_bytes())["info"]["abi_version"] not in PLATFORM
+    ):
+        raise ValueError(
+            f"{pyodide} is no Pyodide {PYODIDE}: unpack the file pyodide-{PYODIDE}.tar.bz2 of its release"
+        )
     shutil.copytree(pyodide, site / "static/pyodide")
     config = json.loads((site / "jupyter-lite.json").read_bytes())
-    kernel = config["jupyter-config-data"]["litePluginSettings"]["@jupyterlite/pyodide-kernel-extension:kernel"]
-    kernel |= {"pyodideUrl": "./static/pyodide/pyodide.mjs", "disablePyPIFallback": True}
+    kernel = config["jupyter-config-data"]["litePluginSettings"][
+        "@jupyterlite/pyodide-kernel-extension:kernel"
+    ]
+    kernel |= {
+        "pyodideUrl": "./static/pyodide/pyodide.mjs",
+        "disablePyPIFallback": True,
+    }
     (site / "jupyter-lite.json").write_text(json.dumps(config), encoding="utf-8")
 
 
 def fetch_wheels(folder: Path) -> None:
     """The library's wheel, and those of the packages that it needs and Pyodide lacks."""
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "-q"]
-    subprocess.run([*pip, "wheel", "--no-deps", "-w", str(folder), str(ROOT)], check=True)
+    subprocess.run(
+        [*pip, "wheel", "--no-deps", "-w", str(folder), str(ROOT)], check=True
+    )
     tags = ["--only-binary=:all:", "--implementation=cp", f"--python-version={PYTHON}"]
     tags += [f"--abi=cp{PYTHON.replace('.', '')}", f"--platform={PLATFORM}"]
     pinned = [f"{name}=={version(name)}" for name in BROUGHT]
-    subprocess.run([*pip, "download", "--no-deps", *tags, "-d", str(folder), *pinned], check=True)
+    subprocess.run(
+        [*pip, "download", "--no-deps", *tags, "-d", str(folder), *pinned], check=True
+    )
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Build the course that runs in a browser.")
-    parser.add_argument("build", type=Path, nargs="?", default=HERE / "_build", help="folder for all that is made")
-    parser.add_argument("--pyodide", type=Path, help="folder of an unpacked Pyodide, for a site that asks nobody else")
+    parser = argparse.ArgumentParser(
+        description="Build the course that runs in a browser."
+    )
+    parser.add_argument(
+        "build",
+        type=Path,
+        nargs="?",
+        default=HERE / "_build",
+        help="folder for all that is made",
+    )
+    parser.add_argument(
+        "--pyodide",
+        type=Path,
+        help="folder of an unpacked Pyodide, for a site that asks nobody else",
+    )
     given = parser.parse_args()
     build, site = given.build.resolve(), given.build.resolve() / "site"
     shutil.rmtree(build, ignore_errors=True)
     write_lessons(build / "content", sorted((ROOT / "notebooks").glob("*.ipynb")))
-    write_lessons(build / "content/homework", sorted((ROOT / "homework").glob("*.ipynb")))
+    write_lessons(
+        build / "content/homework", sorted((ROOT / "homework").glob("*.ipynb"))
+    )
     fetch_wheels(build / "wheels")
-    command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlite_core",
+        "build",
+        "--lite-dir",
+        str(HERE),
+    ]
     command += ["--contents", str(build / "content"), "--output-dir", str(site)]
     command += [f"--LiteBuildConfig.cache_dir={build / 'cache'}"]
-    command += ["--apps", "lab", "--no-sourcemaps", "--ignore-sys-prefix"]  # what else is installed is no part of it
-    command += [f"--LiteBuildConfig.federated_extensions={EXTENSIONS / name}" for name in WANTED]
-    command += [f"--piplite-wheels={wheel}" for wheel in sorted((build / "wheels").glob("*.whl"))]
+    command += [
+        "--apps",
+        "lab",
+        "--no-sourcemaps",
+        "--ignore-sys-prefix",
+    ]  # what else is installed is no part of it
+    command += [
+        f"--LiteBuildConfig.federated_extensions={EXTENSIONS / name}" for name in WANTED
+    ]
+    command += [
+        f"--piplite-wheels={wheel}"
+        for wheel in sorted((build / "wheels").glob("*.whl"))
+    ]
     subprocess.run(command, cwd=build, check=True)
     if given.pyodide:
         bring_pyodide(given.pyodide, site)
     start = (HERE / "start.html").read_text(encoding="utf-8")
     where = "static/pyodide/pyodide.mjs" if given.pyodide else PUBLIC
-    (site / "index.html").write_text(start.replace("PYODIDE_URL", where), encoding="utf-8")
+    (site / "index.html").write_text(
+        start.replace("PYODIDE_URL", where), encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

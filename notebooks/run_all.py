@@ -36,10 +36,16 @@ def run(path: Path) -> None:
     client.execute()
     seconds = 10 * round((time.perf_counter() - begin) / 10)
     for cell in notebook.cells:
-        cell.metadata.pop("execution", None)  # clock times, which would change at every run
+        cell.metadata.pop(
+            "execution", None
+        )  # clock times, which would change at every run
     keep_stills(notebook)
     notebook.metadata = {
-        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "kernelspec": {
+            "display_name": "Python 3",
+            "language": "python",
+            "name": "python3",
+        },
         "language_info": {"name": "python"},
         # what the author says of the lesson, and the seconds, which a test compares with what the text says of a wait
         "rlrobot_edu": {**notebook.metadata.get("rlrobot_edu", {}), "seconds": seconds},
@@ -49,13 +55,18 @@ def run(path: Path) -> None:
 
 def keep_stills(notebook: nbformat.NotebookNode) -> None:
     """Take the widgets, which live no longer than their kernel, out of the outputs; their stills remain."""
-    for output in (output for cell in notebook.cells for output in cell.get("outputs", [])):
+    for output in (
+        output for cell in notebook.cells for output in cell.get("outputs", [])
+    ):
         if output.get("data", {}).pop(WIDGET, None):
             output.metadata["rlrobot_edu"] = {"widget": True}
 
 
 if __name__ == "__main__":
     given = [Path(name).resolve() for name in sys.argv[1:]]
-    for path in given or [*lessons(ROOT).values(), *sorted(ROOT.glob("homework/*.ipynb"))]:
+    for path in given or [
+        *lessons(ROOT).values(),
+        *sorted(ROOT.glob("homework/*.ipynb")),
+    ]:
         run(path)
         print(path.name)

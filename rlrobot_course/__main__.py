@@ -15,7 +15,13 @@ FIRST = """begin with:
   %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
 
 %(prog)s COMMAND --help says more about a command, with an example."""
-METHODS = ("TOSL+QBIASSR", "TOSL+SR", "SARSA+SR", "Q+SR", "Q+EG")  # that the lessons run
+METHODS = (
+    "TOSL+QBIASSR",
+    "TOSL+SR",
+    "SARSA+SR",
+    "Q+SR",
+    "Q+EG",
+)  # that the lessons run
 SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
 
 
@@ -23,8 +29,15 @@ def open_lab(more: list[str]) -> None:
     """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
     from rlrobot_course.my_course import open_lab
 
-    compiling = [sys.executable, "-m", "rlrobot_course", "compile"]  # while JupyterLab starts
-    compiler = subprocess.Popen(compiling, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    compiling = [
+        sys.executable,
+        "-m",
+        "rlrobot_course",
+        "compile",
+    ]  # while JupyterLab starts
+    compiler = subprocess.Popen(
+        compiling, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
     try:
         sys.exit(open_lab(more))
     finally:
@@ -80,7 +93,9 @@ def compile_kernels() -> None:
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
     for method in METHODS:
         for world in ("worked_example", model):
-            rl.learn(rl.Agent(world, method), rl.make_env(world), steps=1, progress=False)
+            rl.learn(
+                rl.Agent(world, method), rl.make_env(world), steps=1, progress=False
+            )
     print("The learning kernels are compiled.")
 
 
@@ -89,22 +104,32 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     commands = Commands(ABOUT, FIRST)
     add = commands.add
     add("lab", open_lab, "--no-browser")
-    add("fresh", freshen, "02").add_argument("lesson", nargs="+", help="its number, as 02; or as in homework 1")
-    add("progress", show_progress, "my_course").add_argument("folder", nargs="?", help="my_course/ if not given")
-    library_commands(commands, serve_robot).add_argument("--secret", default="", help=SECRET)
+    add("fresh", freshen, "02").add_argument(
+        "lesson", nargs="+", help="its number, as 02; or as in homework 1"
+    )
+    add("progress", show_progress, "my_course").add_argument(
+        "folder", nargs="?", help="my_course/ if not given"
+    )
+    library_commands(commands, serve_robot).add_argument(
+        "--secret", default="", help=SECRET
+    )
     command = add("score", tell_score, "drive.npz --secret file:secret.txt")
     command.add_argument("log", help="what serve-robot --secret has written")
     command.add_argument("--secret", required=True, help=SECRET)
     add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
     add("course", write_lessons, "check 04").add_argument(
-        "words", nargs="+", help='check 04, new 18 "Title", or explain 02 update answer.py'
+        "words",
+        nargs="+",
+        help='check 04, new 18 "Title", or explain 02 update answer.py',
     )
     add("compile", compile_kernels)
 
     known, more = commands.parser.parse_known_args(given)
     run = vars(known).pop("run")
     if run is open_lab:
-        return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
+        return run, {
+            "more": more
+        }  # argparse would keep no option that it does not know for JupyterLab
     if more:
         commands.parser.error(f"unrecognized arguments: {' '.join(more)}")
     return run, vars(known)

@@ -12,7 +12,13 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu import Task, load_task
-from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE, Angles, scene_of, solids_of
+from rlrobot_edu.robots.arm.arm_body import (
+    HOME,
+    OBJECT_PLACE,
+    Angles,
+    scene_of,
+    solids_of,
+)
 from rlrobot_edu.robots.arm.kinematic_arm import gripper as the_gripper
 from rlrobot_edu.robots.arm.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
@@ -47,10 +53,21 @@ def places_of(task: Task, gripper: Gripper = the_gripper) -> Places:
                 angles.append(there)
         after.append([numbers[there] for there in row])
     readings = [
-        dict(zip(ROBOTS["arm"].sensors, map(float, (*gripper(*here), *OBJECT_PLACE, *here)), strict=True))
+        dict(
+            zip(
+                ROBOTS["arm"].sensors,
+                map(float, (*gripper(*here), *OBJECT_PLACE, *here)),
+                strict=True,
+            )
+        )
         for here in angles
     ]
-    return Places(angles, readings, np.array(after), np.array([gripper_to_object(r) for r in readings]))
+    return Places(
+        angles,
+        readings,
+        np.array(after),
+        np.array([gripper_to_object(r) for r in readings]),
+    )
 
 
 class StandingArm:
@@ -71,17 +88,24 @@ class ArmWorld(gymnasium.Env[np.ndarray, int]):
     places, rewards: where the arm can be, and array (places, actions), what each step from there pays
     """
 
-    def __init__(self, task: Task | str = "arm_1k", gripper: Gripper = the_gripper) -> None:
+    def __init__(
+        self, task: Task | str = "arm_1k", gripper: Gripper = the_gripper
+    ) -> None:
         self.task = load_task(task)
         self.places = places_of(self.task, gripper)
         seen = self.places.readings
         self.rewards = np.array(
-            [[self.task.reward_for(seen[i], seen[j]) for j in row] for i, row in enumerate(self.places.next)]
+            [
+                [self.task.reward_for(seen[i], seen[j]) for j in row]
+                for i, row in enumerate(self.places.next)
+            ]
         )
         self.r_max, self.episode_steps = max(self.task.rewards), self.task.episode_steps
         self._states = [self.task.states.encode(r) for r in seen]
         self._observations = [np.array(self.task.states.bins(s)) for s in self._states]
-        self.observation_space = gymnasium.spaces.MultiDiscrete(list(self.task.states.shape))
+        self.observation_space = gymnasium.spaces.MultiDiscrete(
+            list(self.task.states.shape)
+        )
         self.action_space = gymnasium.spaces.Discrete(self.task.actions.n)
         self.place = self._t = 0
 
@@ -93,9 +117,13 @@ class ArmWorld(gymnasium.Env[np.ndarray, int]):
     @property
     def robot(self) -> StandingArm:
         """The arm where it is now."""
-        return StandingArm(self.places.angles[self.place], self.places.readings[self.place])
+        return StandingArm(
+            self.places.angles[self.place], self.places.readings[self.place]
+        )
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict]:
         """Put the arm at its start; returns observation and info."""
         super().reset(seed=seed)
         self.place = self._t = 0
@@ -103,9 +131,19 @@ class ArmWorld(gymnasium.Env[np.ndarray, int]):
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
         """Do an action: returns observation, reward, terminated, truncated and info."""
-        before, self.place, self._t = self.place, int(self.places.next[self.place, action]), self._t + 1
+        before, self.place, self._t = (
+            self.place,
+            int(self.places.next[self.place, action]),
+            self._t + 1,
+        )
         observation, info = self._seen()
-        return observation, float(self.rewards[before, action]), False, self._t == self.episode_steps, info
+        return (
+            observation,
+            float(self.rewards[before, action]),
+            False,
+            self._t == self.episode_steps,
+            info,
+        )
 
     def _seen(self) -> tuple[np.ndarray, dict]:
         info = {"state": self.state, "readings": self.places.readings[self.place]}
@@ -123,4 +161,6 @@ def with_reward(task: Task, reward: Callable[[float, float], float], name: str) 
 
     seen, after = (places := places_of(task)).readings, places.next
     values = {of_readings(seen[i], seen[j]) for i, row in enumerate(after) for j in row}
-    return dataclasses.replace(task, reward=of_readings, rewards=sorted(values), name=name)
+    return dataclasses.replace(
+        task, reward=of_readings, rewards=sorted(values), name=name
+    )

@@ -64,11 +64,19 @@ class Challenge:
     def __call__(self, answer: Any) -> Verdict:
         """The score of an answer, kept in the learner's folder if it is their best; never raises."""
         if answer is ... or answer is None or safely(False, is_unfinished, answer):
-            return Verdict("waiting", f"This challenge waits for your answer. {self.rules}", gained=self._beside)
+            return Verdict(
+                "waiting",
+                f"This challenge waits for your answer. {self.rules}",
+                gained=self._beside,
+            )
         try:
             score = self.score(answer)
-        except Exception as error:  # the answer is a learner's, and so is what goes wrong in it
-            return Verdict("wrong", one_line(f"No score: {error}".rstrip(".") + ".", 400))
+        except (
+            Exception
+        ) as error:  # the answer is a learner's, and so is what goes wrong in it
+            return Verdict(
+                "wrong", one_line(f"No score: {error}".rstrip(".") + ".", 400)
+            )
         best, told = self._keep(score) if is_notebook() else (score, "")
         yours = "your best so far" if best == score else f"your best is {best}"
         text = f"{score} {self.unit}, over {self.seeds} seeds: {yours}. {told}".strip()
@@ -77,14 +85,22 @@ class Challenge:
     def score(self, answer: Any) -> Score:
         """The score of an answer. Raises ValueError if the answer does not fit, or does not end."""
         if safely(False, uses_chance, answer):
-            raise ValueError("your function draws random numbers, so its score would be another one each time")
+            raise ValueError(
+                "your function draws random numbers, so its score would be another one each time"
+            )
         tried = self.read(answer)
-        return Score(*mean_and_half([self.trial(tried, FIRST_SEED + i) for i in range(self.seeds)]))
+        return Score(
+            *mean_and_half(
+                [self.trial(tried, FIRST_SEED + i) for i in range(self.seeds)]
+            )
+        )
 
     @property
     def _beside(self) -> str:
         less = " Less is better." * self.least_wins
-        known = "; ".join(f"{name}: {score}" for name, score in landmarks()[self.lesson].items())
+        known = "; ".join(
+            f"{name}: {score}" for name, score in landmarks()[self.lesson].items()
+        )
         return f"For comparison ({self.unit}): {known}.{less}"
 
     def _keep(self, score: Score) -> tuple[Score, str]:
@@ -103,7 +119,9 @@ class Watched:
 
     def __init__(self, answer: Any, call: str, read: Callable[[Any], Any]) -> None:
         if not callable(answer):
-            raise ValueError(f"a function is expected, {call}, and this is {show(answer)}")
+            raise ValueError(
+                f"a function is expected, {call}, and this is {show(answer)}"
+            )
         self.answer, self.call, self.read, self.spent = answer, call, read, 0.0
 
     def __call__(self, *arguments: Any) -> Any:
@@ -111,9 +129,13 @@ class Watched:
         value, failure, _ = attempt(self.answer, *arguments)
         self.spent += time.process_time() - begun
         if failure:
-            raise ValueError(f"{self.call} {failure.text}{f', in the line “{failure.line}”' * bool(failure.line)}")
+            raise ValueError(
+                f"{self.call} {failure.text}{f', in the line “{failure.line}”' * bool(failure.line)}"
+            )
         if self.spent > SECONDS:
-            raise ValueError(f"{self.call} has taken more than {SECONDS:.0f} seconds; make it quicker")
+            raise ValueError(
+                f"{self.call} has taken more than {SECONDS:.0f} seconds; make it quicker"
+            )
         try:
             return self.read(value)
         except (TypeError, ValueError) as error:
@@ -124,21 +146,35 @@ def number(low: float, high: float) -> Callable[[Any], float]:
     """Reads a number from `low` to `high`."""
 
     def read(value: Any) -> float:
-        if np.ndim(value) or isinstance(value, str | bool) or value is None or not low <= float(value) <= high:
+        if (
+            np.ndim(value)
+            or isinstance(value, str | bool)
+            or value is None
+            or not low <= float(value) <= high
+        ):
             raise ValueError(f"a number from {low:g} to {high:g} is expected")
         return float(value)
 
     return read
 
 
-def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], np.ndarray]:
+def array(
+    n: int, most: float, sums_to: float | None = None
+) -> Callable[[Any], np.ndarray]:
     """Reads `n` numbers up to `most`; as probabilities, none below 0, if their sum is to be `sums_to`."""
 
     def read(value: Any) -> np.ndarray:
         numbers = np.array(value, dtype=float)
         fits = numbers.shape == (n,) and bool(np.all(np.abs(numbers) <= most))
-        if not fits or (sums_to is not None and (numbers.min() < 0 or abs(numbers.sum() - sums_to) > 1e-6)):
-            what = f"numbers up to {most:g}" if sums_to is None else f"probabilities, whose sum is {sums_to:g},"
+        if not fits or (
+            sums_to is not None
+            and (numbers.min() < 0 or abs(numbers.sum() - sums_to) > 1e-6)
+        ):
+            what = (
+                f"numbers up to {most:g}"
+                if sums_to is None
+                else f"probabilities, whose sum is {sums_to:g},"
+            )
             raise ValueError(f"{n} {what} are expected")
         return numbers
 
@@ -148,12 +184,18 @@ def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], 
 Choose = Callable[[int, int, np.ndarray], np.ndarray]
 
 
-def rewards_of(agent: Agent, env: Env, choose: Choose, steps: int, seed: int) -> np.ndarray:
+def rewards_of(
+    agent: Agent, env: Env, choose: Choose, steps: int, seed: int
+) -> np.ndarray:
     """The rewards, array (steps,), of an agent that chooses in another way, and is never put back to its start.
 
     choose(s, t, tries) -> probabilities in state s at step t; tries: array like q, how often each pair was tried
     """
-    rng, rewards, tries = np.random.default_rng(seed), [], np.zeros(agent.q.shape, dtype=int)
+    rng, rewards, tries = (
+        np.random.default_rng(seed),
+        [],
+        np.zeros(agent.q.shape, dtype=int),
+    )
     s = env.reset()[1]["state"]
     a = draw(choose(s, 0, tries), rng.random())
     for t in range(steps):
@@ -173,13 +215,17 @@ def landmarks() -> dict[str, dict[str, Score]]:
     known: dict[str, dict[str, Score]] = {}
     with LANDMARKS.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            known.setdefault(row["lesson"], {})[row["landmark"]] = Score(float(row["mean"]), float(row["half"]))
+            known.setdefault(row["lesson"], {})[row["landmark"]] = Score(
+                float(row["mean"]), float(row["half"])
+            )
     return known
 
 
 def challenge_of(lesson: str) -> Challenge:
     """The challenge of a lesson."""
-    found: Challenge = importlib.import_module(f"rlrobot_course.lesson_{lesson}.challenge").challenge
+    found: Challenge = importlib.import_module(
+        f"rlrobot_course.lesson_{lesson}.challenge"
+    ).challenge
     return found
 
 

@@ -18,7 +18,9 @@ from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.tools.check_task import TaskCheck, check_task
 
 HARDLY = 1e-9  # learning rate of who follows a plan
-FAR = 0.97  # discount rate of the plan: a loop of some steps is worth more than one step
+FAR = (
+    0.97  # discount rate of the plan: a loop of some steps is worth more than one step
+)
 LAST = 12  # rewards that are told of the plan
 
 
@@ -44,7 +46,11 @@ class Clinic(Tabled):
         rows = [(who, mean, side) for who, mean, _, side, _ in learner.rows]
         rows.append(("the best loop in a model of what one robot met", self.best, ""))
         rows.append(("its plan on the robot itself", float(self.rewards.mean()), ""))
-        return Table(f"{self.task.name}: what is there to be had?", (*learner.columns[:2], learner.columns[3]), rows)
+        return Table(
+            f"{self.task.name}: what is there to be had?",
+            (*learner.columns[:2], learner.columns[3]),
+            rows,
+        )
 
     @property
     def loop(self) -> str:
@@ -64,11 +70,19 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     task whose states hide something, the model may promise more than the robot keeps, or less than can be had.
     """
     task = load_task(task)
-    recording = record(Agent(task, seed=seed), make_env(task, seed=seed), steps=3 * steps)
+    recording = record(
+        Agent(task, seed=seed), make_env(task, seed=seed), steps=3 * steps
+    )
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = follower(task, model, seed)
     driven = learn(planner, make_env(task, seed=seed), steps)
-    return Clinic(task, check_task(task, steps, seed), model.best_average_reward(), planner, driven.rewards)
+    return Clinic(
+        task,
+        check_task(task, steps, seed),
+        model.best_average_reward(),
+        planner,
+        driven.rewards,
+    )
 
 
 def follower(task: Task, model: SampleModel, seed: int = 0) -> Agent:

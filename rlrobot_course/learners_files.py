@@ -48,7 +48,9 @@ def alone_with(path: Path) -> Iterator[None]:
             break
         except FileExistsError:
             if time.monotonic() - begun > 2 * ABANDONED:
-                raise TimeoutError(errno.ETIMEDOUT, "another notebook holds this; remove it", str(lock)) from None
+                raise TimeoutError(
+                    errno.ETIMEDOUT, "another notebook holds this; remove it", str(lock)
+                ) from None
             with suppress(OSError):  # another one was faster
                 if time.time() - lock.stat().st_mtime > ABANDONED:
                     lock.rmdir()
@@ -65,7 +67,10 @@ def entries(path: str | Path, valid: Callable[[Any], T]) -> dict[str, T]:
 
     valid: makes of an entry what it should be; raises for a damaged one
     """
-    found = {name: safely(None, valid, entry) for name, entry in (_all_of(beside_the_lessons(path)) or {}).items()}
+    found = {
+        name: safely(None, valid, entry)
+        for name, entry in (_all_of(beside_the_lessons(path)) or {}).items()
+    }
     return {name: entry for name, entry in found.items() if entry is not None}
 
 
@@ -78,9 +83,14 @@ def enter(path: str | Path, name: str, entry: Any, valid: Callable[[Any], Any]) 
     try:
         with alone_with(path):
             known = _all_of(path)
-            is_damaged = known is None or (name in known and safely(None, valid, known[name]) is None)
+            is_damaged = known is None or (
+                name in known and safely(None, valid, known[name]) is None
+            )
             told = put_aside(path) if is_damaged else ""
-            text = json.dumps({**(known or {}), name: entry}, indent=1, ensure_ascii=False) + "\n"
+            text = (
+                json.dumps({**(known or {}), name: entry}, indent=1, ensure_ascii=False)
+                + "\n"
+            )
             write_whole(path, text.encode("utf-8", "surrogatepass"))
     except OSError as error:
         return f"{path.name} cannot be written: {error}."

@@ -17,12 +17,19 @@ from rlrobot_edu.files import shipped, write_whole
 NOTEBOOKS = shipped("notebooks")
 IN_CHECKOUT = NOTEBOOKS.parent == Path(__file__).parents[1]
 FOLDER = (NOTEBOOKS.parent if IN_CHECKOUT else Path.cwd()) / "my_course"
-LAB, FRESH = ("make lab", "make fresh LESSON=") if IN_CHECKOUT else ("rlrobot-edu lab", "rlrobot-edu fresh ")
+LAB, FRESH = (
+    ("make lab", "make fresh LESSON=")
+    if IN_CHECKOUT
+    else ("rlrobot-edu lab", "rlrobot-edu fresh ")
+)
 FIRST = "00_start_here.ipynb"
 # What the application prefers, beside what the learner prefers: JupyterLab asks no questions about news, and what a
 # widget shows is saved with the notebook, so that it is there on the next day, before any kernel runs
 PREFERENCES = {
-    "@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
+    "@jupyterlab/apputils-extension:notification": {
+        "fetchNews": "false",
+        "checkForUpdates": False,
+    },
     "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
 }
 
@@ -37,7 +44,9 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
     print(*copy_missing(source, folder), sep="\n")
     settings = folder / ".jupyterlab"
     write_whole(settings / "overrides.json", json.dumps(PREFERENCES) + "\n")
-    print(f"JupyterLab starts, and your browser shows {FIRST}. What you write stays in {folder.name}/. Ctrl-C ends it.")
+    print(
+        f"JupyterLab starts, and your browser shows {FIRST}. What you write stays in {folder.name}/. Ctrl-C ends it."
+    )
     command = [
         sys.executable, "-m", "jupyterlab", "--ip=127.0.0.1", "--log-level=ERROR", "-y",  # -y: one Ctrl-C is enough
         f"--ServerApp.root_dir={folder.parent}", f"--LabApp.app_settings_dir={settings}",
@@ -51,7 +60,9 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
         if lab:
             lab.terminate()
 
-    for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:  # who ends this program ends JupyterLab, too
+    for name in {"SIGTERM", "SIGHUP"} & {
+        *dir(signal)
+    }:  # who ends this program ends JupyterLab, too
         signal.signal(getattr(signal, name), end)
     lab = subprocess.Popen(command, cwd=folder)
     if ended:  # while it started
@@ -61,7 +72,9 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
             code = lab.wait()
         except KeyboardInterrupt:
             continue  # JupyterLab has heard it, too, and ends
-        print(f"JupyterLab has ended. Your notebooks are in {folder.name}/; {LAB} goes on where you stopped.")
+        print(
+            f"JupyterLab has ended. Your notebooks are in {folder.name}/; {LAB} goes on where you stopped."
+        )
         return code
 
 
@@ -75,7 +88,9 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
             copied += 1
         elif _mark(safely({}, _read, mine)) not in (_mark(edition), None):
             fresh = f"{FRESH}{number}".replace("LESSON=homework ", "HOMEWORK=")
-            told.append(f"{mine.name} has a new edition; {fresh} gives it to you and keeps yours.")
+            told.append(
+                f"{mine.name} has a new edition; {fresh} gives it to you and keeps yours."
+            )
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
 
 
@@ -87,7 +102,9 @@ def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> st
     known = _originals(source, folder)
     name = f"0{lesson}" if f"0{lesson}" in known else lesson
     if name not in known:
-        raise ValueError(f"there is no lesson {lesson!r}; the lessons are {', '.join(known)}")
+        raise ValueError(
+            f"there is no lesson {lesson!r}; the lessons are {', '.join(known)}"
+        )
     original, mine = known[name]
     told = ""
     if mine.exists():
@@ -116,7 +133,10 @@ def _originals(source: Path, folder: Path) -> dict[str, tuple[Path, Path]]:
     pairs = [(path, folder / path.relative_to(source)) for path in paths]
     pairs += [(path, folder / "homework" / path.name) for path in sorted(assignments)]
     kinds = {"homework": "homework "}
-    return {kinds.get(path.parent.name, "") + path.name.partition("_")[0]: (path, mine) for path, mine in pairs}
+    return {
+        kinds.get(path.parent.name, "") + path.name.partition("_")[0]: (path, mine)
+        for path, mine in pairs
+    }
 
 
 def blank(path: Path) -> Notebook:
@@ -125,15 +145,25 @@ def blank(path: Path) -> Notebook:
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":
             cell["outputs"], cell["execution_count"] = [], None
-    edition = hashlib.sha256(json.dumps([cell["source"] for cell in notebook["cells"]]).encode()).hexdigest()[:12]
+    edition = hashlib.sha256(
+        json.dumps([cell["source"] for cell in notebook["cells"]]).encode()
+    ).hexdigest()[:12]
     language = {
         "codemirror_mode": {"name": "ipython", "version": 3}, "file_extension": ".py", "mimetype": "text/x-python",
         "name": "python", "nbconvert_exporter": "python", "pygments_lexer": "ipython3",
         "version": ".".join(map(str, sys.version_info[:3])),
     }  # fmt: skip
     # what JupyterLab would write on opening it, which would make it look changed
-    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-    notebook["metadata"] |= {"language_info": language, "kernelspec": kernel, "rlrobot_edu": {"edition": edition}}
+    kernel = {
+        "display_name": "Python 3 (ipykernel)",
+        "language": "python",
+        "name": "python3",
+    }
+    notebook["metadata"] |= {
+        "language_info": language,
+        "kernelspec": kernel,
+        "rlrobot_edu": {"edition": edition},
+    }
     return notebook
 
 

@@ -14,7 +14,13 @@ import textwrap
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType, SimpleNamespace
+from types import (
+    BuiltinFunctionType,
+    CodeType,
+    FunctionType,
+    ModuleType,
+    SimpleNamespace,
+)
 from typing import Any
 
 import numpy as np
@@ -27,7 +33,8 @@ from rlrobot_edu.learning.progress import watched
 
 FILE = "my_functions.py"
 LESSONS = sorted(
-    path.parent.name.removeprefix("lesson_") for path in Path(__file__).parent.glob("lesson_*/exercises.py")
+    path.parent.name.removeprefix("lesson_")
+    for path in Path(__file__).parent.glob("lesson_*/exercises.py")
 )
 
 ONLY_DEF = "only what is written with def, and without a decorator, can be kept"
@@ -35,7 +42,13 @@ ONLY_DEF = "only what is written with def, and without a decorator, can be kept"
 Judge = Callable[[Any], Any]
 
 
-def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folder: str | Path = ".") -> str:
+def keep(
+    answer: Callable[..., Any],
+    lesson: str,
+    name: str,
+    judge: Judge,
+    folder: str | Path = ".",
+) -> str:
     """Write a right answer to the learner's file, if it also works on its own; returns a sentence that says so.
 
     lesson: its number; name: of the function; judge: the check, true for a right answer
@@ -43,21 +56,30 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
     path, key = beside_the_lessons(Path(folder, FILE)), (lesson, name)
     surroundings = _surroundings(lesson, _kept(path))
     source = safely("", _source_of, answer, name)
-    source = source and safely("", _helpers, answer, {*surroundings, answer.__name__}) + source
+    source = (
+        source
+        and safely("", _helpers, answer, {*surroundings, answer.__name__}) + source
+    )
 
     def works(text: str) -> bool:
         again = safely(None, _made, text, name, surroundings)
         return again is not None and bool(judge(again))
 
     is_kept = works(source)
-    why = f"on its own, {name} does not work: put all that it needs, imports too, inside it" if source else ONLY_DEF
+    why = (
+        f"on its own, {name} does not work: put all that it needs, imports too, inside it"
+        if source
+        else ONLY_DEF
+    )
     try:
         with alone_with(path):
             told = _written(path, key, source if is_kept else f"{NOT_KEPT}{why}\n")
     except (OSError, ValueError) as error:
         return f"(Not kept for later lessons: {FILE} stays as it was: {error}.)"
     return (
-        f"Kept in {FILE}, for the lessons to come.{told}" if is_kept else f"(Not kept for later lessons: {why}.{told})"
+        f"Kept in {FILE}, for the lessons to come.{told}"
+        if is_kept
+        else f"(Not kept for later lessons: {why}.{told})"
     )
 
 
@@ -71,9 +93,15 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     known = _kept(path)
     functions, yours, given, rooms = [], [], [], []
     for name in names:
-        rooms_of_it = [room for room in LESSONS if room.startswith(lesson) and name in vars(check_of(room))]
+        rooms_of_it = [
+            room
+            for room in LESSONS
+            if room.startswith(lesson) and name in vars(check_of(room))
+        ]
         if not rooms_of_it:
-            raise ValueError(f"lesson {lesson} has no function {name!r:.200} that could be taken from there")
+            raise ValueError(
+                f"lesson {lesson} has no function {name!r:.200} that could be taken from there"
+            )
         room = rooms_of_it[0]
         mine = _right(known, room, name)
         is_right = mine is not None
@@ -82,12 +110,16 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
         functions.append(mine if is_right else vars(check_of(room))[name].right)
         kept = known.get((room, name), "")
         if not is_right and kept.startswith(NOT_KEPT):
-            print(f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}.")
+            print(
+                f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}."
+            )
     if given and (mistake := syntax_error(path)):
         print(mistake)
     told = [f"yours: {', '.join(yours)}"] * bool(yours)
     where = f"(yours comes here when its check in lesson {' or '.join(rooms)} is green)"
-    told += [f"given: {', '.join(given)} {where}"] * bool(given and (yours or watched()))
+    told += [f"given: {', '.join(given)} {where}"] * bool(
+        given and (yours or watched())
+    )
     if told:
         print("; ".join(told))
     return functions if len(functions) > 1 else functions[0]
@@ -96,13 +128,17 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
 def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     """Whether the learner's file has this function of a lesson, and its check finds it right."""
     known = _kept(beside_the_lessons(Path(folder, FILE)))
-    was_right = known.get((lesson, name), "").startswith(NOT_KEPT)  # its check was green, though it is not kept
+    was_right = known.get((lesson, name), "").startswith(
+        NOT_KEPT
+    )  # its check was green, though it is not kept
     return was_right or _right(known, lesson, name) is not None
 
 
 def whose(*functions: Callable[..., Any]) -> str:
     """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
-    yours = [function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions]
+    yours = [
+        function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions
+    ]
     return "your" if all(yours) else "partly your" if any(yours) else "the given"
 
 
@@ -124,7 +160,11 @@ def _source_of(answer: Callable[..., Any], name: str) -> str:
     definition = ast.parse(source).body[0]
     if not isinstance(definition, ast.FunctionDef) or definition.decorator_list:
         return ""
-    return source if definition.name == name else f"{source}\n\n{name} = {definition.name}\n"
+    return (
+        source
+        if definition.name == name
+        else f"{source}\n\n{name} = {definition.name}\n"
+    )
 
 
 def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
@@ -132,7 +172,9 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
     source, codes = "", [answer.__code__]
     while codes:
         code = codes.pop()
-        codes += [constant for constant in code.co_consts if isinstance(constant, CodeType)]
+        codes += [
+            constant for constant in code.co_consts if isinstance(constant, CodeType)
+        ]
         for name in code.co_names:
             if name in known or name not in answer.__globals__:
                 continue
@@ -140,7 +182,10 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
             known.add(name)
             if isinstance(thing, ModuleType):
                 source += f"import {thing.__name__} as {name}\n"
-            elif isinstance(thing, FunctionType | BuiltinFunctionType) and thing.__module__ != answer.__module__:
+            elif (
+                isinstance(thing, FunctionType | BuiltinFunctionType)
+                and thing.__module__ != answer.__module__
+            ):
                 source += f"from {thing.__module__} import {thing.__name__} as {name}\n"
             elif isinstance(thing, FunctionType):
                 source += f"{_helpers(thing, known)}{_source_of(thing, name)}\n\n"
@@ -192,20 +237,35 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
     """The names that a function of `lesson` may use: numpy, math, and the functions of the lessons up to it."""
     names: dict[str, Any] = {"np": np, "numpy": np, "math": math}
     for number in (n for n in LESSONS if n <= lesson):
-        names |= {name: one.right for name, one in vars(check_of(number)).items() if callable(one.right)}
+        names |= {
+            name: one.right
+            for name, one in vars(check_of(number)).items()
+            if callable(one.right)
+        }
         for (owner, name), source in known.items():
-            if owner == number and (mine := safely(None, _made, source, name, names)) is not None:
+            if (
+                owner == number
+                and (mine := safely(None, _made, source, name, names)) is not None
+            ):
                 names[name] = mine
     return names
 
 
-def _right(known: dict[tuple[str, str], str], lesson: str, name: str) -> Callable[..., Any] | None:
+def _right(
+    known: dict[tuple[str, str], str], lesson: str, name: str
+) -> Callable[..., Any] | None:
     """The learner's function, if its check finds it right; else None."""
-    mine = safely(None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known))
-    return mine if mine is not None and vars(check_of(lesson))[name].judge(mine) else None
+    mine = safely(
+        None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known)
+    )
+    return (
+        mine if mine is not None and vars(check_of(lesson))[name].judge(mine) else None
+    )
 
 
-def _made(source: str, name: str, surroundings: dict[str, Any]) -> Callable[..., Any] | None:
+def _made(
+    source: str, name: str, surroundings: dict[str, Any]
+) -> Callable[..., Any] | None:
     """The function of this name that the source defines; None if it is not in the file."""
     if source.startswith(NOT_KEPT):
         return None

@@ -36,13 +36,19 @@ class Question(NamedTuple):
     @property
     def answers(self) -> list[str]:
         """All answers, in an order that tells nothing and is always the same."""
-        order = np.random.default_rng(zlib.crc32(self.ask.encode())).permutation(1 + len(self.wrong))
+        order = np.random.default_rng(zlib.crc32(self.ask.encode())).permutation(
+            1 + len(self.wrong)
+        )
         return [[self.right, *self.wrong][i] for i in order]
 
 
 QUESTIONS = {
     number: [
-        Question(number, f"{number} {i}", **{"at": number} | one | {"wrong": tuple(one["wrong"])})
+        Question(
+            number,
+            f"{number} {i}",
+            **{"at": number} | one | {"wrong": tuple(one["wrong"])},
+        )
         for i, one in enumerate(questions, 1)
     ]
     for number, questions in ASKED["old_question"].items()
@@ -57,7 +63,9 @@ def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
     """
     asked: Counter[int] = Counter()
     for number in range(2, int(lesson[:2]) + 1):
-        before = [number - back for back in DISTANCES if f"{number - back:02}" in QUESTIONS]
+        before = [
+            number - back for back in DISTANCES if f"{number - back:02}" in QUESTIONS
+        ]
         chosen = []
         for source in (before * 3)[:3]:
             questions = QUESTIONS[f"{source:02}"]
@@ -66,7 +74,11 @@ def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
     answered = answered or {}
     found: list[Question] = []
     for question in chosen:
-        failed = [q for q in QUESTIONS[question.lesson] if answered.get(q.name, q.right) != q.right]
+        failed = [
+            q
+            for q in QUESTIONS[question.lesson]
+            if answered.get(q.name, q.right) != q.right
+        ]
         waiting = [q for q in failed if q not in (*chosen, *found)]
         found.append(waiting[0] if waiting else question)
     return found
@@ -108,15 +120,24 @@ class OldQuestions:
     """
 
     def __init__(self, lesson: str) -> None:
-        self.asked = [_Asked(question, lesson) for question in due(lesson, latest_answers(before=lesson))]
+        self.asked = [
+            _Asked(question, lesson)
+            for question in due(lesson, latest_answers(before=lesson))
+        ]
 
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.asked))
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
         widget = ipywidgets.VBox([one.widget for one in self.asked])
         page = "".join(one._repr_html_() for one in self.asked)
-        return {**widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": page}
+        return {
+            **widget._repr_mimebundle_(),
+            "text/plain": repr(self),
+            "text/html": page,
+        }
 
 
 def latest_answers(folder: str | Path = ".", before: str = "99") -> dict[str, str]:

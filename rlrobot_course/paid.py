@@ -32,4 +32,10 @@ class Paid(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
         """Do an action, and be paid for it."""
         observation, reward, terminated, truncated, info = self.env.step(action)
         before, self._readings = self._readings, info["readings"]
-        return observation, self.pay(before, self._readings, float(reward), terminated), terminated, truncated, info
+        return (
+            observation,
+            self.pay(before, self._readings, float(reward), terminated),
+            terminated,
+            truncated,
+            info,
+        )

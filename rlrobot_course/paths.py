@@ -29,20 +29,48 @@ def length_of(path: np.ndarray) -> float:
     return sum(math.dist(a, b) for a, b in pairwise(path))
 
 
-def plot_paths(scene: Scene, paths: Mapping[str, np.ndarray], title: str, ax: Axes | None = None) -> Picture | Axes:
+def plot_paths(
+    scene: Scene, paths: Mapping[str, np.ndarray], title: str, ax: Axes | None = None
+) -> Picture | Axes:
     """The room of `scene` with a line for each path. paths: label -> array (n, 2) [m], in the order of time."""
-    ends = "; ".join(f"{label}: {length_of(path):.1f} m in {len(path) - 1} steps" for label, path in paths.items())
-    ax, shown = axes_or_new(ax, f"Ways through the room from above. {ends}.", (5.2, 5.2))
+    ends = "; ".join(
+        f"{label}: {length_of(path):.1f} m in {len(path) - 1} steps"
+        for label, path in paths.items()
+    )
+    ax, shown = axes_or_new(
+        ax, f"Ways through the room from above. {ends}.", (5.2, 5.2)
+    )
     view = TopDown(ax, scene)
 
     for name, patch in view.patches.items():
         patch.set_visible(not name.startswith("robot"))
     for artist in (view.beams, view.hits, view.heading):
         artist.set_visible(False)
-    handles = ax.plot(*next(iter(paths.values()))[0], "s", color="black", markersize=7, zorder=7, label="start")
+    handles = ax.plot(
+        *next(iter(paths.values()))[0],
+        "s",
+        color="black",
+        markersize=7,
+        zorder=7,
+        label="start",
+    )
     for (label, path), (colour, dashes) in zip(paths.items(), CURVES, strict=False):
-        handles += ax.plot(*path.T, color=colour, linestyle=dashes, linewidth=2, zorder=6, label=plain(label))
-        ax.plot(*path[-1], "o", color=colour, markersize=7, markeredgecolor="white", zorder=7)
+        handles += ax.plot(
+            *path.T,
+            color=colour,
+            linestyle=dashes,
+            linewidth=2,
+            zorder=6,
+            label=plain(label),
+        )
+        ax.plot(
+            *path[-1],
+            "o",
+            color=colour,
+            markersize=7,
+            markeredgecolor="white",
+            zorder=7,
+        )
     ax.set_title(plain(title))
     if shown is ax:
         ax.legend(handles=handles, loc="best")

@@ -14,7 +14,18 @@ from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, PIXELS, Film
-from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, PURPLE, ROLE, SKY, VERMILION
+from rlrobot_edu.show.palette import (
+    BLACK,
+    BLUE,
+    CURVES,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    ROLE,
+    SKY,
+    VERMILION,
+)
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
 from rlrobot_edu.show.scenes import describe
 
@@ -27,7 +38,12 @@ Grid = Literal["both", "x", "y"]
 
 
 def chart(
-    size: Size, x: str, y: str, title: str, grid: Grid | None = "both", letters: float | None = None
+    size: Size,
+    x: str,
+    y: str,
+    title: str,
+    grid: Grid | None = "both",
+    letters: float | None = None,
 ) -> tuple[Picture, Axes]:
     """A picture with one chart in it, to be drawn on.
 
@@ -43,11 +59,20 @@ def chart(
     return picture, ax
 
 
-def draw_curves(ax: Axes, curves: Mapping[str, np.ndarray], width: float | None = None) -> None:
+def draw_curves(
+    ax: Axes, curves: Mapping[str, np.ndarray], width: float | None = None
+) -> None:
     """A curve over the steps from 1 on for each label, told apart by colours and dashes. curves: arrays (n,)"""
     for (label, values), (colour, dashes) in zip(curves.items(), CURVES, strict=False):
         steps = np.arange(1, len(values) + 1)
-        ax.plot(steps, values, color=colour, linestyle=dashes, linewidth=width, label=plain(label))
+        ax.plot(
+            steps,
+            values,
+            color=colour,
+            linestyle=dashes,
+            linewidth=width,
+            label=plain(label),
+        )
     ax.margins(x=0)
 
 
@@ -75,17 +100,25 @@ class SideBySide(Displayed):
         if self._films():
             return None
         wide = {"flex": "1 1 300px"}
-        columns = [ipywidgets.VBox([ipywidgets.Label(k), v.widget], layout=wide) for k, v in self.views.items()]
+        columns = [
+            ipywidgets.VBox([ipywidgets.Label(k), v.widget], layout=wide)
+            for k, v in self.views.items()
+        ]
         return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
 
     def still(self) -> Still:
         """All in one picture, a moving one of films."""
         if films := self._films():
-            ends = (f"{film.notes[0]}, at the end: {describe(film.frames[-1])}" for film in films)
+            ends = (
+                f"{film.notes[0]}, at the end: {describe(film.frames[-1])}"
+                for film in films
+            )
             alt = f"Films of robots from above, side by side. {' '.join(ends)}"
             return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
-        for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
+        for ax, (name, view) in zip(
+            picture.subplots(1, len(self.views)), self.views.items(), strict=True
+        ):
             ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
             ax.set_title(plain(name))
             ax.set_axis_off()
@@ -94,7 +127,11 @@ class SideBySide(Displayed):
     def _films(self) -> list[Film]:
         """The films, each with its name in its captions; none if a view is something else."""
         named = self.views.items()
-        films = [replace(view, notes=[name] * len(view.frames)) for name, view in named if isinstance(view, Film)]
+        films = [
+            replace(view, notes=[name] * len(view.frames))
+            for name, view in named
+            if isinstance(view, Film)
+        ]
         return films if len(films) == len(named) else []
 
 
@@ -103,12 +140,24 @@ def side_by_side(films: Sequence[Film]) -> bytes:
     moving = [Image.open(io.BytesIO(film.gif())) for film in films]
     frames = []
     for i in range(min(len(film.frames) for film in films)):
-        frames.append(Image.new("RGB", (sum(one.width for one in moving), moving[0].height)))
+        frames.append(
+            Image.new("RGB", (sum(one.width for one in moving), moving[0].height))
+        )
         for column, one in enumerate(moving):
             one.seek(i)
             frames[-1].paste(one.convert("RGB"), (column * moving[0].width, 0))
     palette = frames[-1].quantize(COLOURS, FEW_COLOURS)
-    first, *rest = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    first, *rest = (
+        frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames
+    )
     buffer, duration = io.BytesIO(), round(1000 * films[0].seconds_per_frame)
-    first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
+    first.save(
+        buffer,
+        "GIF",
+        save_all=True,
+        append_images=rest,
+        loop=0,
+        duration=duration,
+        optimize=True,
+    )
     return buffer.getvalue()

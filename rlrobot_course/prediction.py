@@ -12,7 +12,9 @@ from rlrobot_course.learners_files import enter, entries
 from rlrobot_course.my_functions import is_notebook
 from rlrobot_edu.show.palette import BLUE
 
-ASKED = tomllib.loads(Path(__file__).with_name("questions.toml").read_text(encoding="utf-8"))  # in all lessons
+ASKED = tomllib.loads(
+    Path(__file__).with_name("questions.toml").read_text(encoding="utf-8")
+)  # in all lessons
 
 
 class Prediction:
@@ -31,7 +33,10 @@ class Prediction:
 
     def __init__(self, name: str, question: str, answers: Sequence[str]) -> None:
         self.name, self.question, self.answers = name, question, tuple(answers)
-        self._buttons = [ipywidgets.Button(description=answer, layout={"width": "auto"}) for answer in self.answers]
+        self._buttons = [
+            ipywidgets.Button(description=answer, layout={"width": "auto"})
+            for answer in self.answers
+        ]
         for button in self._buttons:
             button.on_click(lambda clicked: self.choose(clicked.description))
         self._told = ipywidgets.HTML()
@@ -63,12 +68,16 @@ class Prediction:
 
     def _must_have(self, answer: str) -> None:
         if answer not in self.answers:
-            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
+            raise ValueError(
+                f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}"
+            )
 
     def _show(self) -> None:
         for button in self._buttons:
             is_chosen = button.description == self.chosen
-            button.button_style, button.icon = ("primary", "check") if is_chosen else ("", "")
+            button.button_style, button.icon = (
+                ("primary", "check") if is_chosen else ("", "")
+            )
         self._told.value = self._said()
 
     def _headline(self) -> str:
@@ -76,7 +85,11 @@ class Prediction:
 
     def _said(self) -> str:
         """What stands beneath the buttons."""
-        return f"You say “{escape(self.chosen)}”. Run on." if self.chosen else "Click on one, then run on."
+        return (
+            f"You say “{escape(self.chosen)}”. Run on."
+            if self.chosen
+            else "Click on one, then run on."
+        )
 
     def __repr__(self) -> str:
         answers = "".join(f"\n  ○ {answer}" for answer in self.answers)
@@ -89,8 +102,14 @@ class Prediction:
     def _card(self, more: str = "") -> str:
         return f'<div style="{CARD.format(colour=BLUE)}"><b>{self._headline()}</b> {escape(self.question)}{more}</div>'
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
-        return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        return {
+            **self.widget._repr_mimebundle_(),
+            "text/plain": repr(self),
+            "text/html": self._repr_html_(),
+        }
 
 
 def kept(file: str, folder: str | Path = ".") -> dict[str, str]:
@@ -108,5 +127,7 @@ def _outcome_of(name: str) -> tuple[str, str]:
     """The right answer and the reason."""
     told = ASKED["prediction"]
     if name not in told:
-        raise ValueError(f"questions.toml tells no outcome of the prediction {name!r}: write it there, as of '03 turn'")
+        raise ValueError(
+            f"questions.toml tells no outcome of the prediction {name!r}: write it there, as of '03 turn'"
+        )
     return told[name]["answer"], told[name]["why"]

@@ -55,14 +55,24 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     """
     path = Path(folder, FILE)
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
+        raise FileNotFoundError(
+            f"{path}: not found; the first check that is green writes it, as in lesson 01"
+        )
     lessons, known = [], facts(NOTEBOOKS.parent)
     for number in LESSONS:
-        names = [name for name, one in vars(check_of(number)).items() if isinstance(one, Exercise)]
+        names = [
+            name
+            for name, one in vars(check_of(number)).items()
+            if isinstance(one, Exercise)
+        ]
         done = [name for name in names if is_right(number, name, folder)]
         if names:
             left = [name for name in names if name not in done]
-            title, minutes = (known[number].title, known[number].minutes) if number in known else (number, 0)
+            title, minutes = (
+                (known[number].title, known[number].minutes)
+                if number in known
+                else (number, 0)
+            )
             lessons.append(Lesson(number, title, done, left, minutes))
     return Progress(lessons)
 

@@ -11,8 +11,14 @@ import numpy as np
 def averages() -> dict[tuple[str, str], dict[str, np.ndarray]]:
     """Arrays (repetitions,) by method, for each experiment and length, such as ("robot_arm_1k", "10 episodes")."""
     course = Path(__file__).parent
-    report = course / "averages.csv"  # in an installed package; in a checkout the report itself is read
-    return read_averages(report if report.is_file() else course.parent / "docs" / "reproduction" / "averages.csv")
+    report = (
+        course / "averages.csv"
+    )  # in an installed package; in a checkout the report itself is read
+    return read_averages(
+        report
+        if report.is_file()
+        else course.parent / "docs" / "reproduction" / "averages.csv"
+    )
 
 
 def read_averages(path: Path) -> dict[tuple[str, str], dict[str, np.ndarray]]:
@@ -22,4 +28,7 @@ def read_averages(path: Path) -> dict[tuple[str, str], dict[str, np.ndarray]]:
         for row in csv.DictReader(file):
             its = found.setdefault((row["experiment"], row["length"]), {})
             its.setdefault(row["method"], []).append(float(row["final_average_reward"]))
-    return {key: {method: np.array(x) for method, x in its.items()} for key, its in found.items()}
+    return {
+        key: {method: np.array(x) for method, x in its.items()}
+        for key, its in found.items()
+    }

@@ -16,7 +16,10 @@ def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
     rewards: label of a curve -> the reward of each step
     """
     figure, ax = chart((6.5, 3.8), "step", "average reward per step", title)
-    means = {label: np.cumsum(run) / np.arange(1, len(run) + 1) for label, run in rewards.items()}
+    means = {
+        label: np.cumsum(run) / np.arange(1, len(run) + 1)
+        for label, run in rewards.items()
+    }
     draw_curves(ax, means, width=1.8)
     seen = [mean[int(SKIPPED * len(mean)) :] for mean in means.values()]
     low, high = min(part.min() for part in seen), max(part.max() for part in seen)

@@ -14,7 +14,9 @@ import math
 
 import numpy as np
 '''
-SECTION = re.compile(r"^# lesson (\w+): (\w+)\n((?:(?!# lesson \w+: ).*\n)*?)# end of \2$", re.MULTILINE)
+SECTION = re.compile(
+    r"^# lesson (\w+): (\w+)\n((?:(?!# lesson \w+: ).*\n)*?)# end of \2$", re.MULTILINE
+)
 NOT_KEPT = "# not kept: "  # the reason follows
 
 Key = tuple[str, str]  # lesson and name of a function
@@ -42,5 +44,7 @@ def with_source(text: str, key: Key, source: str) -> str:
     else:
         new = text.rstrip("\n") + f"\n\n\n{section}\n"
     if sources(new).get(key) != source:
-        raise ValueError(f"a line of it looks like “{section.splitlines()[0]}”, or like “# end of {key[1]}”")
+        raise ValueError(
+            f"a line of it looks like “{section.splitlines()[0]}”, or like “# end of {key[1]}”"
+        )
     return new

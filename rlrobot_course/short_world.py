@@ -26,8 +26,16 @@ class ShortWorld:
 
     def __init__(self, env: Env, seed: int | np.random.SeedSequence = 0) -> None:
         self.env, self.size = env, Size.of(env)
-        self.n_states, self.n_actions, self.r_max = self.size.n_states, self.size.n_actions, self.size.r_max
-        self.u, self._random, self._state_number = 0.0, generator(seed), state_numbers(env)
+        self.n_states, self.n_actions, self.r_max = (
+            self.size.n_states,
+            self.size.n_actions,
+            self.size.r_max,
+        )
+        self.u, self._random, self._state_number = (
+            0.0,
+            generator(seed),
+            state_numbers(env),
+        )
         self._steps: list[tuple[int, int, float, int, bool, bool]] = []
         self.ended = False
         self._s, self._begin = 0, time.perf_counter()
@@ -49,8 +57,14 @@ class ShortWorld:
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         observation, reward, terminated, truncated, _ = self.env.step(a)
-        s_next, r, self.u = self._state_number(observation), float(cast(float, reward)), self._random.random()
-        self._steps.append((self._s, int(a), r, s_next, bool(terminated), bool(truncated)))
+        s_next, r, self.u = (
+            self._state_number(observation),
+            float(cast(float, reward)),
+            self._random.random(),
+        )
+        self._steps.append(
+            (self._s, int(a), r, s_next, bool(terminated), bool(truncated))
+        )
         self._s, self.ended = s_next, bool(terminated or truncated)
         return s_next, r, bool(terminated), bool(truncated)
 
@@ -66,7 +80,15 @@ class ShortWorld:
         """All that has happened here, as `rlrobot_edu.learn` returns it; q: what has been learned."""
         columns = zip(*self._steps, strict=True) if self._steps else [()] * 6
         kinds = (np.int32, np.int32, float, np.int32, np.bool_, np.bool_)
-        transitions = Transitions(*(np.array(c, dtype=kind) for c, kind in zip(columns, kinds, strict=True)))
+        transitions = Transitions(
+            *(np.array(c, dtype=kind) for c, kind in zip(columns, kinds, strict=True))
+        )
         visits = np.zeros(q.shape, dtype=np.int64)
         np.add.at(visits, (transitions.s, transitions.a), 1)
-        return History(name, transitions, Learned.of(q, visits), time.perf_counter() - self._begin, self.size)
+        return History(
+            name,
+            transitions,
+            Learned.of(q, visits),
+            time.perf_counter() - self._begin,
+            self.size,
+        )

@@ -13,7 +13,9 @@ T = TypeVar("T")
 
 # Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
 # end, has values that tempt those who look past the end.
-Q_START = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]])
+Q_START = np.array(
+    [[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]]
+)
 # Of another world, with two actions, and values with many digits.
 OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 
@@ -31,7 +33,9 @@ _STEPS = (
 )
 # (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
-Q_TAPE = [{name: value for name, value in step.items() if name != "a_next"} for step in TAPE]
+Q_TAPE = [
+    {name: value for name, value in step.items() if name != "a_next"} for step in TAPE
+]
 
 
 def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
@@ -41,13 +45,21 @@ def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
     """
     columns = [name.partition("[]") for name in names.split()]
     cases = [zip(columns, row, strict=True) for row in values]
-    return [{name: np.array(x) if array else x for (name, array, _), x in case} for case in cases]
+    return [
+        {name: np.array(x) if array else x for (name, array, _), x in case}
+        for case in cases
+    ]
 
 
-def with_columns(cases: Sequence[Mapping[str, Any]], **columns: Sequence[Any]) -> list[dict[str, Any]]:
+def with_columns(
+    cases: Sequence[Mapping[str, Any]], **columns: Sequence[Any]
+) -> list[dict[str, Any]]:
     """The cases with further arguments. columns: by the name of an argument its value in each case."""
     more = zip(*columns.values(), strict=True)
-    return [{**case, **dict(zip(columns, row, strict=True))} for case, row in zip(cases, more, strict=True)]
+    return [
+        {**case, **dict(zip(columns, row, strict=True))}
+        for case, row in zip(cases, more, strict=True)
+    ]
 
 
 def draw(p: np.ndarray, u: float) -> int:
@@ -55,7 +67,12 @@ def draw(p: np.ndarray, u: float) -> int:
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
 
 
-def taken(name: str, function: Callable[..., Any], arguments: Sequence[Any], by_name: Mapping[str, Any]) -> list[Any]:
+def taken(
+    name: str,
+    function: Callable[..., Any],
+    arguments: Sequence[Any],
+    by_name: Mapping[str, Any],
+) -> list[Any]:
     """The arguments with which a learner's loop calls `name`, by place or by name, in the order of `function`'s.
 
     Raises TypeError, which names them, where they are more or fewer, or others.
@@ -64,16 +81,23 @@ def taken(name: str, function: Callable[..., Any], arguments: Sequence[Any], by_
     try:
         return list(signature.bind(*arguments, **by_name).args)
     except TypeError:
-        raise TypeError(f"{name} takes ({', '.join(signature.parameters)}), in this order") from None
+        raise TypeError(
+            f"{name} takes ({', '.join(signature.parameters)}), in this order"
+        ) from None
 
 
 def in_order(
-    name: str, function: Callable[..., Any], arguments: Sequence[Any], by_name: Mapping[str, Any]
+    name: str,
+    function: Callable[..., Any],
+    arguments: Sequence[Any],
+    by_name: Mapping[str, Any],
 ) -> list[Any]:
     """What `taken` returns: the table q and then numbers. Raises TypeError where the table stands elsewhere."""
     q, *numbers = given = taken(name, function, arguments, by_name)
     if (q is not None and np.ndim(q) != 2) or any(map(np.ndim, numbers)):
-        raise TypeError(f"{name} takes ({', '.join(inspect.signature(function).parameters)}), in this order")
+        raise TypeError(
+            f"{name} takes ({', '.join(inspect.signature(function).parameters)}), in this order"
+        )
     return given
 
 
@@ -82,7 +106,10 @@ def with_action(method: Callable[..., T]) -> Callable[..., T]:
 
     @functools.wraps(method)
     def step(world: Any, *arguments: Any, **by_name: Any) -> T:
-        given = [*arguments, *(by_name.pop(name) for name in ("a", "action") if name in by_name)]
+        given = [
+            *arguments,
+            *(by_name.pop(name) for name in ("a", "action") if name in by_name),
+        ]
         if len(given) != 1 or by_name:
             raise TypeError("env.step takes an action and nothing else: env.step(a)")
         return method(world, *given)
@@ -149,7 +176,11 @@ class Chooser(Ranked):
     """Chooses without chance, by the state and by where the table is largest and smallest; its scale has no effect."""
 
     def _action(self, q: np.ndarray, s: int) -> int:
-        return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
+        return int(
+            q[s].argsort(kind="stable")[
+                (self.rank + int(q.argmax() + q.argmin())) % q.shape[1]
+            ]
+        )
 
 
 class Wavering(Ranked):
@@ -173,7 +204,9 @@ class Fickle:
         return "choose"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Fickle)  # how often it was asked is judged by what follows from it
+        return isinstance(
+            other, Fickle
+        )  # how often it was asked is judged by what follows from it
 
     def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
@@ -190,8 +223,12 @@ class Fickle:
 def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
     """update(q, s, a, r, s_next, terminated) of Q-learning, for a loop that calls it."""
 
-    def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool) -> None:
-        q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
+    def learn_from(
+        q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool
+    ) -> None:
+        q[s, a] += alpha * (
+            r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a]
+        )
 
     def update(*arguments: Any, **by_name: Any) -> None:
         learn_from(*in_order("update", learn_from, arguments, by_name))

@@ -23,15 +23,21 @@ ros/          real robots of ROS 1 and ROS 2: their recorded drives as recording
 import sys
 from types import SimpleNamespace
 
-if sys.platform == "emscripten":  # Gymnasium imports locks between processes, which a browser does not have
+if (
+    sys.platform == "emscripten"
+):  # Gymnasium imports locks between processes, which a browser does not have
 
     class _NoLock:
         SEM_VALUE_MAX = 0
 
         def __init__(self, *_: object) -> None:
-            raise OSError("in a browser there is one process, and no lock between several")
+            raise OSError(
+                "in a browser there is one process, and no lock between several"
+            )
 
-    sys.modules.setdefault("_multiprocessing", SimpleNamespace(SemLock=_NoLock, sem_unlink=None))  # type: ignore[arg-type]
+    sys.modules.setdefault(
+        "_multiprocessing", SimpleNamespace(SemLock=_NoLock, sem_unlink=None)
+    )  # type: ignore[arg-type]
 
 import gymnasium
 import lazy_loader
@@ -42,4 +48,8 @@ from rlrobot_edu.version import __version__ as __version__
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 for _name in available_tasks():
-    gymnasium.register(f"rlrobot/{_name}-v0", "rlrobot_edu.environments:make_env", kwargs={"task": _name})
+    gymnasium.register(
+        f"rlrobot/{_name}-v0",
+        "rlrobot_edu.environments:make_env",
+        kwargs={"task": _name},
+    )

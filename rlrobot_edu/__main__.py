@@ -21,7 +21,10 @@ def list_tasks() -> None:
     for name in rl.available_tasks():
         try:
             task = rl.load_task(name)
-            size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
+            size, about = (
+                f"{task.states.n} × {task.actions.n}",
+                task.description.partition("\n")[0],
+            )
             print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
         except (ValueError, OSError) as error:  # the others are shown all the same
             print(f"{name:<16} cannot be loaded: {error}")
@@ -31,7 +34,9 @@ def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
     path = rl.new_task(name, robot=robot)
     # a bare python may be one without the toolkit
-    print(f"Written: {path}, which works as it is. Check: {sys.executable} -m rlrobot_edu check-task {path}")
+    print(
+        f"Written: {path}, which works as it is. Check: {sys.executable} -m rlrobot_edu check-task {path}"
+    )
 
 
 def look_at_task(task: str, steps: int) -> None:
@@ -44,7 +49,10 @@ def serve_robot(task: Any, link: str, port: int, simulated_time: bool) -> None:
     where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
     served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
     with served as robot, contextlib.suppress(KeyboardInterrupt):
-        print(f"The robot is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
+        print(
+            f"The robot is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.",
+            flush=True,
+        )
         robot.wait()
 
 
@@ -61,33 +69,69 @@ class Commands:
 
     def __init__(self, about: str = ABOUT, first: str = FIRST) -> None:
         called = Path(sys.argv[0])
-        name = "rlrobot-edu" if called.name.startswith("rlrobot-edu") else f"python -m {called.parent.name}"
-        self.parser = ArgumentParser(name, description=about, epilog=first, formatter_class=AsWritten)
-        self._commands = self.parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
+        name = (
+            "rlrobot-edu"
+            if called.name.startswith("rlrobot-edu")
+            else f"python -m {called.parent.name}"
+        )
+        self.parser = ArgumentParser(
+            name, description=about, epilog=first, formatter_class=AsWritten
+        )
+        self._commands = self.parser.add_subparsers(
+            required=True, title="commands", metavar="COMMAND"
+        )
 
-    def add(self, name: str, run: Callable[..., None], example: str = "") -> ArgumentParser:
+    def add(
+        self, name: str, run: Callable[..., None], example: str = ""
+    ) -> ArgumentParser:
         """A command `name` that calls `run` with its arguments."""
         about, epilog = run.__doc__, f"Example: %(prog)s {example}"
-        command = self._commands.add_parser(name, help=about, description=about, epilog=epilog)
+        command = self._commands.add_parser(
+            name, help=about, description=about, epilog=epilog
+        )
         command.set_defaults(run=run)
         return command
 
 
-def library_commands(commands: Commands, serve: Callable[..., None] = serve_robot) -> ArgumentParser:
+def library_commands(
+    commands: Commands, serve: Callable[..., None] = serve_robot
+) -> ArgumentParser:
     """Add the library's commands; returns that of ``serve-robot``, which calls `serve`."""
     commands.add("doctor", doctor)
     commands.add("tasks", list_tasks)
     command = commands.add("new-task", make_task, "reach --robot arm")
     command.add_argument("name", help="of the task, as in follow_wall")
-    command.add_argument("--robot", default="mobile_base", help="as arm or giraff; mobile_base if not given")
+    command.add_argument(
+        "--robot",
+        default="mobile_base",
+        help="as arm or giraff; mobile_base if not given",
+    )
     command = commands.add("check-task", look_at_task, "follow_wall.py --steps 500")
     command.add_argument("task", help="name of a task, or path of a task file")
-    command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
+    command.add_argument(
+        "--steps",
+        type=int,
+        default=2000,
+        help="length of each trial, 2000 if not given",
+    )
     command = commands.add("serve-robot", serve, "giraff_wander_1k --port 9091")
-    command.add_argument("task", nargs="?", default="giraff_wander_simple", help="%(default)s if not given")
-    command.add_argument("--link", default="rosbridge", help="rosbridge (if not given) or dds")
-    command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
-    command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
+    command.add_argument(
+        "task",
+        nargs="?",
+        default="giraff_wander_simple",
+        help="%(default)s if not given",
+    )
+    command.add_argument(
+        "--link", default="rosbridge", help="rosbridge (if not given) or dds"
+    )
+    command.add_argument(
+        "--port", type=int, default=9090, help="of rosbridge, 9090 if not given"
+    )
+    command.add_argument(
+        "--simulated-time",
+        action="store_true",
+        help="time passes only as commands come",
+    )
     return command
 
 
@@ -102,7 +146,9 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
 def run_command(parse: Callable[..., Any], given: Sequence[str] | None) -> None:
     """Run the command that `parse` finds, of the command line unless another one is `given`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
+        sys.stdout.reconfigure(
+            errors="replace"
+        )  # a terminal that knows no "×" shows a question mark
     try:
         try:
             run, arguments = parse(given)
@@ -112,7 +158,11 @@ def run_command(parse: Callable[..., Any], given: Sequence[str] | None) -> None:
     except BrokenPipeError:  # `… | head -1` has seen enough: end without a word
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
-    except (ValueError, OSError, ImportError) as error:  # one sentence that says what to do
+    except (
+        ValueError,
+        OSError,
+        ImportError,
+    ) as error:  # one sentence that says what to do
         sys.exit(str(error).removeprefix(f"[Errno {getattr(error, 'errno', '')}] "))
 
 

@@ -29,8 +29,12 @@ def as_world(world: World | str | Path) -> World:
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
-        raise ValueError(f"{world} must be a new one each time: give its id, or a function that makes it")
-    if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
+        raise ValueError(
+            f"{world} must be a new one each time: give its id, or a function that makes it"
+        )
+    if (
+        isinstance(world, str) and world.rpartition("-v")[2].isdecimal()
+    ):  # no task's name has a hyphen
         return gymnasium.spec(world)
     return load_task(world)
 
@@ -84,18 +88,28 @@ def make_env(
         If Gymnasium has no environment of this id.
     """
     if realism is not None and not isinstance(realism, Realism):
-        raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
+        raise ValueError(
+            f"realism must be None or an rl.Realism(...), got {realism!r:.200}"
+        )
     world = as_world(task)
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
     if (engine, realism, link) != (None, None, None):
-        raise ValueError("only a task has a robot: leave engine, realism and link out of any other world")
+        raise ValueError(
+            "only a task has a robot: leave engine, realism and link out of any other world"
+        )
     options |= {} if render_mode is None else {"render_mode": render_mode}
     if isinstance(world, SampleModel):
         return SampleModelEnv(world, seed, **options)
-    env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
+    env = (
+        gymnasium.make(world, **options)
+        if isinstance(world, EnvSpec)
+        else world(**options)
+    )
     if not isinstance(env, gymnasium.Env):
-        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}")
+        raise ValueError(
+            f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}"
+        )
     if seed is not None:
         env.reset(seed=int(generator(seed, ENVIRONMENT).integers(2**31)))
     return env

@@ -23,10 +23,22 @@ T = TypeVar("T")
 # file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fit in
 LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
-BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
-BEGINNINGS |= {".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)", ".mp4": rb"....ftyp"}  # csv: not as what is no text
+BEGINNINGS = {
+    ".npz": rb"PK",
+    ".gif": rb"GIF8",
+    ".png": rb"\x89PNG",
+    ".html": rb"\s*<",
+    ".json": rb"\s*[\[{]",
+}
+BEGINNINGS |= {
+    ".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)",
+    ".mp4": rb"....ftyp",
+}  # csv: not as what is no text
 # What the system says too shortly where a file cannot be written
-BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "part of it is a file"}
+BLOCKED = {
+    errno.EACCES: "not writable; choose a folder of your own",
+    errno.ENOTDIR: "part of it is a file",
+}
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
@@ -60,13 +72,21 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     try:
         for path, data in files.items():
             data = data.encode() if isinstance(data, str) else data
-            fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
+            fits = [
+                ending
+                for ending, beginning in BEGINNINGS.items()
+                if re.match(beginning, data)
+            ]
             if Path(path).suffix in BEGINNINGS.keys() - fits:
-                raise ValueError(f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}")
+                raise ValueError(
+                    f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}"
+                )
             old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
                 # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
-                with open(os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb") as file:
+                with open(
+                    os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb"
+                ) as file:
                     os.set_blocking(file.fileno(), True)
                     file.write(data)
                 continue
@@ -84,15 +104,23 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for part, place in temporary.items():
             os.replace(part, place)
             is_first_in_place = True
-            remove_old(parts_of(place), ABANDONED)  # those of a writer at work are seconds old
+            remove_old(
+                parts_of(place), ABANDONED
+            )  # those of a writer at work are seconds old
     except OSError as error:
-        if error.errno is not None and (error.filename is None or str(error.filename).endswith(".part")):
+        if error.errno is not None and (
+            error.filename is None or str(error.filename).endswith(".part")
+        ):
             error.filename = str(path)  # a full disk does not say what did not fit
         error.strerror = BLOCKED.get(error.errno or 0, error.strerror)
         raise
     finally:
-        if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            remove_old(temporary, -float("inf"))  # of any age; what is not there, or cannot go, is no fault here
+        if (
+            not is_first_in_place
+        ):  # afterwards, a part that is left completes what has begun
+            remove_old(
+                temporary, -float("inf")
+            )  # of any age; what is not there, or cannot go, is no fault here
 
 
 def _what_is_at(path: Path) -> os.stat_result | None:
@@ -102,10 +130,14 @@ def _what_is_at(path: Path) -> os.stat_result | None:
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(old.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
+        raise IsADirectoryError(
+            errno.EISDIR, "this is a folder; give the name of a file", str(path)
+        )
     # root may write everywhere, but had better not
     if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
-        raise PermissionError(errno.EPERM, "protected from writing; give another name", str(path))
+        raise PermissionError(
+            errno.EPERM, "protected from writing; give another name", str(path)
+        )
     return old
 
 
@@ -128,7 +160,11 @@ def sha256(data: bytes) -> str:
 
 
 def save_arrays(
-    path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray], packed: bool = True
+    path: str | Path,
+    kind: str,
+    about: dict[str, Any],
+    arrays: Mapping[str, np.ndarray],
+    packed: bool = True,
 ) -> None:
     """Write arrays, and what JSON can hold `about` them, to one ``.npz`` file, whole or not at all.
 
@@ -136,15 +172,25 @@ def save_arrays(
     quick to write
     """
     buffer = io.BytesIO()
-    text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
+    text = json.dumps(
+        {"kind": kind, **about}, default=np.generic.item
+    )  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
-    if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # headers; packing may add, too
-        raise ValueError(f"{path}: more than {LARGEST >> 20} MB of one {kind} would not be read again")
+    if (
+        sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST
+    ):  # headers; packing may add, too
+        raise ValueError(
+            f"{path}: more than {LARGEST >> 20} MB of one {kind} would not be read again"
+        )
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
 
-def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dict[str, np.ndarray]], T]) -> T:
+def load_arrays(
+    path: str | Path,
+    kind: str,
+    make: Callable[[dict[str, Any], dict[str, np.ndarray]], T],
+) -> T:
     """What `make` builds of (about, arrays), which `save_arrays` wrote. Nothing is unpickled.
 
     Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;

@@ -7,7 +7,9 @@ from rlrobot_edu.task.messages import check_count
 ENVIRONMENT = (1,)  # so that no robot is moved by the numbers that its agent has drawn
 
 
-def generator(seed: int | np.random.SeedSequence | None, role: tuple[int, ...] = ()) -> np.random.Generator:
+def generator(
+    seed: int | np.random.SeedSequence | None, role: tuple[int, ...] = ()
+) -> np.random.Generator:
     """Random numbers that depend on `seed` and `role` alone, those of each role its own; with None, fresh ones.
 
     role: `ENVIRONMENT`, or nothing for an agent, whose numbers are those of ``np.random.default_rng(seed)``. It says

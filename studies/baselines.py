@@ -27,7 +27,13 @@ from rlrobot_edu.show.picture import Picture
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
-TASKS, STEPS, REPETITIONS, WINDOW, LAST = ("wander_1k", "navigation_1k"), 3600, 10, 200, 600
+TASKS, STEPS, REPETITIONS, WINDOW, LAST = (
+    ("wander_1k", "navigation_1k"),
+    3600,
+    10,
+    200,
+    600,
+)
 TABLES = ("TOSL+QBIASSR", "Q+SR", "Q+RANDOM")
 # Chosen before the first run, and not tuned: γ as the tables have it, a larger step, and networks that begin to learn
 # and stop exploring within an hour of the robot.
@@ -75,13 +81,21 @@ class Readings(gymnasium.ObservationWrapper):
     def __init__(self, env: gymnasium.Env) -> None:
         super().__init__(env)
         self.inputs = env.unwrapped.task.inputs
-        self.observation_space = gymnasium.spaces.Box(-np.inf, np.inf, (len(self.inputs),), np.float32)
+        self.observation_space = gymnasium.spaces.Box(
+            -np.inf, np.inf, (len(self.inputs),), np.float32
+        )
         finite = [[x for x in (v.low, v.high) if np.isfinite(x)] for v in self.inputs]
         self.scales = [max(map(abs, ends), default=1.0) for ends in finite]
 
     def observation(self, observation):
         readings = self.env.unwrapped._readings
-        return np.array([readings[v.name] / k for v, k in zip(self.inputs, self.scales, strict=True)], np.float32)
+        return np.array(
+            [
+                readings[v.name] / k
+                for v, k in zip(self.inputs, self.scales, strict=True)
+            ],
+            np.float32,
+        )
 
 
 def run(task: str, method: str, seed: int, steps: int) -> dict[str, Any]:
@@ -91,7 +105,9 @@ def run(task: str, method: str, seed: int, steps: int) -> dict[str, Any]:
         learn = _network(env, method, seed, steps)
     else:
         agent = rl.Agent(task, method, seed=seed)
-        rl.learn(rl.Agent(task, method), rl.make_env(task), 20, progress=False)  # the kernels are compiled
+        rl.learn(
+            rl.Agent(task, method), rl.make_env(task), 20, progress=False
+        )  # the kernels are compiled
 
         def learn():
             rl.learn(agent, env, steps, progress=False)
@@ -117,7 +133,9 @@ def _network(env, method: str, seed: int, steps: int):
     torch.set_num_threads(1)
     kind, given, sees_readings = NETWORKS[method]
     network_class = getattr(stable_baselines3, kind)
-    network_class("MlpPolicy", rl.make_env("wander_simple"), device="cpu").learn(110)  # PyTorch is warm
+    network_class("MlpPolicy", rl.make_env("wander_simple"), device="cpu").learn(
+        110
+    )  # PyTorch is warm
     seen = Readings(env) if sees_readings else env
     network = network_class("MlpPolicy", seen, seed=seed, device="cpu", **given)
     return lambda: network.learn(steps)
@@ -125,9 +143,16 @@ def _network(env, method: str, seed: int, steps: int):
 
 def measure(repetitions: int, steps: int) -> dict[str, Any]:
     """All runs, by task and method."""
-    jobs = [(t, m, seed) for seed in range(repetitions) for t in TASKS for m in (*TABLES, *NETWORKS)]
+    jobs = [
+        (t, m, seed)
+        for seed in range(repetitions)
+        for t in TASKS
+        for m in (*TABLES, *NETWORKS)
+    ]
     runs = workers(verbose=5)(delayed(run)(*job, steps) for job in jobs)
-    found: dict[str, Any] = {task: {method: [] for method in (*TABLES, *NETWORKS)} for task in TASKS}
+    found: dict[str, Any] = {
+        task: {method: [] for method in (*TABLES, *NETWORKS)} for task in TASKS
+    }
     for (task, method, _), one in zip(jobs, runs, strict=True):
         found[task][method].append(one)
     return {"machine": machine(), "runs": found}
@@ -141,16 +166,29 @@ def machine() -> str:
     model = platform.processor() or platform.machine()
     if Path("/proc/cpuinfo").is_file():
         lines = Path("/proc/cpuinfo").read_text().splitlines()
-        model = next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), model)
+        model = next(
+            (
+                line.split(":")[1].strip()
+                for line in lines
+                if line.startswith("model name")
+            ),
+            model,
+        )
     versions = f"Stable-Baselines3 {stable_baselines3.__version__}, PyTorch {torch.__version__.partition('+')[0]}"
     return f"{model}, {os.cpu_count()} cores, Python {platform.python_version()}, {versions}"
 
 
 def rows(runs: dict[str, list[dict[str, Any]]], has_goal: bool) -> str:
     """The rows of one task's table. Significance is Tukey's test over all methods, of the last ten minutes."""
-    windows = {method: np.array([one["windows"] for one in of]) for method, of in runs.items()}
-    lasts = {method: of[:, -LAST // WINDOW :].mean(axis=1) for method, of in windows.items()}
-    pairs = {pair.second: pair for pair in Tukey.of(lasts).pairs if pair.first == TABLES[0]}
+    windows = {
+        method: np.array([one["windows"] for one in of]) for method, of in runs.items()
+    }
+    lasts = {
+        method: of[:, -LAST // WINDOW :].mean(axis=1) for method, of in windows.items()
+    }
+    pairs = {
+        pair.second: pair for pair in Tukey.of(lasts).pairs if pair.first == TABLES[0]
+    }
     lines = []
     for method, of in windows.items():
         learning = np.array([one["learning"] for one in runs[method]])
@@ -159,19 +197,36 @@ def rows(runs: dict[str, list[dict[str, Any]]], has_goal: bool) -> str:
         cells = ["{:.2f} ± {:.2f}".format(*mean_and_half(values)) for values in numbers]
         cells.append(f"{1000 * learning.mean() / (WINDOW * of.shape[1]):.2f}")
         pair = pairs.get(method)
-        cells.append("" if pair is None else f"{-pair.difference:+.2f}{' (p < 0.01)' * (pair.p < 0.01)}")
+        cells.append(
+            ""
+            if pair is None
+            else f"{-pair.difference:+.2f}{' (p < 0.01)' * (pair.p < 0.01)}"
+        )
         if has_goal:
-            cells.append("{:.1f} ± {:.1f}".format(*mean_and_half([one["goals"] for one in runs[method]])))
-        lines.append(f"| {method.replace('Q+RANDOM', 'at random')} | {' | '.join(cells)} |")
+            cells.append(
+                "{:.1f} ± {:.1f}".format(
+                    *mean_and_half([one["goals"] for one in runs[method]])
+                )
+            )
+        lines.append(
+            f"| {method.replace('Q+RANDOM', 'at random')} | {' | '.join(cells)} |"
+        )
     return "\n".join(lines)
 
 
 def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
     """A text about the table of one task; its words follow the numbers."""
-    lasts = {m: np.array([one["windows"][-LAST // WINDOW :] for one in of]).mean(axis=1) for m, of in runs.items()}
+    lasts = {
+        m: np.array([one["windows"][-LAST // WINDOW :] for one in of]).mean(axis=1)
+        for m, of in runs.items()
+    }
     seconds = {m: np.mean([one["learning"] for one in of]) for m, of in runs.items()}
     best, table = max(NETWORKS, key=lambda method: lasts[method].mean()), TABLES[0]
-    pair = next(pair for pair in Tukey.of(lasts).pairs if (pair.first, pair.second) == (table, best))
+    pair = next(
+        pair
+        for pair in Tukey.of(lasts).pairs
+        if (pair.first, pair.second) == (table, best)
+    )
     more = "more than" if pair.difference < 0 else "less than"
     sure = "which is significant" if pair.p < 0.05 else "which may be chance"
     means = {method: f"{values.mean():.2f}" for method, values in lasts.items()}
@@ -189,7 +244,10 @@ def page(measured: dict[str, Any]) -> str:
     """The whole page."""
     runs = measured["runs"]
     every = [one for of in runs.values() for several in of.values() for one in several]
-    fitted = ["`" + ", ".join(f"{k}={v}" for k, v in given.items()) + "`" for given in (DQN_FITTED, PPO_FITTED)]
+    fitted = [
+        "`" + ", ".join(f"{k}={v}" for k, v in given.items()) + "`"
+        for given in (DQN_FITTED, PPO_FITTED)
+    ]
     return (
         (HERE / "baselines_template.md")
         .read_text(encoding="utf-8")
@@ -201,7 +259,10 @@ def page(measured: dict[str, Any]) -> str:
             dqn=fitted[0],
             ppo=fitted[1],
             alt=curves(runs).alt,
-            **{task: rows(of, rl.load_task(task).goal is not None) for task, of in runs.items()},
+            **{
+                task: rows(of, rl.load_task(task).goal is not None)
+                for task, of in runs.items()
+            },
             **{f"{task}_verdict": verdict(of) for task, of in runs.items()},
         )
     )
@@ -210,27 +271,44 @@ def page(measured: dict[str, Any]) -> str:
 def curves(runs: dict[str, Any]) -> Picture:
     """Mean reward a step of each method, in windows of steps; chance is a grey line."""
     picture, told = Picture((9.5, 5.4)), []
-    for ax, (task, of) in zip(picture.subplots(1, len(runs)), runs.items(), strict=True):
+    for ax, (task, of) in zip(
+        picture.subplots(1, len(runs)), runs.items(), strict=True
+    ):
         looks = iter(CURVES)
         for method, several in of.items():
             windows = np.array([one["windows"] for one in several])
             x = WINDOW * (np.arange(windows.shape[1]) + 0.5)
             is_chance = method == TABLES[-1]
             colour, dashes = (BLACK, ":") if is_chance else next(looks)
-            ax.fill_between(x, *mean_band(windows), color=colour, alpha=0.15, linewidth=0)
+            ax.fill_between(
+                x, *mean_band(windows), color=colour, alpha=0.15, linewidth=0
+            )
             label = "at random" if is_chance else method
-            ax.plot(x, windows.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=label)
-            told.append(f"{label} ends at {windows[:, -LAST // WINDOW :].mean():.1f} in {task}")
+            ax.plot(
+                x,
+                windows.mean(axis=0),
+                color=colour,
+                linestyle=dashes,
+                linewidth=1.8,
+                label=label,
+            )
+            told.append(
+                f"{label} ends at {windows[:, -LAST // WINDOW :].mean():.1f} in {task}"
+            )
         ax.set(xlabel="step", ylabel="reward per step", title=task)
         ax.grid(alpha=0.3)
         ax.margins(x=0)
     picture.legend(*ax.get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    picture.alt = f"Mean reward a step, in windows of {WINDOW} steps. {'; '.join(told)}."
+    picture.alt = (
+        f"Mean reward a step, in windows of {WINDOW} steps. {'; '.join(told)}."
+    )
     return picture
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")
     asked = parser.parse_args()
@@ -239,10 +317,14 @@ def main() -> None:
         return
     numbers = HERE / "baselines.json"
     if not asked.page:
-        numbers.write_text(json.dumps(measure(REPETITIONS, STEPS)) + "\n", encoding="utf-8")
+        numbers.write_text(
+            json.dumps(measure(REPETITIONS, STEPS)) + "\n", encoding="utf-8"
+        )
     measured = json.loads(numbers.read_text(encoding="utf-8"))
     (DOCS / "baselines.md").write_text(page(measured), encoding="utf-8")
-    curves(measured["runs"]).savefig(DOCS / "pictures" / "baselines.png", dpi=90, metadata={"Software": None})
+    curves(measured["runs"]).savefig(
+        DOCS / "pictures" / "baselines.png", dpi=90, metadata={"Software": None}
+    )
     print(DOCS / "baselines.md")
 
 

@@ -27,7 +27,9 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.tools.blind import BLIND
 
 HERE = Path(__file__).parent
-REGISTERED: dict[str, Any] = json.loads((HERE / "bias_registered.json").read_text(encoding="utf-8"))
+REGISTERED: dict[str, Any] = json.loads(
+    (HERE / "bias_registered.json").read_text(encoding="utf-8")
+)
 NUMBERS, STORE = HERE / "better_bias.json", HERE.parent / "results" / "better_bias"
 TUNING = REGISTERED["tuning"]
 MAZES = [f"maze {number}" for number in range(10)]
@@ -50,7 +52,11 @@ def learner(world: World, label: str) -> tuple[rl.Method | str, dict[str, Any], 
     if name == "LINEAR":
         return rl.Method(LINEAR, "SR"), settings, world
     if name == "coarse":
-        return f"{world.algorithm}+SR", settings, world._replace(task=coarse(world.task))
+        return (
+            f"{world.algorithm}+SR",
+            settings,
+            world._replace(task=coarse(world.task)),
+        )
     selection = OWN.get(name, name)
     return rl.Method(world.algorithm, selection), settings, world
 
@@ -58,11 +64,15 @@ def learner(world: World, label: str) -> tuple[rl.Method | str, dict[str, Any], 
 def one(name: str, label: str, number: int) -> float:
     """The final average reward of one robot. Its random numbers depend on these three and the registered seed alone."""
     key = zlib.crc32(f"{name}/{label}".encode())
-    agent_seed, env_seed = np.random.SeedSequence(REGISTERED["seed"], spawn_key=(key, number)).spawn(2)
+    agent_seed, env_seed = np.random.SeedSequence(
+        REGISTERED["seed"], spawn_key=(key, number)
+    ).spawn(2)
     method, settings, world = learner(worlds()[name], label)
     with world.env(env_seed) as env:
         agent = rl.Agent(world.task, method, seed=agent_seed, **settings)
-        history = rl.learn(agent, env, world.steps, episodes=world.episodes, progress=False)
+        history = rl.learn(
+            agent, env, world.steps, episodes=world.episodes, progress=False
+        )
     return round(float(history.final_average_reward), 6)
 
 
@@ -72,18 +82,33 @@ def repetitions(name: str, label: str) -> int:
         return TUNING["repetitions"]
     its = REGISTERED["repetitions"]
     changed = REGISTERED["families"]["changed in one thing"]["worlds"]
-    return its["a maze"] if name in MAZES else its["changed"] if name in changed else its.get(name, its["default"])
+    return (
+        its["a maze"]
+        if name in MAZES
+        else its["changed"]
+        if name in changed
+        else its.get(name, its["default"])
+    )
 
 
 def first_labels(name: str) -> list[str]:
     """What runs in a world before the best temperatures are known."""
-    families, relatives, again = (REGISTERED[part] for part in ("families", "relatives", "reproduction"))
+    families, relatives, again = (
+        REGISTERED[part] for part in ("families", "relatives", "reproduction")
+    )
     labels: list[str] = []
     if name in MAZES or any(name in family["worlds"] for family in families.values()):
         labels += ["SR", "QBIASSR", "VBIASSR", "blind", "coarse"]
         labels += ["LINEAR"] if worlds()[name].algorithm == "TOSL" else []
     if is_tuned(name):
-        labels += ["COUNT", *(tuning(method, t) for method in TUNING["methods"] for t in TUNING["temperatures"])]
+        labels += [
+            "COUNT",
+            *(
+                tuning(method, t)
+                for method in TUNING["methods"]
+                for t in TUNING["temperatures"]
+            ),
+        ]
     if name in relatives["worlds"]:
         labels += ["SR", "VBIASSR", *relatives["names"]]
     if name in again["wheels"]:
@@ -95,7 +120,11 @@ def first_labels(name: str) -> list[str]:
 
 def is_tuned(name: str) -> bool:
     """Whether each method gets its best temperature in this world."""
-    return any(name in family["worlds"] for family in REGISTERED["families"].values() if family["at best T"])
+    return any(
+        name in family["worlds"]
+        for family in REGISTERED["families"].values()
+        if family["at best T"]
+    )
 
 
 def tuning(method: str, temperature: float) -> str:
@@ -115,7 +144,9 @@ def run(name: str, labels: list[str], finals: Finals, n_jobs: int) -> None:
         done = finals.get(label, [])
         missing = range(len(done), repetitions(name, label))
         if missing:
-            finals[label] = done + workers(n_jobs)(delayed(one)(name, label, number) for number in missing)
+            finals[label] = done + workers(n_jobs)(
+                delayed(one)(name, label, number) for number in missing
+            )
             STORE.mkdir(parents=True, exist_ok=True)
             write_whole(STORE / f"{name}.json", json.dumps(finals, ensure_ascii=False))
 
@@ -126,30 +157,52 @@ def run_all(n_jobs: int) -> None:
     began = time.perf_counter()
     for name in sorted(worlds(), key=lambda name: not worlds()[name].is_fast):
         path = STORE / f"{name}.json"
-        finals: Finals = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+        finals: Finals = (
+            json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+        )
         run(name, first_labels(name), finals, n_jobs)
         if is_tuned(name):
-            run(name, [at_best(finals, method) for method in TUNING["methods"]], finals, n_jobs)
+            run(
+                name,
+                [at_best(finals, method) for method in TUNING["methods"]],
+                finals,
+                n_jobs,
+            )
         found[name] = {label: finals[label] for label in sorted(finals)}
-        means = {label: round(float(np.mean(x)), 2) for label, x in finals.items() if "tuning" not in label}
+        means = {
+            label: round(float(np.mean(x)), 2)
+            for label, x in finals.items()
+            if "tuning" not in label
+        }
         print(f"{time.perf_counter() - began:.0f} s: {name}: {means}", flush=True)
-        lines = (f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(its)}" for name, its in found.items())
+        lines = (
+            f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(its)}"
+            for name, its in found.items()
+        )
         write_whole(NUMBERS, "{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def power() -> None:
     """How many robots of each method find a difference, for the SDs in blind.json, in Holm's first step over 28."""
     level, wanted = 0.05 / 28, 0.9
-    for name, its in json.loads((HERE / "blind.json").read_text(encoding="utf-8")).items():
+    for name, its in json.loads(
+        (HERE / "blind.json").read_text(encoding="utf-8")
+    ).items():
         sds = {label: float(np.std(x, ddof=1)) for label, x in its["finals"].items()}
         other = sds.get("QBIASSR", sds["VBIASSR"])
         told = []
         for difference in (0.5, 1.0):
-            n = next(n for n in range(3, 2000) if chance(difference, sds["VBIASSR"], other, n, level) >= wanted)
+            n = next(
+                n
+                for n in range(3, 2000)
+                if chance(difference, sds["VBIASSR"], other, n, level) >= wanted
+            )
             told.append(f"{n} robots for {difference}")
         n = REGISTERED["repetitions"]["default"]
         found = chance(1.0, sds["VBIASSR"], other, n, level)
-        print(f"{name}: SDs {sds['VBIASSR']:.2f} and {other:.2f}: {', '.join(told)}; {n} find 1.0 with {found:.3f}")
+        print(
+            f"{name}: SDs {sds['VBIASSR']:.2f} and {other:.2f}: {', '.join(told)}; {n} find 1.0 with {found:.3f}"
+        )
 
 
 def chance(difference: float, sd: float, other: float, n: int, level: float) -> float:
@@ -157,11 +210,15 @@ def chance(difference: float, sd: float, other: float, n: int, level: float) -> 
     error = math.sqrt((sd**2 + other**2) / n)
     df = (n - 1) * (sd**2 + other**2) ** 2 / (sd**4 + other**4)
     limit = stats.t.ppf(1 - level / 2, df)
-    return float(stats.nct.sf(limit, df, difference / error))  # the wrong direction adds nothing that counts
+    return float(
+        stats.nct.sf(limit, df, difference / error)
+    )  # the wrong direction adds nothing that counts
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", choices=("all", "power", "run", "page"))
     parser.add_argument("--n-jobs", type=int, default=-1)
     given = parser.parse_args()

@@ -27,7 +27,11 @@ from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import FRONT_LASERS, LASER_RANGE, LASERS
 
 COLLISION = 0.05  # of wander_1k, 4k and 12k [m]
-X, Y, THETA = len(LASERS), len(LASERS) + 1, len(LASERS) + 2  # after the lasers, in an array of readings
+X, Y, THETA = (
+    len(LASERS),
+    len(LASERS) + 1,
+    len(LASERS) + 2,
+)  # after the lasers, in an array of readings
 
 # walls, hull, radius, moment, rays: as kinematic/base.py has them; inset, axle: of the chassis [m]; start: of the axle
 # twists: array (actions, 2), v and omega; sensors, cuts, bins: of the inputs, lasers; front: which lasers touch
@@ -59,7 +63,10 @@ def sense(w, place, seen):
 @compiled
 def is_new(w, x, y, now, last):
     """Whether the robot has not been in this cell lately; from now on it has."""
-    i, j = math.floor(x / w.cell) + last.shape[0] // 2, math.floor(y / w.cell) + last.shape[1] // 2
+    i, j = (
+        math.floor(x / w.cell) + last.shape[0] // 2,
+        math.floor(y / w.cell) + last.shape[1] // 2,
+    )
     new = now - last[i, j] > w.memory
     last[i, j] = now
     return new
@@ -90,7 +97,18 @@ def make_run(method: Method) -> Callable[..., Any]:
         a = select(m, s, u[0])
         for t in range(log.r.shape[0]):
             v, omega = w.twists[a, 0], w.twists[a, 1]
-            drive(place, v, omega, w.step_time, w.hull, w.radius, w.moment, w.walls, near, touch)
+            drive(
+                place,
+                v,
+                omega,
+                w.step_time,
+                w.hull,
+                w.radius,
+                w.moment,
+                w.walls,
+                near,
+                touch,
+            )
             s_next = sense(w, place, seen)
             r = reward(w, seen, t + 1, last)
             a_next, _ = learn_step(m, s, a, r, s_next, False, u[t + 1])
@@ -109,14 +127,20 @@ class FastBase(gymnasium.Env[Any, Any]):
 
     def __init__(self, task: rl.Task, arena: Arena, cell: float, memory: int) -> None:
         self.r_max, self.episode_steps = max(task.rewards), None
-        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
+        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(
+            list(task.states.shape)
+        )
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)
         bins = np.array(task.states.shape)
         cuts = np.full((len(bins), bins.max() - 1), np.inf)
         for i, variable in enumerate(task.inputs):
             cuts[i, : len(variable.cuts)] = variable.cuts
         x, y, theta = arena.start
-        start = [x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), theta]
+        start = [
+            x + PIONEER.axle * math.cos(theta),
+            y + PIONEER.axle * math.sin(theta),
+            theta,
+        ]
         twists = [PIONEER.twist(task.command_for(a)) for a in range(task.actions.n)]
         sensors = [LASERS.index(variable.name) for variable in task.inputs]
         front = [LASERS.index(name) for name in FRONT_LASERS]
@@ -125,10 +149,19 @@ class FastBase(gymnasium.Env[Any, Any]):
             np.array(sensors), cuts, bins, np.array(front), task.step_time, cell, memory,
         )  # fmt: skip
 
-    def learn_compiled(self, agent: rl.Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    def learn_compiled(
+        self, agent: rl.Agent, log: Transitions, episodes: int | None
+    ) -> Iterator[int]:
         """Run the loop compiled."""
         n, w = len(log.r), self._w
-        room = np.empty(3), np.empty(len(w.walls), np.int64), np.empty(7), np.empty(len(LASERS) + 3)
+        room = (
+            np.empty(3),
+            np.empty(len(w.walls), np.int64),
+            np.empty(7),
+            np.empty(len(LASERS) + 3),
+        )
         last = np.full((64, 64), -w.memory - 1)
-        make_run(agent.method)(w, agent.memory, *room, last, agent.rng.random(n + 1), log)
+        make_run(agent.method)(
+            w, agent.memory, *room, last, agent.rng.random(n + 1), log
+        )
         yield n

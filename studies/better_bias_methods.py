@@ -20,7 +20,9 @@ COUNT_BONUS = 2.0  # of an action that was never tried, where 100 is Qmax
 def softmax_with_count_bonus(m, s):
     r"""COUNT: softmax over the normalised Q(s, a), plus :math:`2 / \sqrt{1 + N(s, a)}`."""
     for a in range(m.q.shape[1]):
-        m.probabilities[a] = m.q[s, a] * m.parameters.q_scale + COUNT_BONUS / math.sqrt(1.0 + m.visits[s, a])
+        m.probabilities[a] = m.q[s, a] * m.parameters.q_scale + COUNT_BONUS / math.sqrt(
+            1.0 + m.visits[s, a]
+        )
     softmax(m.probabilities, m.now.temperature, m.probabilities)
 
 
@@ -183,7 +185,9 @@ def shrunk(m, s):
             for k in range(m.shape[i]):
                 row = s - way + k * stride
                 if row != s:
-                    variance += m.visits[row, a] / m.shape[i] * (m.q[row, a] - prior) ** 2
+                    variance += (
+                        m.visits[row, a] / m.shape[i] * (m.q[row, a] - prior) ** 2
+                    )
         m.bias[a] = 0.0
         if said > 0.0:
             variance /= said

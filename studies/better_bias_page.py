@@ -38,7 +38,9 @@ MARKERS = "osv^D"
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table in Markdown."""
-    return "\n".join(f"| {' | '.join(row)} |" for row in (head, ["---"] * len(head), *rows))
+    return "\n".join(
+        f"| {' | '.join(row)} |" for row in (head, ["---"] * len(head), *rows)
+    )
 
 
 def told(values: Sequence[float]) -> str:
@@ -49,7 +51,9 @@ def told(values: Sequence[float]) -> str:
 def finals(found: Found, world: str, label: str) -> list[float]:
     """Final average rewards; of the ten mazes the mean of each maze. Empty where it was not run."""
     if world == "ten mazes":
-        return [float(np.mean(found[maze][label])) for maze in MAZES if label in found[maze]]
+        return [
+            float(np.mean(found[maze][label])) for maze in MAZES if label in found[maze]
+        ]
     return list(found[world].get(label, []))
 
 
@@ -67,7 +71,15 @@ def best(found: Found, worlds: Sequence[str]) -> str:
     rows = []
     for world in worlds:
         labels = [at_best(found[world], method) for method in TUNING["methods"]]
-        rows.append([world, *(f"{told(found[world][label])} ({temperature(label)})" for label in labels)])
+        rows.append(
+            [
+                world,
+                *(
+                    f"{told(found[world][label])} ({temperature(label)})"
+                    for label in labels
+                ),
+            ]
+        )
     return table(["world", *(f"{method} (T)" for method in TUNING["methods"])], rows)
 
 
@@ -85,22 +97,34 @@ def tests(rows: Sequence[Difference], columns: Sequence[str]) -> str:
     """A line for each world, a column for each comparison, as `rows` go: bold where the corrected p shows it."""
     cells = [f"**{in_words(its)}**" if its.sign else in_words(its) for its in rows]
     starts = range(0, len(rows), len(columns))
-    return table(["world", *columns], [[rows[i].world, *cells[i : i + len(columns)]] for i in starts])
+    return table(
+        ["world", *columns],
+        [[rows[i].world, *cells[i : i + len(columns)]] for i in starts],
+    )
 
 
 def columns(name: str) -> list[str]:
     """The comparisons of a family, in order."""
     its = FAMILIES[name]
-    return [*(f"{other}, T = 1" for other in its["at T = 1"]), *(f"{other}, best T" for other in its["at best T"])]
+    return [
+        *(f"{other}, T = 1" for other in its["at T = 1"]),
+        *(f"{other}, best T" for other in its["at best T"]),
+    ]
 
 
 def checks(found: Found) -> str:
     """Where the blind agent earns less than SR, so that a world counts, and where not."""
     worlds = [*FAMILIES[NO_CIRCLE]["worlds"], *FAMILIES[CHANGED]["worlds"]]
     ends = {world: pays_no_circle(found, world) for world in worlds}
-    not_shown = [f"*{world}* ({in_words(its)})" for world, its in ends.items() if its.high >= 0]
+    not_shown = [
+        f"*{world}* ({in_words(its)})" for world, its in ends.items() if its.high >= 0
+    ]
     passed = f"It does in {len(worlds) - len(not_shown)} of {len(worlds)} worlds"
-    return f"{passed}; that is not shown in {', '.join(not_shown)}." if not_shown else f"{passed}."
+    return (
+        f"{passed}; that is not shown in {', '.join(not_shown)}."
+        if not_shown
+        else f"{passed}."
+    )
 
 
 def relatives_table(found: Found) -> str:
@@ -113,7 +137,14 @@ def rule_says(found: Found) -> str:
     lines = []
     for name in REGISTERED["relatives"]["names"]:
         fails = never_hurts(found, name)
-        lines.append(f"- {name}: " + (f"fails in {'; '.join(fails)}." if fails else "**never hurts**, by the rule."))
+        lines.append(
+            f"- {name}: "
+            + (
+                f"fails in {'; '.join(fails)}."
+                if fails
+                else "**never hurts**, by the rule."
+            )
+        )
     return "\n".join(lines).replace("(-", "(−")
 
 
@@ -121,7 +152,10 @@ def blind_there(found: Found) -> str:
     """What a blind agent earns in the set-ups of the reproduction, beside TOSL+QBIASSR."""
     said = []
     for world in REGISTERED["reproduction"]["rule"]:
-        blind, other = (f"{np.mean(found[world][label]):.2f}".replace("-", "−") for label in ("blind", "QBIASSR"))
+        blind, other = (
+            f"{np.mean(found[world][label]):.2f}".replace("-", "−")
+            for label in ("blind", "QBIASSR")
+        )
         said.append(f"{world} {blind} beside {other}")
     return ", ".join(said)
 
@@ -133,7 +167,13 @@ def rules_table(found: Found) -> str:
         cells = [f"**{in_words(its)}**" if its.sign else in_words(its) for its in pair]
         other = pair.ours.second if pair.ours.second == "Q+SR" else "TOSL+SR"
         rows.append([pair.ours.world, other, *cells, "yes" if pair.decides else "no"])
-    head = ["world", "TOSL+QBIASSR less", "ours: loop evasion in all", "the program's: in QBIASSR alone", "decides"]
+    head = [
+        "world",
+        "TOSL+QBIASSR less",
+        "ours: loop evasion in all",
+        "the program's: in QBIASSR alone",
+        "decides",
+    ]
     return table(head, rows)
 
 
@@ -141,17 +181,34 @@ def forest(found: Found) -> Picture:
     """VBIASSR less each other method, in the worlds of the first two families, with 95 % intervals."""
     picture = Picture((10.5, 6.8))
     for ax, name in zip(picture.subplots(1, 2), (NO_CIRCLE, OTHERS), strict=True):
-        rows, names, worlds = family(found, name), columns(name), FAMILIES[name]["worlds"]
+        rows, names, worlds = (
+            family(found, name),
+            columns(name),
+            FAMILIES[name]["worlds"],
+        )
         for i, label in enumerate(names):
             colour, marker = CURVES[i][0], MARKERS[i % len(MARKERS)]
             ax.plot([], [], marker, color=colour, label=label)
             for k, its in enumerate(rows[i :: len(names)]):
-                ends, fill = [[its.mean - its.low], [its.high - its.mean]], colour if its.sign else "white"
+                ends, fill = (
+                    [[its.mean - its.low], [its.high - its.mean]],
+                    colour if its.sign else "white",
+                )
                 y = k + 0.11 * (i - (len(names) - 1) / 2)
-                ax.errorbar(its.mean, y, xerr=ends, fmt=marker, color=colour, markersize=6, markerfacecolor=fill)
+                ax.errorbar(
+                    its.mean,
+                    y,
+                    xerr=ends,
+                    fmt=marker,
+                    color=colour,
+                    markersize=6,
+                    markerfacecolor=fill,
+                )
         ax.axvline(0, color=GREY, linewidth=1)
         ax.set(title=name, xlabel="reward a step that VBIASSR earns more than …")
-        ax.set_yticks(range(len(worlds)), [world.replace(", ", ",\n") for world in worlds])
+        ax.set_yticks(
+            range(len(worlds)), [world.replace(", ", ",\n") for world in worlds]
+        )
         ax.invert_yaxis()
         ax.grid(axis="x", alpha=0.3)
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3, fontsize=9)
@@ -168,13 +225,29 @@ def by_temperature(found: Found) -> Picture:
         for i, name in enumerate(TUNING["methods"]):
             colour, dashes = CURVES[i]
             y = [float(np.mean(found[world][tuning(name, t)])) for t in temperatures]
-            ax.plot(temperatures, y, MARKERS[i % 5], linestyle=dashes, color=colour, label=name)
+            ax.plot(
+                temperatures,
+                y,
+                MARKERS[i % 5],
+                linestyle=dashes,
+                color=colour,
+                label=name,
+            )
             said.append(f"{name} in {world}: {', '.join(f'{v:.1f}' for v in y)}")
-        ax.set(title=world.replace(", ", ",\n"), xlabel="T", xscale="log", xticks=temperatures)
+        ax.set(
+            title=world.replace(", ", ",\n"),
+            xlabel="T",
+            xscale="log",
+            xticks=temperatures,
+        )
         ax.set_xticks(temperatures, [f"{t:g}" for t in temperatures])
         ax.grid(alpha=0.3)
     picture.get_axes()[0].set_ylabel("reward a step")
-    picture.legend(*picture.get_axes()[0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
+    picture.legend(
+        *picture.get_axes()[0].get_legend_handles_labels(),
+        loc="outside lower center",
+        ncols=6,
+    )
     picture.alt = f"Mean reward a step at T = {', '.join(f'{t:g}' for t in temperatures)}. {'; '.join(said)}."
     return picture
 
@@ -185,7 +258,10 @@ def numbers(found: Found) -> dict[str, str]:
             for row, name in zip(family(found, key), cycle(columns(key)), strict=False)}  # fmt: skip
     rows |= {f"{row.world}, {row.first} less {OURS}": row for row in relatives(found)}
     rows |= {f"{row.world}, {OURS} less {row.second}": row for row in wheels(found)}
-    return {re.sub(r"\W", "_", name.replace(" ", "")): in_words(row) for name, row in rows.items()}
+    return {
+        re.sub(r"\W", "_", name.replace(" ", "")): in_words(row)
+        for name, row in rows.items()
+    }
 
 
 def in_words(its: Difference) -> str:
@@ -195,7 +271,10 @@ def in_words(its: Difference) -> str:
 
 def page(found: Found) -> str:
     """The page in Markdown."""
-    parts = {"means": means(found, FAMILIES[NO_CIRCLE]["worlds"]), "best": best(found, FAMILIES[NO_CIRCLE]["worlds"])}
+    parts = {
+        "means": means(found, FAMILIES[NO_CIRCLE]["worlds"]),
+        "best": best(found, FAMILIES[NO_CIRCLE]["worlds"]),
+    }
     parts |= {
         "others": means(found, FAMILIES[OTHERS]["worlds"]), "best_others": best(found, FAMILIES[OTHERS]["worlds"]),
         "changed": means(found, FAMILIES[CHANGED]["worlds"], [m for m in METHODS if m != "COUNT"]),
@@ -217,6 +296,8 @@ def page(found: Found) -> str:
 def write_page(found: Found) -> Path:
     """Write the page and its figures; the text that judges stands in better_bias_text.py, written after looking."""
     write_whole(DOCS / "pictures" / "better_bias.png", forest(found).png())
-    write_whole(DOCS / "pictures" / "better_bias_temperature.png", by_temperature(found).png())
+    write_whole(
+        DOCS / "pictures" / "better_bias_temperature.png", by_temperature(found).png()
+    )
     write_whole(DOCS / "a_better_bias.md", page(found))
     return DOCS / "a_better_bias.md"

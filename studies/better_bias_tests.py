@@ -9,7 +9,9 @@ import numpy as np
 from better_bias import MAZES, REGISTERED, RULES, at_best
 from scipy import stats
 
-Found = Mapping[str, Mapping[str, Sequence[float]]]  # final average rewards by world and label
+Found = Mapping[
+    str, Mapping[str, Sequence[float]]
+]  # final average rewards by world and label
 LEVEL = 0.05
 OURS = "VBIASSR"
 
@@ -39,7 +41,9 @@ class Difference(NamedTuple):
 def difference(found: Found, world: str, first: str, second: str) -> Difference:
     """By Welch's t; over the ten mazes a one-sample t of the differences of their means."""
     if world == "ten mazes":
-        gains = [np.mean(found[maze][first]) - np.mean(found[maze][second]) for maze in MAZES]
+        gains = [
+            np.mean(found[maze][first]) - np.mean(found[maze][second]) for maze in MAZES
+        ]
         test = stats.ttest_1samp(gains, 0.0)
         mean = float(np.mean(gains))
     else:
@@ -47,7 +51,9 @@ def difference(found: Found, world: str, first: str, second: str) -> Difference:
         test = stats.ttest_ind(one, other, equal_var=False)
         mean = float(np.mean(one) - np.mean(other))
     low, high = test.confidence_interval(1 - LEVEL)
-    return Difference(world, first, second, mean, float(low), float(high), float(test.pvalue))
+    return Difference(
+        world, first, second, mean, float(low), float(high), float(test.pvalue)
+    )
 
 
 def holm(family: Sequence[Difference]) -> list[Difference]:
@@ -57,7 +63,10 @@ def holm(family: Sequence[Difference]) -> list[Difference]:
     for rank, i in enumerate(order):
         largest = max(largest, min(1.0, family[i].p * (len(family) - rank)))
         corrected[i] = largest
-    return [its._replace(corrected=float(p)) for its, p in zip(family, corrected, strict=True)]
+    return [
+        its._replace(corrected=float(p))
+        for its, p in zip(family, corrected, strict=True)
+    ]
 
 
 def family(found: Found, name: str) -> list[Difference]:
@@ -66,7 +75,10 @@ def family(found: Found, name: str) -> list[Difference]:
     rows = []
     for world in its["worlds"]:
         rows += [difference(found, world, OURS, other) for other in its["at T = 1"]]
-        best = [(at_best(found[world], OURS), at_best(found[world], other)) for other in its["at best T"]]
+        best = [
+            (at_best(found[world], OURS), at_best(found[world], other))
+            for other in its["at best T"]
+        ]
         rows += [difference(found, world, *labels) for labels in best]
     return holm(rows)
 
@@ -79,10 +91,18 @@ def pays_no_circle(found: Found, world: str) -> Difference:
 def relatives(found: Found) -> list[Difference]:
     """Each relative less VBIASSR in each world, one family."""
     its = REGISTERED["relatives"]
-    return holm([difference(found, world, name, OURS) for world in its["worlds"] for name in its["names"]])
+    return holm(
+        [
+            difference(found, world, name, OURS)
+            for world in its["worlds"]
+            for name in its["names"]
+        ]
+    )
 
 
-def lowest(found: Found, world: str, first: str, second: str, confidence: float) -> float:
+def lowest(
+    found: Found, world: str, first: str, second: str, confidence: float
+) -> float:
     """The lower end of the one-sided interval of a difference (Welch)."""
     test = stats.ttest_ind(found[world][first], found[world][second], equal_var=False)
     return float(test.confidence_interval(2 * confidence - 1).low)
@@ -92,9 +112,18 @@ def never_hurts(found: Found, name: str) -> list[str]:
     """Where the registered rule fails for a relative, in words; empty if it never hurts."""
     its = REGISTERED["relatives"]
     confidence, least = 1 - LEVEL / len(its["names"]), -its["margin"]
-    asked = [(world, "SR") for world in its["worlds"]] + [(world, OURS) for world in its["gain"]]
-    ends = {(world, other): lowest(found, world, name, other, confidence) for world, other in asked}
-    return [f"{world} beside {other} ({end:.2f})" for (world, other), end in ends.items() if end <= least]
+    asked = [(world, "SR") for world in its["worlds"]] + [
+        (world, OURS) for world in its["gain"]
+    ]
+    ends = {
+        (world, other): lowest(found, world, name, other, confidence)
+        for world, other in asked
+    }
+    return [
+        f"{world} beside {other} ({end:.2f})"
+        for (world, other), end in ends.items()
+        if end <= least
+    ]
 
 
 class Rule(NamedTuple):
@@ -114,11 +143,22 @@ def rules(found: Found) -> list[Rule]:
     pairs = [("SR", "SR, no loop evasion"), ("Q+SR", "Q+SR, no loop evasion")]
     assert {label for pair in pairs for label in pair} - {"SR"} == set(RULES)
     worlds = REGISTERED["reproduction"]["rule"]
-    rows = holm([difference(found, world, "QBIASSR", label) for world in worlds for pair in pairs for label in pair])
+    rows = holm(
+        [
+            difference(found, world, "QBIASSR", label)
+            for world in worlds
+            for pair in pairs
+            for label in pair
+        ]
+    )
     return [Rule(*pair) for pair in zip(rows[::2], rows[1::2], strict=True)]
 
 
 def wheels(found: Found) -> list[Difference]:
     """VBIASSR less QBIASSR, SR and blind by either mapping of the wheels; no test is registered."""
     worlds: Any = REGISTERED["reproduction"]["wheels"]
-    return [difference(found, world, OURS, other) for world in worlds for other in ("QBIASSR", "SR", "blind")]
+    return [
+        difference(found, world, OURS, other)
+        for world in worlds
+        for other in ("QBIASSR", "SR", "blind")
+    ]

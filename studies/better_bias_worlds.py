@@ -14,8 +14,14 @@ from blind_study import nine_actions, straight_ahead
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
 
-CELL, MEMORY = 0.25, 300  # of new ground: side of a cell [m], and for how long the robot has been there [steps]
-INNER_WALLS, CLEAR = 10, 0.6  # of a random maze: panels of 1 m, none nearer to the start than this [m]
+CELL, MEMORY = (
+    0.25,
+    300,
+)  # of new ground: side of a cell [m], and for how long the robot has been there [steps]
+INNER_WALLS, CLEAR = (
+    10,
+    0.6,
+)  # of a random maze: panels of 1 m, none nearer to the start than this [m]
 
 
 class World(NamedTuple):
@@ -38,7 +44,9 @@ class World(NamedTuple):
     def env(self, seed: np.random.SeedSequence) -> gymnasium.Env:
         """The environment; for new ground one that runs the loop of learning compiled, which gives the same numbers."""
         if self.new_ground and self.is_fast:
-            arena = ARENAS[self.task.scene] if self.maze is None else random_maze(self.maze)
+            arena = (
+                ARENAS[self.task.scene] if self.maze is None else random_maze(self.maze)
+            )
             return FastBase(self.task, arena, CELL, MEMORY)
         return self.plain_env(seed)
 
@@ -117,7 +125,10 @@ def coarse(task: rl.Task) -> rl.Task:
 def larger(task: rl.Task) -> rl.Task:
     """wander_12k with one more laser of four bins, rear left: 50,000 states."""
     cuts = list(task.inputs[-1].cuts)
-    return dataclasses.replace(task, inputs=[*task.inputs, rl.InputVariable("laser_rear_left", cuts=cuts, unit="m")])
+    return dataclasses.replace(
+        task,
+        inputs=[*task.inputs, rl.InputVariable("laser_rear_left", cuts=cuts, unit="m")],
+    )
 
 
 @functools.cache
@@ -135,16 +146,26 @@ def worlds() -> dict[str, World]:
         "arm_1k": World(rl.load_task("arm_1k"), 1200, episodes=10),
         "arm_4k": World(rl.load_task("arm_4k"), 1200, episodes=10),
         "wander_simple": World(rl.load_task("wander_simple"), 300),
-        "giraff_wander_simple": World(rl.load_task("giraff_wander_simple"), 300, "pymunk"),
+        "giraff_wander_simple": World(
+            rl.load_task("giraff_wander_simple"), 300, "pymunk"
+        ),
         "giraff_wander_4k": World(rl.load_task("giraff_wander_4k"), 1800, "pymunk"),
         "wander_12k, nine actions": World(nine_actions(twelve)),
         "50,000 states, nine actions": World(nine_actions(larger(twelve))),
         "wander_1k, new ground": World(one, new_ground=True),
         "wander_4k, their wheels": World(authors),
-        "wander_12k, their wheels": World(dataclasses.replace(twelve, command=straight_ahead)),
+        "wander_12k, their wheels": World(
+            dataclasses.replace(twelve, command=straight_ahead)
+        ),
         "wander_4k": World(four),
         "wander_12k": World(twelve),
     }
-    found |= {f"wander_1k, α = {alpha}": World(one, settings={"alpha": alpha}) for alpha in (0.05, 0.2, 0.5)}
-    found |= {f"wander_1k, {name}": World(one, algorithm=name) for name in ("Q", "SARSA", "ESARSA", "SL")}
+    found |= {
+        f"wander_1k, α = {alpha}": World(one, settings={"alpha": alpha})
+        for alpha in (0.05, 0.2, 0.5)
+    }
+    found |= {
+        f"wander_1k, {name}": World(one, algorithm=name)
+        for name in ("Q", "SARSA", "ESARSA", "SL")
+    }
     return found | {f"maze {number}": World(one, maze=number) for number in range(10)}

@@ -44,7 +44,9 @@ def straight_ahead(wheels: dict[str, float]) -> dict[str, float]:
 
 def nine_actions(task: rl.Task) -> rl.Task:
     """The task with three speeds of each wheel, as in wander_1k."""
-    outputs = [dataclasses.replace(output, values=[-1, 0, 1]) for output in task.outputs]
+    outputs = [
+        dataclasses.replace(output, values=[-1, 0, 1]) for output in task.outputs
+    ]
     return dataclasses.replace(task, outputs=outputs)
 
 
@@ -77,12 +79,34 @@ def measure() -> Found:
     for name, world in worlds().items():
         methods = {BLIND: {"method": SEES_NOTHING, "loop_evasion": False}}
         methods |= {label: METHODS[label] for label in world.others}
-        runs = rl.compare(world.task, methods, REPETITIONS, steps=world.steps, seed=SEED, progress=False)
+        runs = rl.compare(
+            world.task,
+            methods,
+            REPETITIONS,
+            steps=world.steps,
+            seed=SEED,
+            progress=False,
+        )
         finals = {label: np.round(x, 7).tolist() for label, x in runs.final.items()}
-        best = max(range(world.task.actions.n), key=lambda a: always(world.task, a, 300))
-        alone = {"wheels": list(world.task.command_for(best).values()), "reward": always(world.task, best, world.steps)}
-        found[name] = {"steps": world.steps, "seed": SEED, "finals": finals, "one action": alone}
-        print(name, {label: round(float(np.mean(x)), 2) for label, x in finals.items()}, alone, flush=True)
+        best = max(
+            range(world.task.actions.n), key=lambda a: always(world.task, a, 300)
+        )
+        alone = {
+            "wheels": list(world.task.command_for(best).values()),
+            "reward": always(world.task, best, world.steps),
+        }
+        found[name] = {
+            "steps": world.steps,
+            "seed": SEED,
+            "finals": finals,
+            "one action": alone,
+        }
+        print(
+            name,
+            {label: round(float(np.mean(x)), 2) for label, x in finals.items()},
+            alone,
+            flush=True,
+        )
     return found
 
 
@@ -95,7 +119,11 @@ def always(task: rl.Task, action: int, steps: int) -> float:
 
 def p_of(found: Mapping[str, Any], label: str) -> float:
     """p of Welch's test of the blind robots against others."""
-    return float(stats.ttest_ind(found["finals"][BLIND], found["finals"][label], equal_var=False).pvalue)
+    return float(
+        stats.ttest_ind(
+            found["finals"][BLIND], found["finals"][label], equal_var=False
+        ).pvalue
+    )
 
 
 def told(values: list[float]) -> str:
@@ -113,19 +141,34 @@ def table(found: Found) -> str:
             name, str(its["steps"]), *(told(finals[label]) if label in finals else "" for label in (BLIND, *OTHERS)),
             "p < 0.0001" if p < 1e-4 else f"p = {p:.2g}", f"{alone['reward']:.2f} ({wheels} rad/s)",
         ])  # fmt: skip
-    head = ["world", "steps", BLIND, *OTHERS, "blind against VBIASSR", "the best single action, for ever"]
+    head = [
+        "world",
+        "steps",
+        BLIND,
+        *OTHERS,
+        "blind against VBIASSR",
+        "the best single action, for ever",
+    ]
     return "\n".join(in_markdown(Table("", head, rows)).splitlines()[2:])
 
 
 def verdicts(found: Found) -> str:
     """The result in words that follow the numbers."""
-    more, less, neither = "more than", "less than", "neither more nor less, as far as this shows, than"
+    more, less, neither = (
+        "more than",
+        "less than",
+        "neither more nor less, as far as this shows, than",
+    )
     said: dict[str, list[str]] = {more: [], less: [], neither: []}
     for name, its in found.items():
         gain = np.mean(its["finals"][BLIND]) - np.mean(its["finals"]["VBIASSR"])
         word = neither if p_of(its, "VBIASSR") >= LEVEL else more if gain > 0 else less
         said[word].append(f"*{name}*")
-    return "\n".join(f"- It earns {word} VBIASSR in: {'; '.join(names)}." for word, names in said.items() if names)
+    return "\n".join(
+        f"- It earns {word} VBIASSR in: {'; '.join(names)}."
+        for word, names in said.items()
+        if names
+    )
 
 
 PAGE = """# How much does a blind robot earn?

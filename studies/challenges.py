@@ -31,12 +31,17 @@ def hopeful(q_s: np.ndarray, tries_s: np.ndarray, t: int) -> np.ndarray:
 def bias_by(weigh: bool, factor: float) -> Any:
     """Lesson 05: the bias over states that share all inputs but one, weighed by visits or not, times a factor."""
 
-    def bias(q: np.ndarray, tries: np.ndarray, shape: tuple[int, ...], s: int) -> np.ndarray:
+    def bias(
+        q: np.ndarray, tries: np.ndarray, shape: tuple[int, ...], s: int
+    ) -> np.ndarray:
         table, at, means = q.reshape(*shape, -1), np.unravel_index(s, shape), []
         counts = tries.reshape(table.shape) if weigh else np.ones(table.shape)
         for i in range(len(shape)):
             line = (*at[:i], slice(None), *at[i + 1 :])
-            means.append((table[line] * counts[line]).sum(axis=0) / np.maximum(1, counts[line].sum(axis=0)))
+            means.append(
+                (table[line] * counts[line]).sum(axis=0)
+                / np.maximum(1, counts[line].sum(axis=0))
+            )
         return factor * np.mean(means, axis=0)
 
     return bias
@@ -54,7 +59,9 @@ def sequential(a: np.ndarray, b: np.ndarray) -> str:
 
 def turns_early(readings: Readings, a: int) -> int:
     """Lesson 18: it spins to one side as soon as something is near."""
-    ahead = min(readings[f"laser_{where}"] for where in ("front", "front_left", "front_right"))
+    ahead = min(
+        readings[f"laser_{where}"] for where in ("front", "front_left", "front_right")
+    )
     return a if ahead > 0.2 else 2
 
 
@@ -78,7 +85,11 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "three lasers, the task's cuts": {laser: [0.27, 0.53, 0.80] for laser in FRONT},
         "best known": dict(zip(FRONT, ([0.45], [0.25], [0.25]), strict=True)),
     },
-    "15": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
+    "15": {
+        "a guess": lambda a, b: "a",
+        "after ten of each": after_ten,
+        "best known": sequential,
+    },
     "18": {"no guard": lambda readings, a: a, "best known": turns_early},
 }
 

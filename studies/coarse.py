@@ -22,7 +22,9 @@ def near_or_not(m, s):
 @compiled
 def update_nearby(m, s, a, r, s_next, a_next, terminated):
     """True online SARSA(λ) with two bins an input, the lowest and the rest."""
-    return update(m, near_or_not(m, s), a, r, near_or_not(m, s_next), a_next, terminated)
+    return update(
+        m, near_or_not(m, s), a, r, near_or_not(m, s_next), a_next, terminated
+    )
 
 
 @compiled
@@ -33,5 +35,6 @@ def weigh_nearby(m, s):
 
 # TOSL+SR with two bins an input, for lasers: near or not; take it with loop_evasion=False, which looks at states.
 COARSE = Method(
-    Algorithm("COARSE-TOSL", update_nearby, has_traces=True), Selection("SR", weigh_nearby, is_softmax=True)
+    Algorithm("COARSE-TOSL", update_nearby, has_traces=True),
+    Selection("SR", weigh_nearby, is_softmax=True),
 )

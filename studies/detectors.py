@@ -26,20 +26,30 @@ from rlrobot_course.grading.detectors import DETECTORS
 from rlrobot_course.grading.evidence import Evidence
 from rlrobot_course.grading.question import Question
 
-LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py"))
-WRITTEN = {"known_mistake", "two_mistakes"}  # the detectors that need hints written by hand
+LESSONS = sorted(
+    path.parent.name
+    for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py")
+)
+WRITTEN = {
+    "known_mistake",
+    "two_mistakes",
+}  # the detectors that need hints written by hand
 
 
 def exercises(lessons: list[str]) -> Iterator[tuple[str, Any]]:
     """The exercises of these lessons, each with lesson and name."""
     for lesson in lessons:
         check = importlib.import_module(f"rlrobot_course.{lesson}.exercises").check
-        yield from ((f"{lesson} {name}", exercise) for name, exercise in vars(check).items())
+        yield from (
+            (f"{lesson} {name}", exercise) for name, exercise in vars(check).items()
+        )
 
 
 def wrong_answers(exercise: Any) -> list[Any]:
     """All that is recorded as wrong."""
-    witnesses = [answer for answers in exercise.witnesses.values() for answer in answers]
+    witnesses = [
+        answer for answers in exercise.witnesses.values() for answer in answers
+    ]
     if isinstance(exercise, Question):
         return [mistake.wrong for mistake in exercise.mistakes] + witnesses
     return [*exercise.wrong_functions, *witnesses]
@@ -48,22 +58,39 @@ def wrong_answers(exercise: Any) -> list[Any]:
 def kind_of(id: str, exercise: Any) -> str:
     """The detector whose hint has this id."""
     known = {mistake.id for mistake in exercise.mistakes}
-    return "two_mistakes" if "+" in id else "known_mistake" if id in known else id or "no hint"
+    return (
+        "two_mistakes"
+        if "+" in id
+        else "known_mistake"
+        if id in known
+        else id or "no hint"
+    )
 
 
 def alone(exercise: Any, answer: Any) -> list[str]:
     """The detectors that have a hint for a function."""
     got = exercise.outcomes(answer)
-    if next(mine.failure for right, mine in zip(exercise.expected, got, strict=False) if not right.equals(mine)):
+    if next(
+        mine.failure
+        for right, mine in zip(exercise.expected, got, strict=False)
+        if not right.equals(mine)
+    ):
         return []
     seen = Evidence(exercise, answer, got)
-    return [name for name, detector in DETECTORS.items() if name not in WRITTEN and detector(seen)]
+    return [
+        name
+        for name, detector in DETECTORS.items()
+        if name not in WRITTEN and detector(seen)
+    ]
 
 
 def main(lessons: list[str]) -> None:
     """Print a table for functions and one for values."""
     limits.SECONDS = 0.3
-    counts: dict[str, Counter[tuple[str, str]]] = {"functions": Counter(), "values": Counter()}
+    counts: dict[str, Counter[tuple[str, str]]] = {
+        "functions": Counter(),
+        "values": Counter(),
+    }
     slowest, slow = 0.0, ""
     for name, exercise in exercises(lessons):
         bare = replace(exercise, mistakes=())
@@ -77,11 +104,17 @@ def main(lessons: list[str]) -> None:
             count["all", "without"] += 1
             count["all", "first"] += 1
             if not isinstance(exercise, Question):
-                count.update((detector, "alone") for detector in alone(exercise, answer))
+                count.update(
+                    (detector, "alone") for detector in alone(exercise, answer)
+                )
     for title, count in counts.items():
         print(f"{title:24}   alone   first   without hand-written mistakes")
-        for kind in sorted({kind for kind, _ in count}, key=lambda kind: -count[kind, "first"]):
-            print(f"{kind:24} {count[kind, 'alone']:7} {count[kind, 'first']:7} {count[kind, 'without']:7}")
+        for kind in sorted(
+            {kind for kind, _ in count}, key=lambda kind: -count[kind, "first"]
+        ):
+            print(
+                f"{kind:24} {count[kind, 'alone']:7} {count[kind, 'first']:7} {count[kind, 'without']:7}"
+            )
     print(f"The slowest verdict took {slowest:.1f} s, on {slow}.")
 
 

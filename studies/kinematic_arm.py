@@ -18,7 +18,13 @@ from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.workers import workers
-from rlrobot_edu.robots.arm.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
+from rlrobot_edu.robots.arm.arm_body import (
+    OBJECT,
+    OBJECT_PLACE,
+    URDF,
+    Angles,
+    link_poses,
+)
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.robot_cards import JOINTS
@@ -34,11 +40,21 @@ NEAR = 0.0001  # [m], [rad]
 
 def boxes_of_gripper() -> np.ndarray:
     """Points all over the gripper's collision boxes, in the gripper's frame; array (n, 4)."""
-    gripper = next(link for link in ET.parse(URDF).getroot().iter("link") if link.attrib["name"] == "gripper")
+    gripper = next(
+        link
+        for link in ET.parse(URDF).getroot().iter("link")
+        if link.attrib["name"] == "gripper"
+    )
     points = []
     for part in gripper.iter("collision"):
-        middle, size = (np.fromstring(next(part.iter(tag)).attrib[key], sep=" ") for tag, key in SHAPE)
-        points += [(*(middle + size * unit), 1.0) for unit in product(np.linspace(-0.5, 0.5, 7), repeat=3)]
+        middle, size = (
+            np.fromstring(next(part.iter(tag)).attrib[key], sep=" ")
+            for tag, key in SHAPE
+        )
+        points += [
+            (*(middle + size * unit), 1.0)
+            for unit in product(np.linspace(-0.5, 0.5, 7), repeat=3)
+        ]
     return np.array(points)
 
 
@@ -57,7 +73,11 @@ class StoppingArm(KinematicArm):
             low = 1.0
         while high - low > 0.005:
             half = (low + high) / 2
-            low, high = (low, half) if touches(before + half * (after - before)) else (half, high)
+            low, high = (
+                (low, half)
+                if touches(before + half * (after - before))
+                else (half, high)
+            )
         self.parts.place[:] = before + low * (after - before)
 
 
@@ -70,7 +90,11 @@ def touches(angles: np.ndarray) -> bool:
 
 def on_a_cut(task: rl.Task, readings: Mapping[str, float]) -> bool:
     """Whether an input lies on a border between two bins, to 0.0001 m or rad."""
-    return any(abs(readings[each.name] - cut) < NEAR for each in task.inputs for cut in each.cuts or ())
+    return any(
+        abs(readings[each.name] - cut) < NEAR
+        for each in task.inputs
+        for cut in each.cuts or ()
+    )
 
 
 class Episode(NamedTuple):
@@ -91,19 +115,44 @@ class Episode(NamedTuple):
 
 def episode(name: str, seed: int) -> Episode:
     """The same episode in all engines."""
-    its, mine, stopping = (rl.make_env(name, engine=engine) for engine in ("pybullet", "kinematic", "kinematic"))
+    its, mine, stopping = (
+        rl.make_env(name, engine=engine)
+        for engine in ("pybullet", "kinematic", "kinematic")
+    )
     if name.startswith("arm"):
         stopping.robot = StoppingArm("table", its.task.step_time)
     envs, rows, held = (its, mine, stopping), [], False
     before, *_ = [env.reset()[1]["readings"] for env in envs]
-    for a in np.random.default_rng(seed).integers(its.action_space.n, size=its.episode_steps).tolist():
+    for a in (
+        np.random.default_rng(seed)
+        .integers(its.action_space.n, size=its.episode_steps)
+        .tolist()
+    ):
         (_, r, *_, one), (_, q, *_, other), (*_, third) = (env.step(a) for env in envs)
-        told = turned(Angles(**{n: before[n] for n in JOINTS}), its.task.command_for(a), its.task.step_time)
+        told = turned(
+            Angles(**{n: before[n] for n in JOINTS}),
+            its.task.command_for(a),
+            its.task.step_time,
+        )
         before = one["readings"]
-        held |= max(abs(before[n] - angle) for n, angle in zip(JOINTS, told, strict=True)) > HELD_UP
-        apart = np.linalg.norm([before[f"gripper_{v}"] - other["readings"][f"gripper_{v}"] for v in "xyz"])
+        held |= (
+            max(abs(before[n] - angle) for n, angle in zip(JOINTS, told, strict=True))
+            > HELD_UP
+        )
+        apart = np.linalg.norm(
+            [before[f"gripper_{v}"] - other["readings"][f"gripper_{v}"] for v in "xyz"]
+        )
         differ, stopped = (one["state"] != info["state"] for info in (other, third))
-        rows.append((differ, r != q, apart, held, stopped, on_a_cut(its.task, other["readings"])))
+        rows.append(
+            (
+                differ,
+                r != q,
+                apart,
+                held,
+                stopped,
+                on_a_cut(its.task, other["readings"]),
+            )
+        )
     its.close()
     return Episode(*np.array(rows, float).T)
 
@@ -133,12 +182,17 @@ def learners(name: str) -> list[str]:
     """Lines of the third table: how agents end, in either engine."""
     lines = []
     ends = [
-        rl.compare(name, METHODS, REPETITIONS, episodes=SHORT, engine=engine, progress=False).final
+        rl.compare(
+            name, METHODS, REPETITIONS, episodes=SHORT, engine=engine, progress=False
+        ).final
         for engine in ("pybullet", "kinematic")
     ]
     for method in METHODS:
         its, mine = (final[method] for final in ends)
-        cells = (f"{v.mean():.2f} ± {stats.t.ppf(0.975, len(v) - 1) * stats.sem(v):.2f}" for v in (its, mine))
+        cells = (
+            f"{v.mean():.2f} ± {stats.t.ppf(0.975, len(v) - 1) * stats.sem(v):.2f}"
+            for v in (its, mine)
+        )
         p = stats.ttest_ind(its, mine, equal_var=False).pvalue
         lines.append(f"| `{name}` | {method} | {' | '.join(cells)} | {p:.2g} |")
     return lines
@@ -154,8 +208,14 @@ def figure(found: dict[str, Episode]) -> Picture:
         told.append(
             f"{name}: {shares[:10].mean():.0f} % in the first ten steps, {shares[-10:].mean():.0f} % in the last"
         )
-    ax.set(xlabel="step of the episode", ylabel="episodes whose state differs [%]", ylim=(0, 100))
-    ax.set_title(f"Kinematic arm and PyBullet's, the same random actions, {EPISODES} episodes")
+    ax.set(
+        xlabel="step of the episode",
+        ylabel="episodes whose state differs [%]",
+        ylim=(0, 100),
+    )
+    ax.set_title(
+        f"Kinematic arm and PyBullet's, the same random actions, {EPISODES} episodes"
+    )
     ax.legend()
     picture.alt = f"How often the state differs from PyBullet's, by the step of an episode. {'; '.join(told)}."
     return picture

@@ -40,11 +40,20 @@ def lesson_07() -> list[Row]:
     settings = {f"λ = {lam}": {"method": "SL+SR", "lam": lam} for lam in (0, 0.5, 0.9)}
     rows: list[Row] = []
     for walls, realism in (("slide", None), ("hold", rl.Realism.vrep())):
-        runs = rl.compare("wander_1k", settings, 30, realism=realism, loop_evasion=False, progress=False)
+        runs = rl.compare(
+            "wander_1k",
+            settings,
+            30,
+            realism=realism,
+            loop_evasion=False,
+            progress=False,
+        )
         for label in settings:
             for steps in (1000, 3600):
                 at_steps = runs[label].curves[:, steps - 1]
-                rows.append(("07", f"{label}, walls {walls}", steps, *mean_and_half(at_steps)))
+                rows.append(
+                    ("07", f"{label}, walls {walls}", steps, *mean_and_half(at_steps))
+                )
     return rows
 
 
@@ -52,7 +61,9 @@ def lesson_04() -> list[Row]:
     """What forty robots in the four cells earn a step in the last 200 of 1000 steps, greedy and with softmax."""
     rows: list[Row] = []
     for method in ("Q+GREEDY", "Q+SR"):
-        ends = _in_the_cells(method, alpha=0.1, robots=40, steps=1000)[:, -200:].mean(axis=1)
+        ends = _in_the_cells(method, alpha=0.1, robots=40, steps=1000)[:, -200:].mean(
+            axis=1
+        )
         rows.append(("04, four cells", method, 1000, *mean_and_half(ends)))
     return rows
 
@@ -60,9 +71,15 @@ def lesson_04() -> list[Row]:
 def _in_the_cells(method: str, alpha: float, robots: int, steps: int) -> np.ndarray:
     """The rewards of robots in the four cells, array (robots, steps)."""
     cells = rl.load_task("worked_example")
-    agents = [rl.Agent(cells, method, alpha=alpha, seed=seed, loop_evasion=False) for seed in range(robots)]
+    agents = [
+        rl.Agent(cells, method, alpha=alpha, seed=seed, loop_evasion=False)
+        for seed in range(robots)
+    ]
     envs = [rl.make_env(cells, seed=seed) for seed in range(robots)]
-    runs = [rl.learn(agent, env, steps, progress=False) for agent, env in zip(agents, envs, strict=True)]
+    runs = [
+        rl.learn(agent, env, steps, progress=False)
+        for agent, env in zip(agents, envs, strict=True)
+    ]
     return np.array([run.rewards for run in runs])
 
 
@@ -75,25 +92,43 @@ def lesson_05() -> list[Row]:
     judge = rl.Agent(cells, "Q+RANDOM", alpha=0.02, seed=1)
     rl.learn(judge, rl.make_env(cells, seed=1), 100_000, progress=False)
     right = judge.q.argmax(axis=1)
-    bump = ("a bump favoured, advance never tried", "a bump favoured, advance tried")  # where the way is free
-    shares: dict[str, list[float]] = {name: [] for name in ("the way free", "something ahead", *bump)}
+    bump = (
+        "a bump favoured, advance never tried",
+        "a bump favoured, advance tried",
+    )  # where the way is free
+    shares: dict[str, list[float]] = {
+        name: [] for name in ("the way free", "something ahead", *bump)
+    }
     for seed in range(1000, 1400):
         found: dict[str, list[float]] = {name: [] for name in shares}
         robot = rl.Agent(cells, "Q+SR", alpha=0.3, seed=seed, loop_evasion=False)
         for step in rl.steps(robot, rl.make_env(cells, seed=seed), 300):
             bias = bias_of(robot.q, robot.shape, step.s_next)
-            if not step.truncated and not robot.visits[step.s_next].any() and bias.any():
-                found[[*shares][step.s_next % 2]].append(bias.argmax() == right[step.s_next])
+            if (
+                not step.truncated
+                and not robot.visits[step.s_next].any()
+                and bias.any()
+            ):
+                found[[*shares][step.s_next % 2]].append(
+                    bias.argmax() == right[step.s_next]
+                )
                 if step.s_next % 2:
-                    tried = robot.visits[step.s_next - 1, 0]  # the same place, the way free
+                    tried = robot.visits[
+                        step.s_next - 1, 0
+                    ]  # the same place, the way free
                     found[bump[int(tried > 0)]].append(bias.argmax() == 0)
         for name, each in found.items():
             shares[name] += [100 * sum(each) / len(each)] if each else []
-    rows: list[Row] = [("05", name, 300, *mean_and_half(np.array(values))) for name, values in shares.items()]
+    rows: list[Row] = [
+        ("05", name, 300, *mean_and_half(np.array(values)))
+        for name, values in shares.items()
+    ]
     for alpha in (0.3, 0.1):
         for method in ("Q+SR", "Q+QBIASSR"):
             means = _in_the_cells(method, alpha, robots=100, steps=300).mean(axis=1)
-            rows.append(("05, four cells", f"{method}, α = {alpha}", 300, *mean_and_half(means)))
+            rows.append(
+                ("05, four cells", f"{method}, α = {alpha}", 300, *mean_and_half(means))
+            )
     return rows
 
 
@@ -103,7 +138,10 @@ def lesson_06() -> list[Row]:
     And how many of thirty SARSA agents walk in row 0 when ε has fallen to 0, by the steps that this took.
     """
     model = cliff_model()
-    s_next, r, terminated = (x.reshape(-1, model.n_actions) for x in (model.s_next, model.r, model.terminated))
+    s_next, r, terminated = (
+        x.reshape(-1, model.n_actions)
+        for x in (model.s_next, model.r, model.terminated)
+    )
 
     def best(epsilon: float) -> np.ndarray:
         q = np.zeros(r.shape)
@@ -113,7 +151,10 @@ def lesson_06() -> list[Row]:
         return q
 
     def walks_in_row_0(seed: int, stair: int) -> bool:
-        agent, env = rl.Agent(model, "SARSA+EG", alpha=0.1, seed=seed), rl.make_env(model, seed=seed)
+        agent, env = (
+            rl.Agent(model, "SARSA+EG", alpha=0.1, seed=seed),
+            rl.make_env(model, seed=seed),
+        )
         for epsilon in np.linspace(0.1, 0, 40):
             agent.change(epsilon=epsilon)
             history = rl.learn(agent, env, stair, progress=False)
@@ -122,18 +163,34 @@ def lesson_06() -> list[Row]:
     row_1 = best(0.1)[12]  # the row of Q of row 1, column 0
     return [
         *(
-            ("06, in row 0", "SARSA, ε to 0", 40 * n, sum(walks_in_row_0(i, n) for i in range(30)), 0.0)
+            (
+                "06, in row 0",
+                "SARSA, ε to 0",
+                40 * n,
+                sum(walks_in_row_0(i, n) for i in range(30)),
+                0.0,
+            )
             for n in (500, 1500)
         ),
-        *(("06, best way", f"ε = {e}", 0, len(greedy_path(best(e))) - 1, 0.0) for e in (0.11, 0.1, 0.004, 0.0035)),
-        *(("06, row 1 of column 0", f"{MOVES[a]}, ε = 0.1", 0, row_1[a], 0.0) for a in (0, 1)),
+        *(
+            ("06, best way", f"ε = {e}", 0, len(greedy_path(best(e))) - 1, 0.0)
+            for e in (0.11, 0.1, 0.004, 0.0035)
+        ),
+        *(
+            ("06, row 1 of column 0", f"{MOVES[a]}, ε = 0.1", 0, row_1[a], 0.0)
+            for a in (0, 1)
+        ),
     ]
 
 
 def _waits(history: rl.History, task: rl.Task) -> float:
     """Mean number of steps until the next 10, from each step that begins with a wall in front."""
     paid = np.flatnonzero(history.rewards == 10)
-    walls = [t for t, s in enumerate(history.s[: paid[-1] + 1]) if task.states.bins(s)[0] == 0]
+    walls = [
+        t
+        for t, s in enumerate(history.s[: paid[-1] + 1])
+        if task.states.bins(s)[0] == 0
+    ]
     return float(np.mean(paid[np.searchsorted(paid, walls)] - walls + 1))
 
 
@@ -144,8 +201,20 @@ def lesson_11() -> list[Row]:
     walls = {"ideal walls": None, "walls that hold": rl.Realism.vrep()}
     rows: list[Row] = []
 
-    def drive(agent: rl.Agent, its: rl.Task, seed: int, steps: int, realism: rl.Realism | None = None) -> rl.History:
-        return rl.learn(agent, rl.make_env(its, seed=seed, realism=realism), steps, progress=False, keep=True)
+    def drive(
+        agent: rl.Agent,
+        its: rl.Task,
+        seed: int,
+        steps: int,
+        realism: rl.Realism | None = None,
+    ) -> rl.History:
+        return rl.learn(
+            agent,
+            rl.make_env(its, seed=seed, realism=realism),
+            steps,
+            progress=False,
+            keep=True,
+        )
 
     paid: dict[str, list[float]] = {}
     waits: dict[str, list[float]] = {name: [] for name in walls}
@@ -153,20 +222,33 @@ def lesson_11() -> list[Row]:
     for seed in range(30):
         trained = {name: rl.Agent(task, seed=seed) for name in walls}
         for name, realism in walls.items():
-            waits[name].append(_waits(drive(trained[name], task, seed, 2400, realism), task))
+            waits[name].append(
+                _waits(drive(trained[name], task, seed, 2400, realism), task)
+            )
             forward[name] += trained[name].policy[15] in (0, 8)  # fast and slow
         ideal = trained["ideal walls"]
         for name, history in {
             "trained, on ideal walls": drive(copy.deepcopy(ideal), task, seed, 600),
-            "trained, on walls that hold": drive(copy.deepcopy(ideal), task, seed, 600, rl.Realism.vrep()),
+            "trained, on walls that hold": drive(
+                copy.deepcopy(ideal), task, seed, 600, rl.Realism.vrep()
+            ),
             "trained, in the arena": drive(ideal, arena, seed, 600),
-            "beginners, in the arena": drive(rl.Agent(arena, seed=seed), arena, seed, 600),
-            "random, in the arena": drive(rl.Agent(arena, "Q+RANDOM", seed=seed), arena, seed, 600),
+            "beginners, in the arena": drive(
+                rl.Agent(arena, seed=seed), arena, seed, 600
+            ),
+            "random, in the arena": drive(
+                rl.Agent(arena, "Q+RANDOM", seed=seed), arena, seed, 600
+            ),
         }.items():
             paid.setdefault(name, []).append(float(history.rewards.mean()))
     rows += [("11", name, 600, *mean_and_half(np.array(x))) for name, x in paid.items()]
-    rows += [("11, waits", name, 2400, *mean_and_half(np.array(x))) for name, x in waits.items()]
-    rows += [("11, forward in state 15", name, 2400, n, 0.0) for name, n in forward.items()]
+    rows += [
+        ("11, waits", name, 2400, *mean_and_half(np.array(x)))
+        for name, x in waits.items()
+    ]
+    rows += [
+        ("11, forward in state 15", name, 2400, n, 0.0) for name, n in forward.items()
+    ]
     weak = {"ideal": None, "wheels slip by 20 %": rl.Realism(wheel_slip=0.2),
             "lasers err by 5 cm": rl.Realism(laser_noise=0.05), "as in V-REP": rl.Realism.vrep()}  # fmt: skip
     cuts = {"5, 10, 15 cm": [0.05, 0.1, 0.15], "50, 100, 150 cm": [0.5, 1.0, 1.5]}
@@ -175,9 +257,19 @@ def lesson_11() -> list[Row]:
         for name, c in cuts.items() for world in ("ideal", "as in V-REP")
     }  # fmt: skip
     for name, (its, realism) in designs.items():
-        result = rl.compare(its, ["TOSL+QBIASSR"], 30, steps=1800, seed=0, realism=realism, progress=False)
+        result = rl.compare(
+            its,
+            ["TOSL+QBIASSR"],
+            30,
+            steps=1800,
+            seed=0,
+            realism=realism,
+            progress=False,
+        )
         group = result["TOSL+QBIASSR"]
-        rows.append(("11" if name in weak else "16", name, 1800, *mean_and_half(group.final)))
+        rows.append(
+            ("11" if name in weak else "16", name, 1800, *mean_and_half(group.final))
+        )
         if name.endswith(("ideal", "as in V-REP")):
             bumps = np.array([100 * (run.rewards == -2).mean() for run in group])
             rows.append(("16, bumps in 100 steps", name, 1800, *mean_and_half(bumps)))
@@ -187,14 +279,19 @@ def lesson_11() -> list[Row]:
     return rows
 
 
-def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple[np.ndarray, np.ndarray]:
+def _way_to_goal(
+    arena: Arena, grid: float = 0.05, clear: float = 0.25
+) -> tuple[np.ndarray, np.ndarray]:
     """Places on a grid that keep clear of the walls, array (places, 2), and the way from each to the goal [m]."""
     x_goal, y_goal, _ = arena.goal
     axis = np.arange(-2.0, 2.0 + grid / 2, grid)
     x, y = np.meshgrid(axis, axis, indexing="ij")
     free = np.ones(x.shape, dtype=bool)
     for wall in arena.walls:
-        (left, low), (right, high) = wall.corners().min(axis=0) - clear, wall.corners().max(axis=0) + clear
+        (left, low), (right, high) = (
+            wall.corners().min(axis=0) - clear,
+            wall.corners().max(axis=0) + clear,
+        )
         free &= ~((left < x) & (x < right) & (low < y) & (y < high))
     number = np.full(x.shape, -1)
     number[free] = np.arange(free.sum())
@@ -203,11 +300,21 @@ def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple
         here = (slice(0, n - i), slice(max(0, -j), n - max(0, j)))
         there = (slice(i, n), slice(max(0, j), n - max(0, -j)))
         both = free[here] & free[there]
-        edges.append((number[here][both], number[there][both], np.full(both.sum(), grid * hypot(i, j))))
+        edges.append(
+            (
+                number[here][both],
+                number[there][both],
+                np.full(both.sum(), grid * hypot(i, j)),
+            )
+        )
     start, end, length = (np.concatenate(parts) for parts in zip(*edges, strict=True))
     places = np.column_stack([x[free], y[free]])
     goal = np.hypot(*(places - (x_goal, y_goal)).T).argmin()
-    ways = dijkstra(csr_array((length, (start, end)), shape=(len(places),) * 2), directed=False, indices=goal)
+    ways = dijkstra(
+        csr_array((length, (start, end)), shape=(len(places),) * 2),
+        directed=False,
+        indices=goal,
+    )
     return places[np.isfinite(ways)], ways[np.isfinite(ways)]
 
 
@@ -227,13 +334,29 @@ def lesson_12() -> list[Row]:
         apart = np.hypot(*(places - (readings["x"], readings["y"])).T)
         return float(ways[apart.argmin()] + apart.min())
 
-    def drive(far: Callable[[Mapping[str, float]], float], factor: float, seed: int, zero: float = 0.0) -> rl.History:
-        def pay(before: Mapping[str, float], after: Mapping[str, float], r: float, terminated: bool) -> float:
+    def drive(
+        far: Callable[[Mapping[str, float]], float],
+        factor: float,
+        seed: int,
+        zero: float = 0.0,
+    ) -> rl.History:
+        def pay(
+            before: Mapping[str, float],
+            after: Mapping[str, float],
+            r: float,
+            terminated: bool,
+        ) -> float:
             honest = r if r in (10, -2, -10) else -0.1  # nothing for coming nearer
-            return honest - 0.9 * factor * (far(after) - zero) * (not terminated) + factor * (far(before) - zero)
+            return (
+                honest
+                - 0.9 * factor * (far(after) - zero) * (not terminated)
+                + factor * (far(before) - zero)
+            )
 
         env = Paid(rl.make_env(task, seed=seed), pay)
-        return rl.learn(rl.Agent(task, seed=seed), env, steps=10_800, progress=False, keep=True)
+        return rl.learn(
+            rl.Agent(task, seed=seed), env, steps=10_800, progress=False, keep=True
+        )
 
     kinds = {"straight distance": straight, "way round the walls": around}
     start = {"x": arena.start[0], "y": arena.start[1]}
@@ -243,8 +366,12 @@ def lesson_12() -> list[Row]:
         ends = [drive(around, 10, seed, zero) for seed in range(4)]
         states = np.array([len(np.unique(history.s[-1000:])) for history in ends])
         pay = np.array([history.rewards[-1000:].mean() for history in ends])
-        last.append(("12, states in the last 1000 steps", name, 10_800, *mean_and_half(states)))
-        last.append(("12, pay in the last 1000 steps", name, 10_800, *mean_and_half(pay)))
+        last.append(
+            ("12, states in the last 1000 steps", name, 10_800, *mean_and_half(states))
+        )
+        last.append(
+            ("12, pay in the last 1000 steps", name, 10_800, *mean_and_half(pay))
+        )
     return [("12, shortest way", "from the start to the goal [m]", 0, shortest, 0.0), *last] + [
         ("12", f"{factor} times the {name}: robots that arrived", 10_800,
          float(sum(drive(far, factor, seed).terminated.any() for seed in range(9))), 0.0)
@@ -257,22 +384,30 @@ def lesson_13() -> list[Row]:
     rows: list[Row] = []
     for lam in (0, 0.7, 0.9):
         means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
+        rows.append(
+            ("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0)
+        )
     return rows
 
 
 def _twenty_minutes(name: str, realism: rl.Realism | None, seed: int) -> rl.Agent:
     agent = rl.Agent(name, seed=seed)
-    rl.learn(agent, rl.make_env(name, seed=seed, realism=realism), steps=1200, progress=False)
+    rl.learn(
+        agent, rl.make_env(name, seed=seed, realism=realism), steps=1200, progress=False
+    )
     return agent
 
 
 def _lost_over_a_link(name: str, seed: int) -> float:
     """What a robot earns a step in its simulator, less what it earns over a link, for 100 steps."""
     agent = _twenty_minutes(name, None, seed)
-    alone = rl.learn(copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False).rewards.mean()
+    alone = rl.learn(
+        copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False
+    ).rewards.mean()
     with rl.ServedRobot(name, port=0, simulated_time=True) as served:
-        link = rl.RobotLink("rosbridge", **served.where, confirmed=True, simulated_time=True)
+        link = rl.RobotLink(
+            "rosbridge", **served.where, confirmed=True, simulated_time=True
+        )
         env = rl.make_env(name, link=link, seed=0)
         linked = rl.learn(agent, env, steps=100, progress=False).rewards.mean()
         env.close()
@@ -283,7 +418,9 @@ def lesson_18() -> list[Row]:
     """What four robots lose over a link; what sixteen earn after three rehearsals that the lesson does not run."""
     reality = rl.Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
 
-    def drives(rehearsal: rl.Realism | None, world: rl.Realism | None) -> tuple[float, float]:
+    def drives(
+        rehearsal: rl.Realism | None, world: rl.Realism | None
+    ) -> tuple[float, float]:
         earned = [
             rl.learn(_twenty_minutes("wander_1k", rehearsal, i), rl.make_env("wander_1k", seed=100 + i, realism=world),
                      steps=300, progress=False).rewards.mean() for i in range(16)
@@ -298,12 +435,26 @@ def lesson_18() -> list[Row]:
         *lost,
         ("18", "ideal, in its own simulator", 300, *drives(None, None)),
         ("18", "rehearsed in reality itself", 300, *drives(reality, reality)),
-        ("18", "rehearsed with walls that hold half as well", 300, *drives(rl.Realism(wall_friction=0.36), reality)),
+        (
+            "18",
+            "rehearsed with walls that hold half as well",
+            300,
+            *drives(rl.Realism(wall_friction=0.36), reality),
+        ),
     ]
 
 
 if __name__ == "__main__":
-    lessons = (lesson_07, lesson_04, lesson_05, lesson_06, lesson_11, lesson_12, lesson_13, lesson_18)
+    lessons = (
+        lesson_07,
+        lesson_04,
+        lesson_05,
+        lesson_06,
+        lesson_11,
+        lesson_12,
+        lesson_13,
+        lesson_18,
+    )
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

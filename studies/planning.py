@@ -44,13 +44,21 @@ def model_of(task: str) -> rl.SampleModel:
 def compare_all(quick: bool, store: Path | None) -> Results:
     """Every method with every planner, on robots and on models."""
     results = {}
-    worlds = {f"{name}, model": model_of(name) for name in MODELS} | {f"{name}, robot": name for name in ROBOTS}
+    worlds = {f"{name}, model": model_of(name) for name in MODELS} | {
+        f"{name}, robot": name for name in ROBOTS
+    }
     for label, world in worlds.items():
         n = 3 if quick else REPETITIONS[label.split(", ")[1]]
         folder = store and store / label.replace(", ", "_")
         methods = METHODS if isinstance(world, rl.SampleModel) else ON_ROBOTS
-        mine = {label: setting for label, setting in SETTINGS.items() if setting["method"] in methods}
-        results[label] = rl.compare(world, mine, n, steps=STEPS, store=folder, progress=False)
+        mine = {
+            label: setting
+            for label, setting in SETTINGS.items()
+            if setting["method"] in methods
+        }
+        results[label] = rl.compare(
+            world, mine, n, steps=STEPS, store=folder, progress=False
+        )
         print(results[label].table(), flush=True)
     return results
 
@@ -58,7 +66,11 @@ def compare_all(quick: bool, store: Path | None) -> Results:
 def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
     """Average reward over the first steps, array (repetitions,); at the end what the paper compares by."""
     runs = result[label]
-    return runs.final if steps == STEPS else np.array([history.rewards[:steps].mean() for history in runs])
+    return (
+        runs.final
+        if steps == STEPS
+        else np.array([history.rewards[:steps].mean() for history in runs])
+    )
 
 
 def methods_of(result: rl.Comparison) -> list[str]:
@@ -75,19 +87,33 @@ def tested(results: Results) -> dict[tuple[str, str, int, str], float]:
     for world, result in results.items():
         for method in methods_of(result):
             for steps in (EARLY, STEPS):
-                groups = {planner: averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
+                groups = {
+                    planner: averages(result, f"{method}, {planner}", steps)
+                    for planner in PLANNERS
+                }
                 for pair in Tukey.of(groups).pairs:
                     if pair.first == "None":
                         found[world, method, steps, pair.second] = pair.p
     corrected, largest = {}, 0.0
     for rank, key in enumerate(sorted(found, key=lambda key: found[key])):
-        corrected[key] = largest = max(largest, min(1.0, found[key] * (len(found) - rank)))
+        corrected[key] = largest = max(
+            largest, min(1.0, found[key] * (len(found) - rank))
+        )
     return corrected
 
 
-def told(results: Results, world: str, method: str, steps: int, p: dict[tuple[str, str, int, str], float]) -> list[str]:
+def told(
+    results: Results,
+    world: str,
+    method: str,
+    steps: int,
+    p: dict[tuple[str, str, int, str], float],
+) -> list[str]:
     """The three averages, the planners' with their corrected p against the agent without."""
-    means = {name: averages(results[world], f"{method}, {name}", steps).mean() for name in PLANNERS}
+    means = {
+        name: averages(results[world], f"{method}, {name}", steps).mean()
+        for name in PLANNERS
+    }
     cells = []
     for planner, mean in means.items():
         text = f"{mean:.2f}"
@@ -100,15 +126,22 @@ def told(results: Results, world: str, method: str, steps: int, p: dict[tuple[st
 
 
 def table_of(results: Results, steps: int) -> list[str]:
-    lines, p = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"], tested(results)
+    lines, p = (
+        ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"],
+        tested(results),
+    )
     for world, result in results.items():
         for method in methods_of(result):
             cells = told(results, world, method, steps, p)
-            lines.append(f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |")
+            lines.append(
+                f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |"
+            )
     return lines
 
 
-def seconds_a_step(world: str | rl.SampleModel, steps: int, rounds: int) -> dict[str, float]:
+def seconds_a_step(
+    world: str | rl.SampleModel, steps: int, rounds: int
+) -> dict[str, float]:
     """Median seconds of computing that a step takes, all settings side by side; the first round warms up."""
     times: dict[str, list[float]] = {label: [] for label in SETTINGS}
     for seed in range(rounds + 1):
@@ -122,7 +155,10 @@ def seconds_a_step(world: str | rl.SampleModel, steps: int, rounds: int) -> dict
 
 def costs(quick: bool) -> tuple[list[str], dict[str, float]]:
     """How much longer a step takes with a planner, in a table; and the seconds on the model of wander_1k."""
-    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    lines = [
+        "| world | method | no planner | dyna | sweeping |",
+        "|---|---|---|---|---|",
+    ]
     on_model: dict[str, float] = {}
     for name, world, steps in (
         ("wander_1k, model", model_of("wander_1k"), 36_000), ("wander_1k, robot", rl.load_task("wander_1k"), 1800),
@@ -131,12 +167,20 @@ def costs(quick: bool) -> tuple[list[str], dict[str, float]]:
         on_model = on_model or seconds
         for method in METHODS:
             base = seconds[f"{method}, None"]
-            ratios = [f"{seconds[f'{method}, {p}'] / base:.2f} times as long" for p in PLANNERS if p != "None"]
-            lines.append(f"| {name} | {method} | {base * 1e6:.2f} µs | {' | '.join(ratios)} |")
+            ratios = [
+                f"{seconds[f'{method}, {p}'] / base:.2f} times as long"
+                for p in PLANNERS
+                if p != "None"
+            ]
+            lines.append(
+                f"| {name} | {method} | {base * 1e6:.2f} µs | {' | '.join(ratios)} |"
+            )
     return lines, on_model
 
 
-def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: int) -> list[str]:
+def at_equal_seconds(
+    results: Results, on_model: dict[str, float], repetitions: int
+) -> list[str]:
     """The agent without a planner takes as many more steps as the planner's take longer."""
     lines = [
         "| method | planner | after 3600 steps | no planner, in the same time | its steps |",
@@ -146,8 +190,17 @@ def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: 
     for method in METHODS:
         for planner in ("dyna", "sweeping"):
             with_it = last(result[f"{method}, {planner}"])
-            steps = round(STEPS * max(1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]))
-            without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False))
+            steps = round(
+                STEPS
+                * max(
+                    1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]
+                )
+            )
+            without = last(
+                rl.repeat(
+                    model, method, repetitions=repetitions, steps=steps, progress=False
+                )
+            )
             p = Tukey.of({"without": without, "with": with_it}).pairs[0].p
             lines.append(
                 f"| {method} | {planner} | {with_it.mean():.2f} | {without.mean():.2f} ({stars(p)}) | {steps:,} |"
@@ -169,20 +222,30 @@ def figure(results: Results) -> Figure:
         for row, steps in enumerate((EARLY, STEPS)):
             ax = axes[row, column]
             for k, (planner, marker) in enumerate(zip(PLANNERS, "osD", strict=True)):
-                groups = [averages(result, f"{method}, {planner}", steps) for method in methods]
+                groups = [
+                    averages(result, f"{method}, {planner}", steps)
+                    for method in methods
+                ]
                 means, bars = (
                     np.array([group.mean() for group in groups]),
                     np.hstack([error_bars(g[:, None])[1] for g in groups]),
                 )
                 y = len(METHODS) - 1 - np.arange(len(methods)) + 0.22 * (1 - k)
                 ax.errorbar(
-                    means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner.replace("None", "no planner")
+                    means,
+                    y,
+                    xerr=bars,
+                    fmt=marker,
+                    color=CURVES[k][0],
+                    label=planner.replace("None", "no planner"),
                 )
             ax.set_yticks(range(len(METHODS))[::-1], METHODS)
             ax.grid(axis="x", alpha=0.3)
             if row == 0:
                 ax.set_title(world)
-            ax.set_xlabel(f"average reward, {'first ' if row == 0 else ''}{steps} steps")
+            ax.set_xlabel(
+                f"average reward, {'first ' if row == 0 else ''}{steps} steps"
+            )
     axes[0, 0].legend(fontsize="small")
     return fig
 
@@ -194,7 +257,9 @@ def main() -> None:
     arguments = parser.parse_args()
     lines, on_model = costs(arguments.quick)
     results = compare_all(arguments.quick, arguments.store)
-    equal = at_equal_seconds(results, on_model, 3 if arguments.quick else REPETITIONS["model"])
+    equal = at_equal_seconds(
+        results, on_model, 3 if arguments.quick else REPETITIONS["model"]
+    )
     text = PAGE.format(
         early="\n".join(table_of(results, EARLY)), final="\n".join(table_of(results, STEPS)),
         costs="\n".join(lines), equal="\n".join(equal), **{k: str(v) for k, v in REPETITIONS.items()},
@@ -202,7 +267,9 @@ def main() -> None:
     if arguments.quick:
         print(text)
         return
-    figure(results).savefig(DOCS / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
+    figure(results).savefig(
+        DOCS / "pictures" / "planning.png", dpi=80, metadata={"Software": None}
+    )
     (DOCS / "planning.md").write_text(text, encoding="utf-8")
 
 

@@ -8,9 +8,21 @@ from paper.run import reproduce
 
 if __name__ == "__main__":
     parser = ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
-    parser.add_argument("--engine", default="", help="of the robots, as kinematic; into a folder of its own")
-    parser.add_argument("--page", action="store_true", help="run nothing; write the tables anew from averages.csv")
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help="few repetitions, into docs/reproduction/quick/",
+    )
+    parser.add_argument(
+        "--engine",
+        default="",
+        help="of the robots, as kinematic; into a folder of its own",
+    )
+    parser.add_argument(
+        "--page",
+        action="store_true",
+        help="run nothing; write the tables anew from averages.csv",
+    )
     given = parser.parse_args()
     if given.page:
         write_page(Path("docs/reproduction"), {}, has_prose=True)

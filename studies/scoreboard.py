@@ -50,7 +50,9 @@ FURTHER: dict[str, tuple[str, str, dict[str, Any]]] = {
 
 def earned(method: str, settings: dict[str, Any], robot: str, seed: int) -> float:
     """Reward a step of one robot in its first hour."""
-    agent = rl.Agent(TASK, method, seed=seed, **{"traces": "full", "loop_evasion": False, **settings})
+    agent = rl.Agent(
+        TASK, method, seed=seed, **{"traces": "full", "loop_evasion": False, **settings}
+    )
     with rl.make_env(TASK, seed=seed, realism=WORLDS[robot]) as env:
         return float(rl.learn(agent, env, HOUR, progress=False).rewards.mean())
 
@@ -63,14 +65,18 @@ def rows_of(lesson: str, robot: str) -> list[tuple[str, ...]]:
     rows = []
     for robots in (ROBOTS, ALL) if lesson in LESSONS else (ALL,):
         mean, half = mean_and_half(np.array(means[:robots]))
-        rows.append((lesson, label, method, robot, str(robots), f"{mean:.4f}", f"{half:.4f}"))
+        rows.append(
+            (lesson, label, method, robot, str(robots), f"{mean:.4f}", f"{half:.4f}")
+        )
         print(*rows[-1], flush=True)
     return rows
 
 
 def main() -> None:
     """Measure, and write the table."""
-    rows = [row for robot in WORLDS for lesson in LESSONS for row in rows_of(lesson, robot)]
+    rows = [
+        row for robot in WORLDS for lesson in LESSONS for row in rows_of(lesson, robot)
+    ]
     rows += [row for lesson in FURTHER for row in rows_of(lesson, "held")]
     with GIVEN.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

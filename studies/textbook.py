@@ -23,10 +23,17 @@ BOOK, SOLVED = "Sutton & Barto", "table of Gymnasium, solved"
 
 
 def run(
-    model: rl.SampleModel, method: str, seed: int, episodes: int, steps: int = LONG, **parameters: float
+    model: rl.SampleModel,
+    method: str,
+    seed: int,
+    episodes: int,
+    steps: int = LONG,
+    **parameters: float,
 ) -> rl.History:
     """One agent in one world."""
-    agent = rl.Agent(model, method, seed=2 * seed, r_max=1.0, **parameters)  # r_max: ε-greedy does not look at it
+    agent = rl.Agent(
+        model, method, seed=2 * seed, r_max=1.0, **parameters
+    )  # r_max: ε-greedy does not look at it
     env = rl.make_env(model, seed=2 * seed + 1)
     return rl.learn(agent, env, steps, episodes=episodes, progress=False)
 
@@ -34,22 +41,44 @@ def run(
 def cliff(method: str, runs: int) -> np.ndarray:
     """Mean return of the last 100 of 500 episodes on the cliff, array (runs,)."""
     model, parameters = worlds.cliff(), {"alpha": 0.5, "epsilon": 0.1, "gamma": GAMMA}
-    return np.array([run(model, f"{method}+EG", i, 500, **parameters).returns[-100:].mean() for i in range(runs)])
+    return np.array(
+        [
+            run(model, f"{method}+EG", i, 500, **parameters).returns[-100:].mean()
+            for i in range(runs)
+        ]
+    )
 
 
 def windy(runs: int) -> np.ndarray:
     """Episodes of SARSA that end within 8000 steps in the windy gridworld, array (runs,)."""
-    model, parameters = worlds.windy_gridworld(), {"alpha": 0.5, "epsilon": 0.1, "gamma": GAMMA}
-    histories = (run(model, "SARSA+EG", i, 8000, 8000, **parameters) for i in range(runs))
+    model, parameters = (
+        worlds.windy_gridworld(),
+        {"alpha": 0.5, "epsilon": 0.1, "gamma": GAMMA},
+    )
+    histories = (
+        run(model, "SARSA+EG", i, 8000, 8000, **parameters) for i in range(runs)
+    )
     return np.array([history.terminated.sum() for history in histories])
 
 
 def maze(planning_steps: int, runs: int, episodes: int = 50) -> np.ndarray:
     """Steps of each episode in the Dyna maze, array (runs, episodes)."""
-    model, parameters = worlds.dyna_maze(), {"alpha": 0.1, "epsilon": 0.1, "gamma": 0.95}
-    planner = {"planner": "dyna", "planning_steps": planning_steps} if planning_steps else {}
-    histories = (run(model, "Q+EG", i, episodes, **parameters, **planner) for i in range(runs))
-    return np.array([np.diff(np.flatnonzero(history.terminated), prepend=-1) for history in histories])
+    model, parameters = (
+        worlds.dyna_maze(),
+        {"alpha": 0.1, "epsilon": 0.1, "gamma": 0.95},
+    )
+    planner = (
+        {"planner": "dyna", "planning_steps": planning_steps} if planning_steps else {}
+    )
+    histories = (
+        run(model, "Q+EG", i, episodes, **parameters, **planner) for i in range(runs)
+    )
+    return np.array(
+        [
+            np.diff(np.flatnonzero(history.terminated), prepend=-1)
+            for history in histories
+        ]
+    )
 
 
 def good_from(steps: np.ndarray, most: float = 25.0) -> int:
@@ -69,7 +98,10 @@ def walk(lam: float, alpha: float, runs: int) -> np.ndarray:
     model, errors = worlds.random_walk(), np.empty((runs, 10))
     for i in range(runs):
         parameters = {"alpha": alpha, "gamma": GAMMA, "lam": lam, "traces": "full"}
-        agent, env = rl.Agent(model, "TOSL+RANDOM", seed=2 * i, **parameters), rl.make_env(model, seed=2 * i + 1)
+        agent, env = (
+            rl.Agent(model, "TOSL+RANDOM", seed=2 * i, **parameters),
+            rl.make_env(model, seed=2 * i + 1),
+        )
         for episode in range(10):
             rl.learn(agent, env, LONG, episodes=1, progress=False)
             errors[i, episode] = walk_error(agent.q[:, 0])
@@ -78,7 +110,11 @@ def walk(lam: float, alpha: float, runs: int) -> np.ndarray:
 
 def frozen_lake(size: str) -> float:
     """The optimal value of the start on the slippery lake, γ = 0.99."""
-    return float(rl.value_iteration(worlds.of_gymnasium(FrozenLakeEnv(map_name=size)), gamma=0.99).v[0])
+    return float(
+        rl.value_iteration(
+            worlds.of_gymnasium(FrozenLakeEnv(map_name=size)), gamma=0.99
+        ).v[0]
+    )
 
 
 def taxi() -> np.ndarray:
@@ -134,7 +170,10 @@ def rows(runs: int) -> list[tuple[str, str, str, str]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "--runs", type=int, default=40, help="repetitions; with another number the page is only printed"
+        "--runs",
+        type=int,
+        default=40,
+        help="repetitions; with another number the page is only printed",
     )
     runs: int = parser.parse_args().runs
     table = "\n".join(f"| {' | '.join(row)} |" for row in rows(runs))

@@ -17,7 +17,9 @@ THIRDS = 3  # Gymnasium's tables hold probabilities of 1 and of 1/3
 WALK_CELLS = 19
 
 
-def model_of(shape: tuple[int, ...], rows: Iterable[Sequence[Outcome]], starts: Sequence[int]) -> SampleModel:
+def model_of(
+    shape: tuple[int, ...], rows: Iterable[Sequence[Outcome]], starts: Sequence[int]
+) -> SampleModel:
     """A sample model of what each pair leads to. rows: the outcomes of (0, 0), (0, 1), … in the order of the pairs."""
     rows = list(rows)
     outcomes = [outcome for row in rows for outcome in row]
@@ -29,7 +31,9 @@ def model_of(shape: tuple[int, ...], rows: Iterable[Sequence[Outcome]], starts: 
         s_next=np.array(s_next),
         r=np.array(r, dtype=float),
         terminated=np.array(terminated),
-        cumulative=np.concatenate([list(accumulate(count for count, *_ in row)) for row in rows]),
+        cumulative=np.concatenate(
+            [list(accumulate(count for count, *_ in row)) for row in rows]
+        ),
         starts=np.array(starts),
         rewards=np.unique(r).astype(float),
     )
@@ -39,7 +43,10 @@ def of_gymnasium(env: FrozenLakeEnv | TaxiEnv) -> SampleModel:
     """An environment of Gymnasium, copied from its own table of outcomes."""
     n_states, n_actions = env.observation_space.n, env.action_space.n
     rows = [
-        [(round(THIRDS * p), int(s_next), float(r), bool(end)) for p, s_next, r, end in env.P[s][a]]
+        [
+            (round(THIRDS * p), int(s_next), float(r), bool(end))
+            for p, s_next, r, end in env.P[s][a]
+        ]
         for s in range(n_states)
         for a in range(n_actions)
     ]
@@ -64,7 +71,9 @@ def cliff() -> SampleModel:
     """Example 6.6: −1 a step; the cliff costs 100 and leads back to the start."""
     start, goal = (3, 0), (3, 11)
 
-    def outcome(row: int, column: int, move: tuple[int, int]) -> tuple[tuple[int, int], float, bool]:
+    def outcome(
+        row: int, column: int, move: tuple[int, int]
+    ) -> tuple[tuple[int, int], float, bool]:
         cell = min(max(row + move[0], 0), 3), min(max(column + move[1], 0), 11)
         falls = cell[0] == 3 and 0 < cell[1] < 11
         return (start, -100.0, False) if falls else (cell, -1.0, cell == goal)
@@ -76,8 +85,13 @@ def windy_gridworld() -> SampleModel:
     """Example 6.5: −1 a step, and in the middle a wind that blows upwards by one or two cells."""
     wind, goal = (0, 0, 0, 1, 1, 1, 2, 2, 1, 0), (3, 7)
 
-    def outcome(row: int, column: int, move: tuple[int, int]) -> tuple[tuple[int, int], float, bool]:
-        cell = min(max(row + move[0] - wind[column], 0), 6), min(max(column + move[1], 0), 9)
+    def outcome(
+        row: int, column: int, move: tuple[int, int]
+    ) -> tuple[tuple[int, int], float, bool]:
+        cell = (
+            min(max(row + move[0] - wind[column], 0), 6),
+            min(max(column + move[1], 0), 9),
+        )
         return cell, -1.0, cell == goal
 
     return grid((7, 10), (3, 0), outcome)
@@ -87,7 +101,9 @@ def dyna_maze() -> SampleModel:
     """Example 8.1: walls, and 1 at the goal."""
     walls, goal = {(1, 2), (2, 2), (3, 2), (4, 5), (0, 7), (1, 7), (2, 7)}, (0, 8)
 
-    def outcome(row: int, column: int, move: tuple[int, int]) -> tuple[tuple[int, int], float, bool]:
+    def outcome(
+        row: int, column: int, move: tuple[int, int]
+    ) -> tuple[tuple[int, int], float, bool]:
         cell = min(max(row + move[0], 0), 5), min(max(column + move[1], 0), 8)
         cell = (row, column) if cell in walls else cell
         return cell, float(cell == goal), cell == goal
@@ -99,7 +115,10 @@ def random_walk() -> SampleModel:
     """Section 12.5: 19 cells in a row, left or right by chance; −1 beyond the left end, 1 beyond the right one."""
     ends = {-1: -1.0, WALK_CELLS: 1.0}
     rows = [
-        [(1, s if s_next in ends else s_next, ends.get(s_next, 0.0), s_next in ends) for s_next in (s - 1, s + 1)]
+        [
+            (1, s if s_next in ends else s_next, ends.get(s_next, 0.0), s_next in ends)
+            for s_next in (s - 1, s + 1)
+        ]
         for s in range(WALK_CELLS)
     ]
     return model_of((WALK_CELLS,), rows, [WALK_CELLS // 2])

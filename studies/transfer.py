@@ -49,21 +49,35 @@ CARRIES = (
     Carry("pymunk to PyBullet", "wander_1k", "wander_1k", engine="pybullet", steps=300),
     Carry("Pioneer to Giraff", "wander_1k", "giraff_wander_1k", ways=4),
     Carry("wander_1k to wander_4k", "wander_1k", "wander_4k"),
-    Carry("the same robot and task, to compare with", "wander_1k", "wander_1k", steps=300),
+    Carry(
+        "the same robot and task, to compare with", "wander_1k", "wander_1k", steps=300
+    ),
 )
 
 
-def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.ndarray, float]:
+def once(
+    carry: Carry, number: int, steps: int, source_steps: int
+) -> tuple[np.ndarray, float]:
     """Rewards of a repetition, array (ways, steps); and the share of the target's pairs that were known.
 
     The source agent is its own in each repetition, and so are the random numbers of each way.
     """
-    seeds = np.random.SeedSequence(0, spawn_key=(CARRIES.index(carry), number)).spawn(2 + 2 * carry.ways)
-    world = rl.SampleModel.from_recording(rl.read_recording(carry.source)) if carry.from_model else carry.source
+    seeds = np.random.SeedSequence(0, spawn_key=(CARRIES.index(carry), number)).spawn(
+        2 + 2 * carry.ways
+    )
+    world = (
+        rl.SampleModel.from_recording(rl.read_recording(carry.source))
+        if carry.from_model
+        else carry.source
+    )
     source = rl.Agent(carry.source, METHOD, seed=seeds[0])
     with rl.make_env(world, seeds[1]) as env:
         rl.learn(
-            source, env, steps=source_steps * (MODEL_STEPS // SOURCE_STEPS if carry.from_model else 1), progress=False
+            source,
+            env,
+            steps=source_steps
+            * (MODEL_STEPS // SOURCE_STEPS if carry.from_model else 1),
+            progress=False,
         )
     rewards, share = np.empty((carry.ways, steps)), 0.0
     for i, way in enumerate(WAYS[: carry.ways]):
@@ -131,14 +145,20 @@ target.
 """
 
 
-def measured(carry: Carry, folder: Path | None, quick: bool) -> tuple[np.ndarray, np.ndarray]:
+def measured(
+    carry: Carry, folder: Path | None, quick: bool
+) -> tuple[np.ndarray, np.ndarray]:
     """Rewards of a carry, array (repetitions, ways, steps), and the shares of known pairs, array (repetitions,)."""
     file = folder and folder / f"{carry.name}.npz"
     if file and file.is_file():
         with np.load(file) as kept:
             return kept["rewards"], kept["shares"]
-    repetitions, steps, source_steps = (3, 100, 300) if quick else (REPETITIONS, carry.steps, SOURCE_STEPS)
-    done = workers()(delayed(once)(carry, i, steps, source_steps) for i in range(repetitions))
+    repetitions, steps, source_steps = (
+        (3, 100, 300) if quick else (REPETITIONS, carry.steps, SOURCE_STEPS)
+    )
+    done = workers()(
+        delayed(once)(carry, i, steps, source_steps) for i in range(repetitions)
+    )
     rewards, shares = (np.array(part) for part in zip(*done, strict=True))
     if file:
         file.parent.mkdir(exist_ok=True)
@@ -153,7 +173,9 @@ def last_hour_in_the_model() -> np.ndarray:
     for i in range(REPETITIONS):
         agent_seed, env_seed = np.random.SeedSequence(0, spawn_key=(0, i)).spawn(2)
         agent = rl.Agent(CARRIES[0].source, METHOD, seed=agent_seed)
-        history = rl.learn(agent, rl.make_env(model, env_seed), steps=MODEL_STEPS, progress=False)
+        history = rl.learn(
+            agent, rl.make_env(model, env_seed), steps=MODEL_STEPS, progress=False
+        )
         earned[i] = history.rewards[-3600:].mean()
     return earned
 
@@ -168,7 +190,11 @@ def compared(rewards: np.ndarray, way: int, horizon: int) -> tuple[str, float, f
     of, scratch = (rewards[:, i, :horizon].mean(axis=1) for i in (way, 0))
     half = stats.t.ppf(0.975, len(of) - 1) * stats.sem(of)
     test = stats.mannwhitneyu(of, scratch)
-    return f"{of.mean():.2f} ± {half:.2f}", float(test.pvalue), float(test.statistic / len(of) / len(scratch))
+    return (
+        f"{of.mean():.2f} ± {half:.2f}",
+        float(test.pvalue),
+        float(test.statistic / len(of) / len(scratch)),
+    )
 
 
 def table(carry: Carry, rewards: np.ndarray, tests: int) -> Table:
@@ -179,9 +205,17 @@ def table(carry: Carry, rewards: np.ndarray, tests: int) -> Table:
         cells = []
         for horizon in horizons:
             mean, p, better = compared(rewards, i, horizon)
-            p_said = "p < 0.0001" if p < 1e-4 else f"p = {p:.4f}" if p < 0.01 else f"p = {p:.2f}"
+            p_said = (
+                "p < 0.0001"
+                if p < 1e-4
+                else f"p = {p:.4f}"
+                if p < 0.01
+                else f"p = {p:.2f}"
+            )
             mark = " (significant)" if p * tests < 0.05 else ""
-            cells.append(mean if i == 0 else f"{mean}; {p_said}{mark}; better in {better:.0%}")
+            cells.append(
+                mean if i == 0 else f"{mean}; {p_said}{mark}; better in {better:.0%}"
+            )
         rows.append((way, *cells))
     return Table(carry.name, ("agents", *(f"first {h} steps" for h in horizons)), rows)
 
@@ -195,11 +229,28 @@ def picture(kept: dict[Carry, np.ndarray]) -> Picture:
         points = np.unique(np.geomspace(10, curves.shape[-1], 300).astype(int))
         for i, way in enumerate(WAYS[: carry.ways]):
             (colour, dashes), part = CURVES[i], curves[:, i, points - 1]
-            ax.fill_between(points, *mean_band(part), color=colour, alpha=0.2, linewidth=0)
-            ax.plot(points, part.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=way)
-        said = ", ".join(f"{way} {curves[:, i, -1].mean():.2f}" for i, way in enumerate(WAYS[: carry.ways]))
+            ax.fill_between(
+                points, *mean_band(part), color=colour, alpha=0.2, linewidth=0
+            )
+            ax.plot(
+                points,
+                part.mean(axis=0),
+                color=colour,
+                linestyle=dashes,
+                linewidth=1.8,
+                label=way,
+            )
+        said = ", ".join(
+            f"{way} {curves[:, i, -1].mean():.2f}"
+            for i, way in enumerate(WAYS[: carry.ways])
+        )
         ends.append(f"{carry.name} ends at: {said}")
-        ax.set(xscale="log", title=carry.name, xlabel="step of 1 s", ylabel="average reward per step")
+        ax.set(
+            xscale="log",
+            title=carry.name,
+            xlabel="step of 1 s",
+            ylabel="average reward per step",
+        )
         ax.grid(alpha=0.3)
         handles = max(handles, ax.get_lines(), key=len)
     shown.legend(handles=handles, loc="outside lower center", ncols=len(WAYS))
@@ -210,14 +261,22 @@ def picture(kept: dict[Carry, np.ndarray]) -> Picture:
 def main() -> None:
     """Measure, or take what was measured, and write the page."""
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("--quick", action="store_true", help="few and short repetitions; writes nothing")
+    options.add_argument(
+        "--quick", action="store_true", help="few and short repetitions; writes nothing"
+    )
     options.add_argument("--kept", type=Path, help="folder that keeps the rewards")
     given = options.parse_args()
     kept, shares = {}, {}
     for carry in CARRIES:
         kept[carry], shares[carry] = measured(carry, given.kept, given.quick)
-    tests = sum((c.ways - 1) * (h <= rewards.shape[-1]) for c, rewards in kept.items() for h in HORIZONS)
-    tables = {carry.name: table(carry, rewards, tests) for carry, rewards in kept.items()}
+    tests = sum(
+        (c.ways - 1) * (h <= rewards.shape[-1])
+        for c, rewards in kept.items()
+        for h in HORIZONS
+    )
+    tables = {
+        carry.name: table(carry, rewards, tests) for carry, rewards in kept.items()
+    }
     for shown in tables.values():
         print(shown, "\n")
     if given.quick:
@@ -231,7 +290,8 @@ def main() -> None:
         source_steps=SOURCE_STEPS,
         model_steps=MODEL_STEPS,
         verdict=VERDICT.format(
-            in_model=last_hour_in_the_model().mean(), scratch_4k=kept[CARRIES[3]][:, 0, -500:].mean()
+            in_model=last_hour_in_the_model().mean(),
+            scratch_4k=kept[CARRIES[3]][:, 0, -500:].mean(),
         ),
         tests=tests,
         alt=figure.alt,

@@ -12,7 +12,18 @@ from pathlib import Path
 
 import numpy as np
 from joblib import delayed
-from vrep_worlds import FOUND, NOW, PRESET, STEPS, TASK, WORLDS, Rows, World, learning, same_choices
+from vrep_worlds import (
+    FOUND,
+    NOW,
+    PRESET,
+    STEPS,
+    TASK,
+    WORLDS,
+    Rows,
+    World,
+    learning,
+    same_choices,
+)
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.workers import workers
@@ -21,7 +32,13 @@ from rlrobot_edu.learning.transitions import Transitions
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
 VREP = HERE.parents[1] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"
-VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
+VREP_INPUTS = [
+    "laser_front",
+    "laser_front_left",
+    "laser_front_right",
+    "laser_left",
+    "laser_right",
+]
 HOUR = 3600
 SEEDS = range(6)
 REWARDS = (-10.0, -2.0, -0.02, 10.0)
@@ -30,13 +47,20 @@ SPINS = (2, 6)  # one wheel forward, the other backward
 
 def vrep_recording() -> rl.Recording:
     """The paper's own recording."""
-    return rl.read_recording(VREP, legacy=True, task=rl.load_task(TASK), inputs=VREP_INPUTS)
+    return rl.read_recording(
+        VREP, legacy=True, task=rl.load_task(TASK), inputs=VREP_INPUTS
+    )
 
 
-def outcomes(rows: Rows, of: Callable = lambda s_next, r: (s_next, r)) -> dict[tuple[int, int], dict]:
+def outcomes(
+    rows: Rows, of: Callable = lambda s_next, r: (s_next, r)
+) -> dict[tuple[int, int], dict]:
     """How often each outcome was seen after each pair (s, a)."""
     counts: dict = {}
-    for s, a, s_next, r in zip(*(column.tolist() for column in (rows.s, rows.a, rows.s_next, rows.r)), strict=True):
+    for s, a, s_next, r in zip(
+        *(column.tolist() for column in (rows.s, rows.a, rows.s_next, rows.r)),
+        strict=True,
+    ):
         after = counts.setdefault((s, a), {})
         after[of(s_next, r)] = after.get(of(s_next, r), 0) + 1
     return counts
@@ -45,11 +69,20 @@ def outcomes(rows: Rows, of: Callable = lambda s_next, r: (s_next, r)) -> dict[t
 def often_seen(recordings: list[Rows], least: int = 30) -> set[tuple[int, int]]:
     """The pairs (s, a) with at least `least` visits in each of the recordings."""
     return set.intersection(
-        *({pair for pair, after in outcomes(rows).items() if sum(after.values()) >= least} for rows in recordings)
+        *(
+            {
+                pair
+                for pair, after in outcomes(rows).items()
+                if sum(after.values()) >= least
+            }
+            for rows in recordings
+        )
     )
 
 
-def distance(reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Callable) -> float:
+def distance(
+    reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Callable
+) -> float:
     """Mean total variation distance between the outcome distributions of `pairs`, weighted by visits in `reference`.
 
     0: the same; 1: nothing in common.
@@ -60,13 +93,18 @@ def distance(reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Ca
         n, m = sum(one[pair].values()), sum(two[pair].values())
         seen = sorted(one[pair].keys() | two[pair].keys())
         weights.append(n)
-        distances.append(sum(abs(one[pair].get(o, 0) / n - two[pair].get(o, 0) / m) for o in seen) / 2)
+        distances.append(
+            sum(abs(one[pair].get(o, 0) / n - two[pair].get(o, 0) / m) for o in seen)
+            / 2
+        )
     return float(np.average(distances, weights=weights))
 
 
 def joined(parts: list[Transitions]) -> Transitions:
     """Several recordings as one."""
-    return Transitions(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+    return Transitions(
+        *(np.concatenate(columns) for columns in zip(*parts, strict=True))
+    )
 
 
 def part(rows: Transitions, which: np.ndarray) -> Transitions:
@@ -83,10 +121,21 @@ def row(vrep: Rows, parts: list[Transitions], pairs: set[tuple[int, int]]) -> st
     """Cells of one row of the page's table; pairs: those that all its rows can be compared by."""
     ours = joined(parts)
     own = often_seen([vrep, ours])
-    without_one = [distance(vrep, joined([p for p in parts if p is not left_out]), pairs) for left_out in parts]
-    scatter = math.sqrt((len(parts) - 1) * np.var(without_one))  # the jackknife's standard error
-    cells = [f"{distance(vrep, ours, own):.3f} ({len(own)})", f"{distance(vrep, ours, pairs):.3f} ± {scatter:.3f}"]
-    cells += [f"{distance(vrep, ours, pairs, of=of):.3f}" for of in (lambda s_next, r: r, lambda s_next, r: s_next)]
+    without_one = [
+        distance(vrep, joined([p for p in parts if p is not left_out]), pairs)
+        for left_out in parts
+    ]
+    scatter = math.sqrt(
+        (len(parts) - 1) * np.var(without_one)
+    )  # the jackknife's standard error
+    cells = [
+        f"{distance(vrep, ours, own):.3f} ({len(own)})",
+        f"{distance(vrep, ours, pairs):.3f} ± {scatter:.3f}",
+    ]
+    cells += [
+        f"{distance(vrep, ours, pairs, of=of):.3f}"
+        for of in (lambda s_next, r: r, lambda s_next, r: s_next)
+    ]
     return " | ".join([*cells, in_words(shares(ours))])
 
 
@@ -98,9 +147,14 @@ def in_words(numbers: list[float]) -> str:
 def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
     """Distances between recordings of one and the same simulation."""
     step = np.arange(len(vrep.s))
-    rows, blocks = ([part(vrep, step // size % 2 == i) for i in (0, 1)] for size in (1, 600))
+    rows, blocks = (
+        [part(vrep, step // size % 2 == i) for i in (0, 1)] for size in (1, 600)
+    )
     others = [joined([other for other in ours if other is not one]) for one in ours]
-    seeds = [distance(one, rest, often_seen([one, rest])) for one, rest in zip(ours, others, strict=True)]
+    seeds = [
+        distance(one, rest, often_seen([one, rest]))
+        for one, rest in zip(ours, others, strict=True)
+    ]
     return {
         "floor_15": distance(*rows, often_seen(rows, least=15)),
         "floor_30": distance(*rows, often_seen(rows, least=30)),
@@ -177,10 +231,20 @@ V-REP's row is one agent: its recording does not show how much such agents diffe
 """
 
 
-def verdict(vrep: Transitions, recordings: dict[World, list[Transitions]], pairs: set[tuple[int, int]]) -> str:
+def verdict(
+    vrep: Transitions,
+    recordings: dict[World, list[Transitions]],
+    pairs: set[tuple[int, int]],
+) -> str:
     """A text about the default and the preset in the table; its words follow the numbers."""
-    found, now, preset = (distance(vrep, joined(recordings[world]), pairs) for world in (FOUND, NOW, PRESET))
-    off = [max(abs(np.subtract(shares(joined(recordings[w])), shares(vrep)))) for w in (FOUND, NOW, PRESET)]
+    found, now, preset = (
+        distance(vrep, joined(recordings[world]), pairs)
+        for world in (FOUND, NOW, PRESET)
+    )
+    off = [
+        max(abs(np.subtract(shares(joined(recordings[w])), shares(vrep))))
+        for w in (FOUND, NOW, PRESET)
+    ]
     lower = {True: "lower", False: "raise"}
     return (
         f"Maze and robot together {lower[now < found]} the distance by {abs(now - found):.3f}; lag and friction\n"
@@ -200,12 +264,21 @@ def page() -> str:
     """The whole page. Takes about three minutes on two cores."""
     vrep = vrep_recording().transitions
     parallel = workers()
-    jobs = parallel(delayed(same_choices)(world, seed, vrep) for world in WORLDS.values() for seed in SEEDS)
+    jobs = parallel(
+        delayed(same_choices)(world, seed, vrep)
+        for world in WORLDS.values()
+        for seed in SEEDS
+    )
     n = len(SEEDS)
-    recordings = {world: jobs[i * n : (i + 1) * n] for i, world in enumerate(WORLDS.values())}
-    learnt = parallel(delayed(learning)(world, seed) for world in (NOW, PRESET) for seed in SEEDS)
+    recordings = {
+        world: jobs[i * n : (i + 1) * n] for i, world in enumerate(WORLDS.values())
+    }
+    learnt = parallel(
+        delayed(learning)(world, seed) for world in (NOW, PRESET) for seed in SEEDS
+    )
     hours = [
-        np.reshape(rewards, (-1, STEPS // HOUR, HOUR)).mean(axis=2) for rewards in (vrep.r, learnt[:n], learnt[n:])
+        np.reshape(rewards, (-1, STEPS // HOUR, HOUR)).mean(axis=2)
+        for rewards in (vrep.r, learnt[:n], learnt[n:])
     ]
     pairs = often_seen([vrep, *(joined(parts) for parts in recordings.values())])
     now, preset = joined(recordings[NOW]), joined(recordings[PRESET])
@@ -215,7 +288,10 @@ def page() -> str:
         return float((rows.s == rows.s_next)[chosen].mean())
 
     def hour(i: int) -> str:
-        cells = [f"{h[:, i].mean():.2f} ({h[:, i].min():.2f} to {h[:, i].max():.2f})" for h in hours[1:]]
+        cells = [
+            f"{h[:, i].mean():.2f} ({h[:, i].min():.2f} to {h[:, i].max():.2f})"
+            for h in hours[1:]
+        ]
         return f"| {i + 1} | {hours[0][0, i]:.2f} | {' | '.join(cells)} |"
 
     return PAGE.format(
@@ -224,13 +300,20 @@ def page() -> str:
         others=n - 1,
         pairs=len(pairs),
         vrep_shares=in_words(shares(vrep)),
-        rows="\n".join(f"| {name} | {row(vrep, recordings[world], pairs)} |" for name, world in WORLDS.items()),
+        rows="\n".join(
+            f"| {name} | {row(vrep, recordings[world], pairs)} |"
+            for name, world in WORLDS.items()
+        ),
         verdict=verdict(vrep, recordings, pairs),
         hours="\n".join(map(hour, range(STEPS // HOUR))),
         **{
             f"{who}_{what}": stayed(rows, actions)
             for who, rows in {"vrep": vrep, "our": now, "preset": preset}.items()
-            for what, actions in {"stop": (1, 3), "spin": SPINS, "pivot": (5, 7)}.items()
+            for what, actions in {
+                "stop": (1, 3),
+                "spin": SPINS,
+                "pivot": (5, 7),
+            }.items()
         },
         **dict(zip(("vrep_again", "vrep_other"), after_a_spin(vrep), strict=True)),
     )

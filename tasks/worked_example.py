@@ -47,7 +47,11 @@ task = Task(
         InputVariable("d", values=[0, 1]),
     ],
     outputs=[
-        OutputVariable("move", values=[ADVANCE, SPIN_LEFT, SPIN_RIGHT], words=["advance", "spin left", "spin right"])
+        OutputVariable(
+            "move",
+            values=[ADVANCE, SPIN_LEFT, SPIN_RIGHT],
+            words=["advance", "spin left", "spin right"],
+        )
     ],
     rewards=[-2, -0.02, 10],
     reward=reward,

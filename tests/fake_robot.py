@@ -11,7 +11,13 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.ros.live import line, steering
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry, velocity_of
+from rlrobot_edu.ros.messages import (
+    LASER_SCAN,
+    ODOMETRY,
+    make_laser_scan,
+    make_odometry,
+    velocity_of,
+)
 
 
 class FakeRobot:
@@ -127,6 +133,9 @@ def env(robot):
 
 MAX_AGE = steering.MAX_AGE
 LEFT, RIGHT, AHEAD = 1, 2, 3  # actions of giraff_wander_simple; 0 is stop
-V, OMEGA = 0.0375, round(0.075 / 0.46, 9)  # of wheels that turn at 0.5 rad/s, alike and against each other
+V, OMEGA = (
+    0.0375,
+    round(0.075 / 0.46, 9),
+)  # of wheels that turn at 0.5 rad/s, alike and against each other
 FREE, NEAR = [1.0] * 8, [0.35] * 8  # 0.12 m from the rim of the robot
 NOTHING = [math.inf] * 8

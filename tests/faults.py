@@ -23,10 +23,22 @@ except ImportError:  # Windows
 TESTS = Path(__file__).parent
 NOBODY = 65534
 WRITING = {"write_together"}  # of files.py, which writes for all
-EFFECTS = {"open", "write", "flush", "fsync", "mkdir", "replace", "unlink"}  # calls that change something
+EFFECTS = {
+    "open",
+    "write",
+    "flush",
+    "fsync",
+    "mkdir",
+    "replace",
+    "unlink",
+}  # calls that change something
 
-needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs a system on which a process can be copied")
-needs_limits = pytest.mark.skipif(resource is None, reason="needs a system that can limit the size of files")
+needs_fork = pytest.mark.skipif(
+    not hasattr(os, "fork"), reason="needs a system on which a process can be copied"
+)
+needs_limits = pytest.mark.skipif(
+    resource is None, reason="needs a system that can limit the size of files"
+)
 
 
 # tqdm shares a lock with forks, which one that is killed would keep for ever, and has a thread that watches its bars.
@@ -43,7 +55,9 @@ def alone(test):
         its_folder = str(Path(test.__code__.co_filename).parent)
         code = f"{ONE_THREAD}; import pathlib, sys; sys.path.append({its_folder!r})\n"
         code += f"import {name}(pathlib.Path({str(tmp_path)!r}))"
-        done = subprocess.run([sys.executable, "-c", code], cwd=TESTS, capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=TESTS, capture_output=True, text=True
+        )
         assert done.returncode == 0, done.stderr
 
     return in_a_process_of_its_own
@@ -56,7 +70,9 @@ def is_killed(do, arm=None, after=None) -> bool:
             time.sleep(after)
             os.kill(pid, signal.SIGKILL)
         status = os.waitpid(pid, 0)[1]
-        assert status == 0 or os.WIFSIGNALED(status), "it failed before it was killed; see above"
+        assert status == 0 or os.WIFSIGNALED(status), (
+            "it failed before it was killed; see above"
+        )
         return status != 0
     try:
         if arm is not None:
@@ -81,7 +97,9 @@ def at_call(n, reached=None):
         nonlocal depth, count
         code = frame.f_code
         if event in ("call", "return"):
-            if code.co_name in WRITING and code.co_filename.endswith("rlrobot_edu/files.py"):
+            if code.co_name in WRITING and code.co_filename.endswith(
+                "rlrobot_edu/files.py"
+            ):
                 depth += 1 if event == "call" else -1
         elif depth and called.__name__ in EFFECTS:
             if reached is not None:
@@ -139,7 +157,9 @@ def full_disk(size):
 def as_nobody():
     """Without the rights of root, to whom no folder is read-only; whoever else runs the tests stays who they are."""
     is_root = hasattr(os, "geteuid") and os.geteuid() == 0
-    "".encode("cp437")  # zip files are read with it, and nobody may not read it where Python is the user's own
+    "".encode(
+        "cp437"
+    )  # zip files are read with it, and nobody may not read it where Python is the user's own
     if is_root:
         os.seteuid(NOBODY)
     try:

@@ -12,7 +12,10 @@ def numpy_bias(q, shape, s):
     """QBIASSR's bias by NumPy means along each input's axis of Q (paper algorithm 2); array (A,)."""
     cube = q.reshape(*shape, -1)
     bins = np.unravel_index(s, shape)
-    families = [cube[(*bins[:i], slice(None), *bins[i + 1 :])].mean(axis=0) for i in range(len(shape))]
+    families = [
+        cube[(*bins[:i], slice(None), *bins[i + 1 :])].mean(axis=0)
+        for i in range(len(shape))
+    ]
     return np.mean(families, axis=0)
 
 
@@ -26,7 +29,12 @@ class NumpyLoopEvasion:
     """LRLE on a plain list of the recent (state, reward) pairs (paper algorithm 3)."""
 
     def __init__(self, length, default):
-        self.length, self.default, self.temperature, self.recent = length, default, default, []
+        self.length, self.default, self.temperature, self.recent = (
+            length,
+            default,
+            default,
+            [],
+        )
 
     def __call__(self, s, r):
         self.recent = [*self.recent, (s, r)][-self.length :]
@@ -46,7 +54,9 @@ class NumpyLoopEvasion:
 
 def method_of_the_page():
     """The function `learn` of docs/method.md: TOSL+QBIASSR with reduced traces for one agent in plain NumPy."""
-    page = (Path(__file__).parents[1] / "docs" / "method.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[1] / "docs" / "method.md").read_text(
+        encoding="utf-8"
+    )
     names = {}
     exec(re.search(r"```python\n(.*?)```", page, re.DOTALL)[1], names)
     return names["learn"]
@@ -63,7 +73,11 @@ class NumpyModelWorld:
         for pair in range(len(model.offsets) - 1):
             rows = slice(model.offsets[pair], model.offsets[pair + 1])
             if rows.stop > rows.start:
-                self.table[pair] = (model.cumulative[rows], model.s_next[rows], model.r[rows])
+                self.table[pair] = (
+                    model.cumulative[rows],
+                    model.s_next[rows],
+                    model.r[rows],
+                )
 
     def reset(self):
         self.s = self.model.starts[int(self.rng.random() * len(self.model.starts))]
@@ -88,7 +102,10 @@ def numpy_q_learning(world, steps, rng, alpha=0.1, gamma=0.9):
     q, s = np.zeros((model.n_states, model.n_actions)), world.reset()
     for _ in range(steps):
         p = numpy_softmax(q[s] * 100 * (1 - gamma) / model.r_max, 1.0)
-        a = min(int(np.searchsorted(np.cumsum(p), rng.random(), side="right")), model.n_actions - 1)
+        a = min(
+            int(np.searchsorted(np.cumsum(p), rng.random(), side="right")),
+            model.n_actions - 1,
+        )
         s_next, r = world.step(a)
         q[s, a] += alpha * (r + gamma * q[s_next].max() - q[s, a])
         s = s_next
@@ -114,8 +131,14 @@ def online_lambda_return(transitions, n_states, n_actions, alpha, gamma, lam):
                 total += discount * r
                 discount *= gamma
                 # weights of horizon t + n - 1, that is, the values known as that state was reached
-                returns.append(total if terminated else total + discount * q_at[t + n - 1][s_n, a_n])
-            weights = [(1 - lam) * lam**i for i in range(len(returns) - 1)] + [lam ** (len(returns) - 1)]
+                returns.append(
+                    total
+                    if terminated
+                    else total + discount * q_at[t + n - 1][s_n, a_n]
+                )
+            weights = [(1 - lam) * lam**i for i in range(len(returns) - 1)] + [
+                lam ** (len(returns) - 1)
+            ]
             q[s, a] += alpha * (np.dot(weights, returns) - q[s, a])
         q_at.append(q)
         yield q

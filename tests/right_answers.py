@@ -26,7 +26,9 @@ def discounted_return(rewards, gamma):
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
-    q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + gamma * np.max(q[s_next]) * (not terminated))
+    q[s, a] = (1 - alpha) * q[s, a] + alpha * (
+        r + gamma * np.max(q[s_next]) * (not terminated)
+    )
 
 
 def learn(env, q, choose, update, steps):
@@ -55,7 +57,9 @@ def sarsa_learn(env, q, choose, update, steps):
     a = choose(q, s)
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
-        a_next = None if terminated else choose(q, s_next)  # past the end nothing is chosen
+        a_next = (
+            None if terminated else choose(q, s_next)
+        )  # past the end nothing is chosen
         update(q, s, a, r, s_next, a_next, terminated)
         if terminated or truncated:
             s_next = env.reset()
@@ -71,7 +75,9 @@ def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma,
         e[pair] *= gamma * lam
 
 
-def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+def true_online_update(
+    q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
+):
     """As in Sutton & Barto, section 12.5: the two corrections taken together, δ spelled out."""
     q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
     e[s, a] -= alpha * e[s, a] - 1
@@ -95,7 +101,11 @@ def new_temperature(temperature, states, rewards, s, default):
 
 def gripper(arm, biceps, forearm):
     """By complex numbers: the arm's plane first, then the table's."""
-    tip = 0.12j + 0.23j * cmath.exp(-1j * biceps) + 0.25 * cmath.exp(-1j * (biceps + forearm))
+    tip = (
+        0.12j
+        + 0.23j * cmath.exp(-1j * biceps)
+        + 0.25 * cmath.exp(-1j * (biceps + forearm))
+    )
     on_table = tip.real * cmath.exp(1j * arm)
     return np.array([on_table.real, on_table.imag, tip.imag])
 
@@ -107,7 +117,13 @@ def arm_reward(before, after):
 
 def follow_reward(before, after):
     """The nearer to the middle of the band the better, and only while it drives."""
-    if min(after[laser] for laser in ("laser_right", "laser_front_right", "laser_front")) < 0.05:
+    if (
+        min(
+            after[laser]
+            for laser in ("laser_right", "laser_front_right", "laser_front")
+        )
+        < 0.05
+    ):
         return -10
     drives = math.dist((before["x"], before["y"]), (after["x"], after["y"])) > 0.07
     return max(0.0, 0.2 - abs(after["laser_right"] - 0.25)) if drives else -0.5
@@ -137,7 +153,10 @@ def estimate(rows, s, a):
     mine = np.array([row for row in rows if row[:2] == (s, a)]).reshape(-1, 4)
     after, which, count = np.unique(mine[:, 3], return_inverse=True, return_counts=True)
     means = np.bincount(which, weights=mine[:, 2], minlength=len(after)) / count
-    return {int(x): [n / len(mine), mean] for x, n, mean in zip(after, count, means, strict=True)}
+    return {
+        int(x): [n / len(mine), mean]
+        for x, n, mean in zip(after, count, means, strict=True)
+    }
 
 
 def sample(rows, s, a, u):
@@ -183,7 +202,9 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_02": {"discounted_return": discounted_return},
     "lesson_03": {
-        "target": lambda q, r, s_next, terminated, gamma: r if terminated else r + gamma * q[s_next].max(),
+        "target": lambda q, r, s_next, terminated, gamma: (
+            r if terminated else r + gamma * q[s_next].max()
+        ),
         "update": update,
         "learn": learn,
     },
@@ -216,11 +237,15 @@ RIGHT = ASSIGNMENTS | {
         "choose": choose,
     },
     "lesson_11": {"motion": motion},
-    "lesson_12": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
+    "lesson_12": {
+        "shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi
+    },
     "lesson_13": {"gripper": gripper, "arm_reward": arm_reward},
     "lesson_14": {"estimate": estimate, "sample": sample, "second_look": 41.8},
     "lesson_15": {
-        "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
+        "p_value": lambda observed, shuffled: float(
+            np.mean(np.asarray(shuffled) >= observed)
+        ),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
     },
     "lesson_16": {
@@ -235,7 +260,9 @@ RIGHT = ASSIGNMENTS | {
     "lesson_22": {"two_biases": [1.75, 3.143]},
     "lesson_18": {
         "who_stops": [3, 4, 1, 2, 4],
-        "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
+        "wheels": lambda v, omega, radius, separation: (
+            v / radius + omega * separation / radius * np.array([-0.5, 0.5])
+        ),
         "nearest_ahead": nearest_ahead,
         "allowed": lambda v, omega, ahead, age: (
             min(v, v * (ahead >= 0.18)) * (ahead == ahead and age <= 0.5),

@@ -20,7 +20,9 @@ def returns(rewards, ends, gamma):
 def replay(q, log, alpha, gamma):
     for i in range(len(log)):
         s, a, r, s_next, terminated = log[-1 - i]
-        q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + (not terminated) * gamma * np.max(q[s_next]))
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * (
+            r + (not terminated) * gamma * np.max(q[s_next])
+        )
 
 
 def greedy(q):
@@ -38,7 +40,9 @@ def train(env, q, choose, episodes, alpha, gamma):
         while True:
             a = choose(q, s)
             s_next, r, terminated, truncated = env.step(a)
-            q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + (0 if terminated else gamma * np.max(q[s_next])))
+            q[s, a] = (1 - alpha) * q[s, a] + alpha * (
+                r + (0 if terminated else gamma * np.max(q[s_next]))
+            )
             sums[i] += r
             if terminated or truncated:
                 break
@@ -85,8 +89,13 @@ def return_over_n(rewards, values, t, n, gamma):
 
 def trace_after(path, n_states, decay, kind):
     """From the ages of all visits."""
-    visits = [[decay ** (len(path) - 1 - i) for i, s in enumerate(path) if s == state] for state in range(n_states)]
-    return np.array([(sum if kind == "accumulating" else max)([*ages, 0.0]) for ages in visits])
+    visits = [
+        [decay ** (len(path) - 1 - i) for i, s in enumerate(path) if s == state]
+        for state in range(n_states)
+    ]
+    return np.array(
+        [(sum if kind == "accumulating" else max)([*ages, 0.0]) for ages in visits]
+    )
 
 
 def td_episode(v, path, rewards, alpha, gamma, lam, kind):
@@ -129,7 +138,11 @@ def near_states(s, shape, is_circle):
     return [
         other
         for other, there in enumerate(np.ndindex(*shape))
-        if sum(apart(a, b, n, c) for a, b, n, c in zip(here, there, shape, is_circle, strict=True)) == 1
+        if sum(
+            apart(a, b, n, c)
+            for a, b, n, c in zip(here, there, shape, is_circle, strict=True)
+        )
+        == 1
     ]
 
 
@@ -159,7 +172,9 @@ def drive(env, q, shape, us, alpha, gamma, scale, default):
         p = softmax(scale * (q[s] + bias_of(q, shape, s)) / temperature)
         a = int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
         s_next, r, terminated, truncated = env.step(a)
-        q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + (not terminated) * gamma * max(q[s_next]))
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * (
+            r + (not terminated) * gamma * max(q[s_next])
+        )
         earned += [r]
         heat += [temperature]
         seen += [s_next]
@@ -173,7 +188,10 @@ def drive(env, q, shape, us, alpha, gamma, scale, default):
 
 def park_reward(before, after):
     """Other numbers, and the coming nearer is paid by its length."""
-    ahead, sides = after["laser_front"], (after["laser_front_left"], after["laser_front_right"])
+    ahead, sides = (
+        after["laser_front"],
+        (after["laser_front_left"], after["laser_front_right"]),
+    )
     if ahead < 0.05 or min(sides) < 0.05:
         return -5
     way = math.dist((before["x"], before["y"]), (after["x"], after["y"]))
@@ -210,14 +228,18 @@ def verdict(first, second, t):
 
 ASSIGNMENTS = {
     "assignment_1": {
-        "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
+        "state_of": lambda cell, voltage, cuts: (
+            (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage))
+        ),
         "returns": returns,
         "replay": replay,
         "greedy": greedy,
         "train": train,
     },
     "assignment_2": {
-        "epsilon_at": lambda t, start, end, half_life: (start - end) / 2 ** (t / half_life) + end,
+        "epsilon_at": lambda t, start, end, half_life: (
+            (start - end) / 2 ** (t / half_life) + end
+        ),
         "policy_value": policy_value,
         "who": (3, 2, 1, 0),
         "double_update": double_update,

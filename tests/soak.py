@@ -40,7 +40,12 @@ class Held(NamedTuple):
         """As it is when all garbage has been collected."""
         gc.collect()
         files = getattr(PROCESS, "num_fds", getattr(PROCESS, "num_handles", None))()
-        return cls(PROCESS.memory_info().rss, PROCESS.num_threads(), files, len(PROCESS.net_connections()))
+        return cls(
+            PROCESS.memory_info().rss,
+            PROCESS.num_threads(),
+            files,
+            len(PROCESS.net_connections()),
+        )
 
 
 def growth(name: str, work: Callable[[], object], rounds: int, warm_up: int) -> Held:
@@ -74,29 +79,54 @@ def one_life(task: str, engine: str) -> None:
 def all_works() -> dict[str, tuple[Callable[[], object], int, int]]:
     """By name: what to do, how many times, and how many times before that."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
-    on_model = partial(learn, rl.Agent(model, seed=0), rl.make_env(model, seed=0), 100_000)
-    on_robot = partial(learn, rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), 10_000)
-    works = {"10 million steps on a model": (on_model, 100, 10), "a million steps on a robot": (on_robot, 100, 10)}
+    on_model = partial(
+        learn, rl.Agent(model, seed=0), rl.make_env(model, seed=0), 100_000
+    )
+    on_robot = partial(
+        learn,
+        rl.Agent("wander_simple", seed=0),
+        rl.make_env("wander_simple", seed=0),
+        10_000,
+    )
+    works = {
+        "10 million steps on a model": (on_model, 100, 10),
+        "a million steps on a robot": (on_robot, 100, 10),
+    }
     tasks = {rl.load_task(name).robot: name for name in rl.available_tasks()}
     for robot, task in tasks.items():
         for engine in ROBOTS[robot].engines:
-            works[f"300 lives of {robot}, {engine}"] = partial(one_life, task, engine), 300, 60
+            works[f"300 lives of {robot}, {engine}"] = (
+                partial(one_life, task, engine),
+                300,
+                60,
+            )
     return works
 
 
 def main() -> None:
     tqdm.monitor_interval = 0  # no thread of its own
-    print(f"| {'what':42} | minutes | memory (kB) | threads | files | sockets |\n|---|---|---|---|---|---|", flush=True)
+    print(
+        f"| {'what':42} | minutes | memory (kB) | threads | files | sockets |\n|---|---|---|---|---|---|",
+        flush=True,
+    )
     grown = []
     for name, work in all_works().items():
         start = time.monotonic()
         memory, *others = growth(name, *work)
-        minutes, counts = (time.monotonic() - start) / 60, " | ".join(f"{n:+d}" for n in others)
-        print(f"| {name:42} | {minutes:.1f} | {memory / 1e3:+.0f} | {counts} |", flush=True)
+        minutes, counts = (
+            (time.monotonic() - start) / 60,
+            " | ".join(f"{n:+d}" for n in others),
+        )
+        print(
+            f"| {name:42} | {minutes:.1f} | {memory / 1e3:+.0f} | {counts} |",
+            flush=True,
+        )
         if memory > MEMORY or max(others) > 0:
             grown.append(name)
     if grown:
-        sys.exit(f"Something grew: {', '.join(grown)}. Memory may by {MEMORY / 1e6:.0f} MB, all else not at all.")
+        sys.exit(
+            f"Something grew: {', '.join(grown)}. Memory may by {MEMORY / 1e6:.0f} MB, all else not at all."
+        )
 
 
 if __name__ == "__main__":

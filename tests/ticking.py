@@ -8,7 +8,11 @@ class Ticking:
 
     def __init__(self) -> None:
         self._giraff = Giraff("hexagon_giraff", 0.1)
-        self.reset, self.scene, self.close = self._giraff.reset, self._giraff.scene, self._giraff.close
+        self.reset, self.scene, self.close = (
+            self._giraff.reset,
+            self._giraff.scene,
+            self._giraff.close,
+        )
 
     def prepare(self, task):
         self._ticks = round(task.step_time / 0.1)

@@ -20,7 +20,9 @@ class RandomWorld(gymnasium.Env):
         self.shape, self.n_states, self.r_max = shape, int(np.prod(shape)), r_max
         self.observation_space = gymnasium.spaces.MultiDiscrete(shape)
         self.action_space = gymnasium.spaces.Discrete(n_actions)
-        self.successors = rng.integers(self.n_states, size=(self.n_states, n_actions, 3))
+        self.successors = rng.integers(
+            self.n_states, size=(self.n_states, n_actions, 3)
+        )
         self.rewards = rng.normal(size=(self.n_states, n_actions, 3))
         self.p_end = p_end
         self.np_random = np.random.default_rng(seed + 1)
@@ -36,23 +38,38 @@ class RandomWorld(gymnasium.Env):
 
     def step(self, a):
         k = self.np_random.integers(3)
-        r, self.state = self.rewards[self.state, a, k], int(self.successors[self.state, a, k])
-        return self._seen()[0], float(r), bool(self.np_random.random() < self.p_end), False, {}
+        r, self.state = (
+            self.rewards[self.state, a, k],
+            int(self.successors[self.state, a, k]),
+        )
+        return (
+            self._seen()[0],
+            float(r),
+            bool(self.np_random.random() < self.p_end),
+            False,
+            {},
+        )
 
 
 def small_source(shape=(2, 3), n_actions=2, rewards=(-1.0, 0.0, 5.0)):
     """What a recording must know, for states of this shape."""
-    states = StateSpace([InputVariable(f"input_{i}", values=range(n)) for i, n in enumerate(shape)])
+    states = StateSpace(
+        [InputVariable(f"input_{i}", values=range(n)) for i, n in enumerate(shape)]
+    )
     actions = ActionSpace([OutputVariable("action", values=range(n_actions))])
     return Source("small", states, actions, rewards)
 
 
 def recording_of(rows, **source):
     """A Recording of rows (s, a, r, s', terminated); a new episode begins where the states do not join up."""
-    s, a, r, s_next, terminated = (np.array(column) for column in zip(*rows, strict=True))
+    s, a, r, s_next, terminated = (
+        np.array(column) for column in zip(*rows, strict=True)
+    )
     terminated = terminated == 1
     truncated = np.append(s[1:] != s_next[:-1], False) & ~terminated
-    return Recording(Transitions(s, a, r, s_next, terminated, truncated), small_source(**source))
+    return Recording(
+        Transitions(s, a, r, s_next, terminated, truncated), small_source(**source)
+    )
 
 
 def same_histories(one, two):
@@ -61,5 +78,8 @@ def same_histories(one, two):
     for label in one.groups:
         assert len(one[label]) == len(two[label])
         for x, y in zip(one[label], two[label], strict=True):
-            assert all(np.array_equal(getattr(x, n), getattr(y, n)) for n in ("rewards", "q", "visits", "terminated"))
+            assert all(
+                np.array_equal(getattr(x, n), getattr(y, n))
+                for n in ("rewards", "q", "visits", "terminated")
+            )
     return True

@@ -44,11 +44,20 @@ def in_short(folder: str, name: str) -> str:
 
 def write_api(api: Path) -> None:
     api.mkdir(parents=True, exist_ok=True)
-    lines = ["# API by what you want to do", "", "All names are in `import rlrobot_edu as rl`."]
+    lines = [
+        "# API by what you want to do",
+        "",
+        "All names are in `import rlrobot_edu as rl`.",
+    ]
     for folder, names in groups().items():
         text = f"# {TITLES[folder]}\n\n" + "\n".join(described(name) for name in names)
         (api / f"{folder}.md").write_text(text, encoding="utf-8")
-        lines += ["", f"## {TITLES[folder]}", "", *(in_short(folder, name) for name in names)]
+        lines += [
+            "",
+            f"## {TITLES[folder]}",
+            "",
+            *(in_short(folder, name) for name in names),
+        ]
     toc = "\n".join(TITLES)
     lines += ["", f"```{{toctree}}\n:hidden:\n\n{toc}\n```", ""]
     (api / "index.md").write_text("\n".join(lines), encoding="utf-8")

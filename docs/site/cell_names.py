@@ -11,15 +11,29 @@ def names_in(source: str) -> tuple[set[str], set[str]]:
         return taken, given
     for line in ast.parse(source).body:
         table = symtable.symtable(ast.unparse(line), "cell", "exec")
-        changed = {it.target.id for it in ast.walk(line) if isinstance(it, ast.AugAssign) and hasattr(it.target, "id")}
-        taken |= (names_read(table) | changed) - given  # symtable does not call the x of x += 1 read
-        given |= {name.get_name() for name in table.get_symbols() if name.is_assigned() or name.is_imported()}
+        changed = {
+            it.target.id
+            for it in ast.walk(line)
+            if isinstance(it, ast.AugAssign) and hasattr(it.target, "id")
+        }
+        taken |= (
+            names_read(table) | changed
+        ) - given  # symtable does not call the x of x += 1 read
+        given |= {
+            name.get_name()
+            for name in table.get_symbols()
+            if name.is_assigned() or name.is_imported()
+        }
     return taken, given
 
 
 def names_read(table: symtable.SymbolTable) -> set[str]:
     """The global names that a piece of code, or a function in it, reads."""
-    own = {name.get_name() for name in table.get_symbols() if name.is_global() and name.is_referenced()}
+    own = {
+        name.get_name()
+        for name in table.get_symbols()
+        if name.is_global() and name.is_referenced()
+    }
     return own.union(*map(names_read, table.get_children()))
 
 

@@ -23,7 +23,11 @@ def write_playground(index: Path, extra: Path) -> None:
     """
     extra.mkdir(parents=True, exist_ok=True)
     rl.playground(extra / "a_robot_learns.html")
-    text, n = FILM.subn(lambda film: FRAME.format(film=film[0]), index.read_text(encoding="utf-8"))
+    text, n = FILM.subn(
+        lambda film: FRAME.format(film=film[0]), index.read_text(encoding="utf-8")
+    )
     if n != 1:
-        raise ValueError(f"{index}: there are {n} films on the front page, and one is to be replaced")
+        raise ValueError(
+            f"{index}: there are {n} films on the front page, and one is to be replaced"
+        )
     index.write_text(text, encoding="utf-8")

@@ -36,11 +36,23 @@ def write_galleries(folder: Path) -> None:
         "Pictures: the robot after one hour of learning, and means of 10 repetitions with 95 % intervals."
     )
     cards = "\n".join(task_card(name) for name in rl.available_tasks())
-    (folder / "tasks.md").write_text(f"# Gallery of tasks\n\n{about}\n\n{cards}", encoding="utf-8")
+    (folder / "tasks.md").write_text(
+        f"# Gallery of tasks\n\n{about}\n\n{cards}", encoding="utf-8"
+    )
 
     folders = sorted(path.parent for path in DATASETS.glob("*/datapackage.json"))
     about = "`rl.read_recording(name)` reads a recording: rows (s, a, r, s') of the toolkit's own robots."
-    table = ["| dataset | what it is | rows | size | licence |", "|---|---|---:|---:|---|", *map(dataset_row, folders)]
+    table = [
+        "| dataset | what it is | rows | size | licence |",
+        "|---|---|---:|---:|---|",
+        *map(dataset_row, folders),
+    ]
     toc = "\n".join(f"../datasets/{path.name}/README" for path in folders)
-    text = [f"# Gallery of datasets\n\n{about}\n", *table, "", f"```{{toctree}}\n:hidden:\n\n{toc}\n```", ""]
+    text = [
+        f"# Gallery of datasets\n\n{about}\n",
+        *table,
+        "",
+        f"```{{toctree}}\n:hidden:\n\n{toc}\n```",
+        "",
+    ]
     (folder / "datasets.md").write_text("\n".join(text), encoding="utf-8")

@@ -12,7 +12,9 @@ import rlrobot_edu as rl
 from rlrobot_course.my_course import blank
 
 ROOT = Path(__file__).parents[2]
-SOURCE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["urls"].get("Source", "")
+SOURCE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))[
+    "project"
+]["urls"].get("Source", "")
 IN_BROWSER = "../lite/index.html?path={name}"
 GITHUB, COLAB = "https://github.com/", "https://colab.research.google.com/github/"
 LINK = re.compile(r"\]\((?!https?:|#|attachment:)([^)]+)\)")
@@ -29,7 +31,11 @@ drive.mount("/content/drive")  # without it and the two lines below, my_function
 def in_colab(notebook: str, source: str) -> str:
     """Where Colab opens a notebook of the site's branch, `gh-pages`; empty if the repository is not on GitHub."""
     home = source.replace(GITHUB, COLAB)
-    return f"{home}/blob/gh-pages/colab/{quote(notebook)}" if source.startswith(GITHUB) else ""
+    return (
+        f"{home}/blob/gh-pages/colab/{quote(notebook)}"
+        if source.startswith(GITHUB)
+        else ""
+    )
 
 
 def write_colab(notebook: str, folder: Path, source: str = SOURCE) -> None:
@@ -47,7 +53,13 @@ def write_colab(notebook: str, folder: Path, source: str = SOURCE) -> None:
     for cell in content["cells"]:
         if cell["cell_type"] == "markdown":
             cell["source"] = [LINK.sub(whole, line) for line in cell["source"]]
-    first = {"cell_type": "code", "id": "colab", "metadata": {}, "outputs": [], "execution_count": None}
+    first = {
+        "cell_type": "code",
+        "id": "colab",
+        "metadata": {},
+        "outputs": [],
+        "execution_count": None,
+    }
     content["cells"].insert(0, first | {"source": FIRST_CELL})
     (folder / notebook).parent.mkdir(parents=True, exist_ok=True)
     (folder / notebook).write_text(json.dumps(content), encoding="utf-8")
@@ -60,12 +72,23 @@ def add_buttons(notebook: Path, lite: Path, colab: str) -> None:
     """
     runs = (lite / "files" / notebook.name).is_file()
     links = {
-        "Run in your browser": IN_BROWSER.format(name=quote(notebook.name)) if runs else "",
+        "Run in your browser": IN_BROWSER.format(name=quote(notebook.name))
+        if runs
+        else "",
         "Open in Colab": colab,
     }
-    buttons = [f'<a class="launch" href="{html.escape(url)}">{label}</a>' for label, url in links.items() if url]
+    buttons = [
+        f'<a class="launch" href="{html.escape(url)}">{label}</a>'
+        for label, url in links.items()
+        if url
+    ]
     if buttons:
         content = json.loads(notebook.read_text(encoding="utf-8"))
-        cell = {"cell_type": "markdown", "id": "launch", "metadata": {}, "source": f"<p>{' '.join(buttons)}</p>"}
+        cell = {
+            "cell_type": "markdown",
+            "id": "launch",
+            "metadata": {},
+            "source": f"<p>{' '.join(buttons)}</p>",
+        }
         content["cells"].insert(1, cell)
         notebook.write_text(json.dumps(content), encoding="utf-8")

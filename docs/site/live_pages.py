@@ -46,12 +46,19 @@ def enliven(notebook: Path, extra: Path) -> None:
             kept = "".join(data.get("text/plain", ""))
             for kind in KINDS:
                 if kept.startswith(kind.text):
-                    shown = shown_by(sources[i], needed_by(sources[i], sources[:i]), lesson)
+                    shown = shown_by(
+                        sources[i], needed_by(sources[i], sources[:i]), lesson
+                    )
                     if repr(shown) != kept:
-                        raise ValueError(f"{lesson}: its {kind.name} is kept as {kept}, but is {shown!r}")
+                        raise ValueError(
+                            f"{lesson}: its {kind.name} is kept as {kept}, but is {shown!r}"
+                        )
                     page = f"{kind.folder}/{lesson}_{i}.html"
                     (extra / page).parent.mkdir(parents=True, exist_ok=True)
-                    shown.save(extra / page, *([shown.t + MORE] if kind.folder == "steppers" else []))
+                    shown.save(
+                        extra / page,
+                        *([shown.t + MORE] if kind.folder == "steppers" else []),
+                    )
                     data["text/html"] = frame_of(page, kind, "".join(data["text/html"]))
                     lives = True
     if lives:  # a file that is as before keeps its time: Sphinx need not read it again
@@ -70,8 +77,12 @@ def shown_by(source: str, before: list[str], lesson: str) -> Any:
 
 def frame_of(page: str, kind: Kind, still: str) -> str:
     """A page in a frame, in the place of its still twin."""
-    alt = re.search(r'alt="([^"]*)"', still)  # without a picture its name says what there is
-    title = html.escape(f"A {kind.name}. " + (html.unescape(alt[1]) if alt else "")).strip()
+    alt = re.search(
+        r'alt="([^"]*)"', still
+    )  # without a picture its name says what there is
+    title = html.escape(
+        f"A {kind.name}. " + (html.unescape(alt[1]) if alt else "")
+    ).strip()
     return (
         f'<iframe class="live {kind.folder}" src="{page}" title="{title}" loading="lazy"></iframe>'
         f'<p><a href="{page}">The {kind.name} on a page of its own</a></p><noscript>{still}</noscript>'

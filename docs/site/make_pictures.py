@@ -25,12 +25,24 @@ def picture_of(name: str) -> None:
     agent = rl.Agent(name, "TOSL+QBIASSR", seed=0)
     rl.learn(agent, env, steps=STEPS, progress=False)
     film = rl.film(agent, env, steps=100)
-    (HERE / f"{name}.png").write_bytes(png_of(seen(film, len(film.frames)).quantize(256)))
+    (HERE / f"{name}.png").write_bytes(
+        png_of(seen(film, len(film.frames)).quantize(256))
+    )
     print(f"{name}.png: {film.show3d()}", flush=True)
     if name == "wander_1k":
         last = seen(film, 100).quantize(COLOURS)
-        first, *rest = [seen(film, n).quantize(palette=last, dither=Image.Dither.NONE) for n in range(2, 101, 2)]
-        first.save(HERE / f"{name}.gif", save_all=True, append_images=rest, loop=0, duration=200, optimize=True)
+        first, *rest = [
+            seen(film, n).quantize(palette=last, dither=Image.Dither.NONE)
+            for n in range(2, 101, 2)
+        ]
+        first.save(
+            HERE / f"{name}.gif",
+            save_all=True,
+            append_images=rest,
+            loop=0,
+            duration=200,
+            optimize=True,
+        )
 
 
 def seen(film: rl.Film, steps: int) -> Image.Image:
@@ -43,15 +55,25 @@ def seen(film: rl.Film, steps: int) -> Image.Image:
 def curves_of(name: str) -> None:
     """Learning curves beside chance."""
     methods = ("TOSL+QBIASSR", "Q+RANDOM")
-    curves = [rl.repeat(name, method, repetitions=10, steps=STEPS) for method in methods]
+    curves = [
+        rl.repeat(name, method, repetitions=10, steps=STEPS) for method in methods
+    ]
     labels = ["TOSL+QBIASSR", "at random"]
-    save(rl.plot_learning(*curves, labels=labels, title=name), f"{name}_learning.png", dpi=60)
+    save(
+        rl.plot_learning(*curves, labels=labels, title=name),
+        f"{name}_learning.png",
+        dpi=60,
+    )
 
 
 def stepper() -> None:
     """One step of the paper's method, as the stepper shows it."""
     env = rl.make_env("wander_1k", seed=0)
-    save(rl.Stepper(rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0), env, at=40).picture(), "stepper.png", dpi=80)
+    save(
+        rl.Stepper(rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0), env, at=40).picture(),
+        "stepper.png",
+        dpi=80,
+    )
 
 
 def save(figure, name: str, dpi: float) -> None:

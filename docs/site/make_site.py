@@ -22,7 +22,9 @@ from rlrobot_course.authoring.lists import lessons
 
 DOCS = Path(__file__).parents[1]
 ROOT = DOCS.parent
-LITE = ROOT / "lite/_build/site"  # the course in the browser, if `make lite` has built it
+LITE = (
+    ROOT / "lite/_build/site"
+)  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "homework/*.ipynb",
@@ -71,9 +73,16 @@ def main() -> int:
     source = build / "source"
     write_source(source)
     options = ["-q", "-W", "--keep-going", "-j", "auto", "-b", "html", "-c", str(DOCS)]
-    options += ["-D", f"html_extra_path={source / 'to_the_root'}", "-d", str(build / "doctrees")]
+    options += [
+        "-D",
+        f"html_extra_path={source / 'to_the_root'}",
+        "-d",
+        str(build / "doctrees"),
+    ]
     failed = build_main([*options, str(source), str(build / "html")])
-    if LITE.is_dir() and not failed:  # afterwards: to Sphinx its notebooks would be pages
+    if (
+        LITE.is_dir() and not failed
+    ):  # afterwards: to Sphinx its notebooks would be pages
         shutil.rmtree(build / "html/lite", ignore_errors=True)
         shutil.copytree(LITE, build / "html/lite")
     return failed

@@ -31,10 +31,17 @@ def slides_of(notebook: Any) -> Any:
         if cell.cell_type == "markdown":
             if text := headline(cell.source):
                 shown.append(marked(nbformat.v4.new_markdown_cell(text), "slide"))
-            shown += [marked(nbformat.v4.new_markdown_cell(table), "subslide") for table in tables(cell.source)]
+            shown += [
+                marked(nbformat.v4.new_markdown_cell(table), "subslide")
+                for table in tables(cell.source)
+            ]
             shown.append(marked(nbformat.v4.new_markdown_cell(cell.source), "notes"))
         elif not {"exercise", "challenge"} & set(cell.metadata.get("tags", [])):
-            cell.outputs = [output for output in cell.get("outputs", ()) if is_picture(output) or is_short(output)]
+            cell.outputs = [
+                output
+                for output in cell.get("outputs", ())
+                if is_picture(output) or is_short(output)
+            ]
             if cell.outputs:
                 shown.append(marked(cell, "subslide"))
     notebook.cells = shown
@@ -48,7 +55,9 @@ def headline(text: str) -> str:
         return ""
     formulas = re.findall(r"\$\$.*?\$\$", text, re.DOTALL)
     rest = re.sub(r"\$\$.*?\$\$", "", text[heading.end() :], flags=re.DOTALL).strip()
-    paragraph = "" if rest.startswith(("#", "|", "-", "1.")) else rest.partition("\n\n")[0]
+    paragraph = (
+        "" if rest.startswith(("#", "|", "-", "1.")) else rest.partition("\n\n")[0]
+    )
     first = re.match(r"(?:.|\n)*?[.:?!](?=\s|$)", paragraph)
     return "\n\n".join([heading[0], first[0] if first else "", *formulas]).strip()
 
@@ -57,20 +66,31 @@ def tables(text: str) -> list[str]:
     """The tables of a text, each with the sentence that leads to it."""
     parts = text.split("\n\n")
     leads = [re.split(r"(?<=[.?!]) ", part.strip())[-1] for part in ["", *parts]]
-    found = [(lead, part) for lead, part in zip(leads, parts, strict=False) if part.startswith("|")]
-    return [f"{lead if lead.endswith(':') else ''}\n\n{table}".strip() for lead, table in found]
+    found = [
+        (lead, part)
+        for lead, part in zip(leads, parts, strict=False)
+        if part.startswith("|")
+    ]
+    return [
+        f"{lead if lead.endswith(':') else ''}\n\n{table}".strip()
+        for lead, table in found
+    ]
 
 
 def is_short(output: Any) -> bool:
     """Whether an output is a few printed lines, and none that say whose functions are used."""
     text = output.get("text", "") if output.get("name") == "stdout" else ""
-    return 0 < len(text.splitlines()) <= LINES and not text.startswith(("given:", "yours:"))
+    return 0 < len(text.splitlines()) <= LINES and not text.startswith(
+        ("given:", "yours:")
+    )
 
 
 def is_picture(output: Any) -> bool:
     """Whether an output is a picture, or a question that a class can vote on."""
     data = output.get("data", {})
-    return any(kind.startswith("image/") for kind in data) or bool(PICTURE.search("".join(data.get("text/html", ""))))
+    return any(kind.startswith("image/") for kind in data) or bool(
+        PICTURE.search("".join(data.get("text/html", "")))
+    )
 
 
 def marked(cell: Any, kind: str) -> Any:
@@ -82,10 +102,14 @@ def marked(cell: Any, kind: str) -> Any:
 def main() -> None:
     """Write the slides of the lessons named, or of all."""
     TO.mkdir(parents=True, exist_ok=True)
-    exporter = SlidesExporter(exclude_input=True, exclude_input_prompt=True, exclude_output_prompt=True)
+    exporter = SlidesExporter(
+        exclude_input=True, exclude_input_prompt=True, exclude_output_prompt=True
+    )
     for path in lessons(ROOT).values():
         if not sys.argv[1:] or path.name.partition("_")[0] in sys.argv[1:]:
-            page, _ = exporter.from_notebook_node(slides_of(nbformat.read(path, as_version=4)))
+            page, _ = exporter.from_notebook_node(
+                slides_of(nbformat.read(path, as_version=4))
+            )
             (TO / f"{path.stem}.html").write_text(page, encoding="utf-8")
             print(TO / f"{path.stem}.html")
 

@@ -22,9 +22,23 @@ PLATFORMS = {
     "macOS, Apple silicon": "aarch64-apple-darwin",
     "macOS, Intel": "x86_64-apple-darwin",
 }
-CAN_BE_MISSING = {"numba": {"numba"}, "PyBullet": {"pybullet", "pybullet-arm64"}, "Cyclone DDS": {"cyclonedds"}}
+CAN_BE_MISSING = {
+    "numba": {"numba"},
+    "PyBullet": {"pybullet", "pybullet-arm64"},
+    "Cyclone DDS": {"cyclonedds"},
+}
 CHOOSE = [
-    *("-m", "uv", "pip", "compile", "pyproject.toml", "--extra=lab", "--extra=arm", "--extra=ros", "--extra=teach"),
+    *(
+        "-m",
+        "uv",
+        "pip",
+        "compile",
+        "pyproject.toml",
+        "--extra=lab",
+        "--extra=arm",
+        "--extra=ros",
+        "--extra=teach",
+    ),
     *("--constraints=constraints.txt", "--only-binary=:all:", "--no-python-downloads"),
     *("--quiet", "--no-header", "--no-annotate"),
 ]
@@ -42,7 +56,11 @@ def packages(platform: str, python: str) -> set[str] | None:
     )
     if done.returncode and "no usable wheels" not in done.stderr:
         raise RuntimeError(done.stderr)
-    return None if done.returncode else set(re.findall(r"^[\w-]+", done.stdout, re.MULTILINE))
+    return (
+        None
+        if done.returncode
+        else set(re.findall(r"^[\w-]+", done.stdout, re.MULTILINE))
+    )
 
 
 def cell(platform: str, python: str) -> str:
@@ -56,8 +74,14 @@ def cell(platform: str, python: str) -> str:
 
 def table() -> str:
     """All platforms and Pythons, as Markdown."""
-    rows = [[f"**{platform}**", *(cell(platform, python) for python in PYTHONS)] for platform in PLATFORMS]
-    head = [["", *(f"Python {python}" for python in PYTHONS)], ["---"] * (len(PYTHONS) + 1)]
+    rows = [
+        [f"**{platform}**", *(cell(platform, python) for python in PYTHONS)]
+        for platform in PLATFORMS
+    ]
+    head = [
+        ["", *(f"Python {python}" for python in PYTHONS)],
+        ["---"] * (len(PYTHONS) + 1),
+    ]
     return "".join(f"| {' | '.join(row)} |\n" for row in head + rows)
 
 

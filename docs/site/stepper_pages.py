@@ -24,9 +24,17 @@ def write_steppers(source: Path, extra: Path) -> None:
     ]
     for method, about in METHODS.items():
         name = f"steppers/{method.lower().replace('+', '_')}.html"
-        agent, env = rl.Agent("worked_example", method, seed=0), rl.make_env("worked_example", seed=0)
+        agent, env = (
+            rl.Agent("worked_example", method, seed=0),
+            rl.make_env("worked_example", seed=0),
+        )
         rl.Stepper(agent, env).save(extra / name, STEPS)
         title = f"A stepper: {method} in the worked example"
         frame = f'<iframe class="live steppers" src="{name}" title="{title}" loading="lazy"></iframe>'
-        text += [f"## {method}\n", f'{about} · <a href="{name}">on a page of its own</a>\n', frame, ""]
+        text += [
+            f"## {method}\n",
+            f'{about} · <a href="{name}">on a page of its own</a>\n',
+            frame,
+            "",
+        ]
     (source / "stepper.md").write_text("\n".join(text), encoding="utf-8")

@@ -12,7 +12,9 @@ FULL = 8  # moves that a full battery is good for
 ACTIONS = ("left", "right", "charge")
 SIGNS = ("←", "→", "↯")
 LOOKS = (ORANGE, BLUE, GREEN)
-CUTS = [11.25 + 0.5 * k for k in range(FULL)]  # voltages between the charges 0, 1 … FULL
+CUTS = [
+    11.25 + 0.5 * k for k in range(FULL)
+]  # voltages between the charges 0, 1 … FULL
 LONGEST = 60  # steps of an episode
 
 
@@ -39,7 +41,10 @@ class Corridor:
 
     def reset(self) -> int:
         """Start an episode; returns its first state."""
-        self._cell, self._charge = int(self._random.integers(CELLS - 1)), int(self._random.integers(1, FULL + 1))
+        self._cell, self._charge = (
+            int(self._random.integers(CELLS - 1)),
+            int(self._random.integers(1, FULL + 1)),
+        )
         self._t = 0
         return self._state()
 
@@ -74,9 +79,21 @@ def plot_policy(policy: np.ndarray, read: Callable[[int, float], int]) -> Pictur
             best = np.flatnonzero(p)
             counts = [n + (a in best) for a, n in enumerate(counts)]
             look = {"fontsize": 15, "color": LOOKS[best[0]], "family": "DejaVu Sans"}
-            ax.text(cell, charge, "".join(SIGNS[a] for a in best), ha="center", va="center", **look)
+            ax.text(
+                cell,
+                charge,
+                "".join(SIGNS[a] for a in best),
+                ha="center",
+                va="center",
+                **look,
+            )
     ax.text(CELLS - 1, FULL / 2, "shelf", ha="center", va="center", rotation=90)
-    ax.set(xlim=(-0.5, CELLS - 0.5), ylim=(-0.5, FULL + 0.5), xlabel="cell (the charger is in 0)", ylabel="moves left")
+    ax.set(
+        xlim=(-0.5, CELLS - 0.5),
+        ylim=(-0.5, FULL + 0.5),
+        xlabel="cell (the charger is in 0)",
+        ylabel="moves left",
+    )
     ax.set_title("What is best in each state: ← → move, ↯ charge")
     ax.grid(alpha=0.2)
     told = ", ".join(f"{name} in {n}" for name, n in zip(ACTIONS, counts, strict=True))

@@ -18,7 +18,11 @@ def other_cell(rng: np.random.Generator, case: Case) -> Case:
     """A case of `state_of` in another cell, its voltages moved; what lies on a cut stays there."""
     volts = float(rng.uniform(-0.9, 0.9))
     cuts = [cut + volts for cut in case["cuts"]]
-    return {"cell": case["cell"] + int(rng.integers(1, 4)), "voltage": case["voltage"] + volts, "cuts": cuts}
+    return {
+        "cell": case["cell"] + int(rng.integers(1, 4)),
+        "voltage": case["voltage"] + volts,
+        "cuts": cuts,
+    }
 
 
 def returns(rewards, ends, gamma):
@@ -92,7 +96,11 @@ check = with_pages(
             ([7.5], [True], 0.9),
             ([3.0, -2.0, 5.0, 1.25, 6.0], [True, True, False, True, False], 0.6),
             ([], [], 0.6),
-            ([-1, 2, 5], [False, False, True], 0.5),  # whole numbers, whose returns are none
+            (
+                [-1, 2, 5],
+                [False, False, True],
+                0.5,
+            ),  # whole numbers, whose returns are none
         ),
     ),
     replay=Exercise(
@@ -123,7 +131,12 @@ check = with_pages(
         memory={"env": PatientWorld(), "q": Q_START},
         tape=[
             {"choose": Chooser(rank), "episodes": n, "alpha": alpha, "gamma": gamma}
-            for rank, n, alpha, gamma in ((0, 1, 0.5, 0.9), (1, 1, 0.1, 0.8), (2, 3, 0.25, 0.9), (0, 2, 0.4, 0.7))
+            for rank, n, alpha, gamma in (
+                (0, 1, 0.5, 0.9),
+                (1, 1, 0.1, 0.8),
+                (2, 3, 0.25, 0.9),
+                (0, 2, 0.4, 0.7),
+            )
         ],
     ),
 )

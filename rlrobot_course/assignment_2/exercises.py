@@ -2,8 +2,22 @@
 
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, Mistake, Question, with_pages, wrong_choices
-from rlrobot_course.tapes import Q_START, Q_TAPE, Chooser, PatientWorld, rows, with_columns
+from rlrobot_course.grading.parts import (
+    Case,
+    Exercise,
+    Mistake,
+    Question,
+    with_pages,
+    wrong_choices,
+)
+from rlrobot_course.tapes import (
+    Q_START,
+    Q_TAPE,
+    Chooser,
+    PatientWorld,
+    rows,
+    with_columns,
+)
 
 
 def epsilon_at(t, start, end, half_life):
@@ -14,7 +28,12 @@ def other_moment(rng: np.random.Generator, case: Case) -> Case:
     """A case of `epsilon_at` with another beginning and end, and at another moment unless it is the first."""
     start, end = sorted(rng.uniform(0.01, 0.99, 2), reverse=True)
     t = case["t"] and case["t"] + int(rng.integers(1, 9))
-    return {"t": t, "start": float(start), "end": float(end), "half_life": case["half_life"] + int(rng.integers(5))}
+    return {
+        "t": t,
+        "start": float(start),
+        "end": float(end),
+        "half_life": case["half_life"] + int(rng.integers(5)),
+    }
 
 
 def policy_value(q_s, temperature):
@@ -32,7 +51,8 @@ CLUES = (
     "D's step has terminated. Which of the three looks at s' then?",
 )
 EXAMPLE = Mistake(
-    "that was only to show how it is written. Which target has each of the four gone half of the way to?", [1, 1, 1, 1]
+    "that was only to show how it is written. Which target has each of the four gone half of the way to?",
+    [1, 1, 1, 1],
 )
 
 

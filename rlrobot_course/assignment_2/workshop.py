@@ -44,7 +44,12 @@ class Workshop:
 
 
 def learn_by(
-    env: Workshop, q: np.ndarray, choose: Choose, value: Callable[[np.ndarray], float], alpha: float, gamma: float
+    env: Workshop,
+    q: np.ndarray,
+    choose: Choose,
+    value: Callable[[np.ndarray], float],
+    alpha: float,
+    gamma: float,
 ) -> None:
     """Learn with one table for EPISODES episodes. value: of a row of Q, what the next state counts as."""
     for _ in range(EPISODES):
@@ -52,11 +57,15 @@ def learn_by(
         while not over:
             a = choose(q, s)
             s_next, r, terminated, truncated = env.step(a)
-            q[s, a] += alpha * (r + (0.0 if terminated else gamma * value(q[s_next])) - q[s, a])
+            q[s, a] += alpha * (
+                r + (0.0 if terminated else gamma * value(q[s_next])) - q[s, a]
+            )
             s, over = s_next, terminated or truncated
 
 
-def share_of_entered(learn: Callable[[Workshop, np.random.Generator], object]) -> np.ndarray:
+def share_of_entered(
+    learn: Callable[[Workshop, np.random.Generator], object],
+) -> np.ndarray:
     """How many of ROBOTS robots go into the workshop in each episode, array (EPISODES,) of shares.
 
     learn: lets a robot learn in its workshop; the generator is for its choices
@@ -74,8 +83,16 @@ def plot_shares(shares: Mapping[str, np.ndarray], chance: np.ndarray) -> Picture
     told = []
     episodes = np.arange(EPISODES).reshape(-1, SMOOTH).mean(axis=1)
     for (label, share), (colour, dashes) in zip(shares.items(), CURVES, strict=False):
-        ax.plot(episodes, share.reshape(-1, SMOOTH).mean(axis=1), color=colour, linestyle=dashes, label=plain(label))
-        told.append(f"{label}: at most {100 * share.max():.0f} %, {100 * share[-50:].mean():.0f} % at the end")
+        ax.plot(
+            episodes,
+            share.reshape(-1, SMOOTH).mean(axis=1),
+            color=colour,
+            linestyle=dashes,
+            label=plain(label),
+        )
+        told.append(
+            f"{label}: at most {100 * share.max():.0f} %, {100 * share[-50:].mean():.0f} % at the end"
+        )
     ax.plot(chance, color=GREY, linestyle=":", label="by exploring alone")
     ax.margins(x=0)
     picture.legend(loc="outside lower center", ncols=2)

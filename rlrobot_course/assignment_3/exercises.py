@@ -15,7 +15,14 @@ def return_over_n(rewards, values, t, n, gamma):
 
 
 REWARDS = [1.0, -2.5, 0.5, 3.0, 1.5]
-VALUES = [4.0, 2.5, -1.0, 0.5, 6.0, 50.0]  # the last is of where nothing follows, and tempts those who look there
+VALUES = [
+    4.0,
+    2.5,
+    -1.0,
+    0.5,
+    6.0,
+    50.0,
+]  # the last is of where nothing follows, and tempts those who look there
 
 
 def trace_after(path, n_states, decay, kind):
@@ -41,7 +48,9 @@ EPISODES = with_columns(
     gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9),
     lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3),
 )
-V_START = np.array([7.0, 1.5, -0.5, 9.0])  # of 0 and 3, where the episodes end, the values tempt, too
+V_START = np.array(
+    [7.0, 1.5, -0.5, 9.0]
+)  # of 0 and 3, where the episodes end, the values tempt, too
 
 
 def td_episode(v, path, rewards, alpha, gamma, lam, kind):
@@ -124,8 +133,12 @@ check = with_pages(
             ([0, 1, 2, 1, 1, 3], 4, 0.6, "replacing"),
         ),
     ),
-    td_episode=Exercise(td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 3)),
-    true_online_episode=Exercise(true_online_episode, memory={"v": V_START}, tape=EPISODES),
+    td_episode=Exercise(
+        td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 3)
+    ),
+    true_online_episode=Exercise(
+        true_online_episode, memory={"v": V_START}, tape=EPISODES
+    ),
     watkins_update=Exercise(
         watkins_update,
         memory={"q": Q, "e": np.zeros_like(Q)},

@@ -95,7 +95,12 @@ class Yard(TapeWorld):
         self.s = (self.s + a) % 4
         odd = self.episode % 2 == 1
         there = before == 1 and a == 2 and odd
-        return self.s, 1.5 if there else -0.5 - 0.25 * a, there, not odd and self.t >= 14
+        return (
+            self.s,
+            1.5 if there else -0.5 - 0.25 * a,
+            there,
+            not odd and self.t >= 14,
+        )
 
 
 def numbers(n: int) -> list[float]:

@@ -6,9 +6,15 @@ import numpy as np
 def draw(x: np.ndarray, temperature: float, u: float) -> int:
     """The action that a random number u, 0 ≤ u < 1, picks by softmax from the preferences x at this temperature."""
     powers = np.exp((x - x.max()) / temperature)
-    return int(np.searchsorted(np.cumsum(powers / powers.sum()), u, side="right").clip(max=len(x) - 1))
+    return int(
+        np.searchsorted(np.cumsum(powers / powers.sum()), u, side="right").clip(
+            max=len(x) - 1
+        )
+    )
 
 
 def table(states: int, actions: int, turn: int) -> np.ndarray:
     """A table of Q with no two alike rows."""
-    return np.round(np.sin(np.arange(states * actions) * 1.7 + turn).reshape(states, actions) * 6, 2)
+    return np.round(
+        np.sin(np.arange(states * actions) * 1.7 + turn).reshape(states, actions) * 6, 2
+    )

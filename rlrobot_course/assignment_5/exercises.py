@@ -23,7 +23,11 @@ def value_of(rows, policy, n_states, gamma, sweeps):
     for _ in range(sweeps):
         old = v.copy()
         for s in range(n_states):
-            seen = [r + gamma * old[s_next] for s_row, a, r, s_next in rows if (s_row, a) == (s, policy[s])]
+            seen = [
+                r + gamma * old[s_next]
+                for s_row, a, r, s_next in rows
+                if (s_row, a) == (s, policy[s])
+            ]
             v[s] = sum(seen) / len(seen) if seen else 0
     return v
 
@@ -58,7 +62,9 @@ def verdict(first, second, t):
 
 
 EARNED = [2.5, 3.25, 1.75, 4.5, 3.0]
-LIKE = [x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)]  # a little less, nearly the same pair by pair
+LIKE = [
+    x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)
+]  # a little less, nearly the same pair by pair
 
 right_interval = interval  # for answers that have an `interval` of their own
 
@@ -105,10 +111,26 @@ check = with_pages(
             {"first": EARNED, "second": EARNED, "t": 2.78},
             {"first": [5.5, 6.25, 5.75], "second": [1.25, 0.5, 2.5], "t": 4.3},
             {"first": [1.25, 0.5, 2.5], "second": [5.5, 6.25, 5.75], "t": 4.3},
-            {"first": [1.0, 3.5, 1.25, 2.5], "second": [1.5, 2.0, 1.5, 1.75], "t": 3.18},
-            {"first": [1.5, 2.0, 1.5, 1.75], "second": [1.0, 3.5, 1.25, 2.5], "t": 3.18},
-            {"first": [2.5, 2.75, 3.0, 3.5, 4.0, 4.5], "second": [2.625, 2.0, 2.25, 2.75, 3.0, 3.5], "t": 2.57},
-            {"first": [2.5, 3.0, 3.5, 3.0], "second": [1.0, 2.75, 1.5, 2.5], "t": 2.0},  # decided by t alone
+            {
+                "first": [1.0, 3.5, 1.25, 2.5],
+                "second": [1.5, 2.0, 1.5, 1.75],
+                "t": 3.18,
+            },
+            {
+                "first": [1.5, 2.0, 1.5, 1.75],
+                "second": [1.0, 3.5, 1.25, 2.5],
+                "t": 3.18,
+            },
+            {
+                "first": [2.5, 2.75, 3.0, 3.5, 4.0, 4.5],
+                "second": [2.625, 2.0, 2.25, 2.75, 3.0, 3.5],
+                "t": 2.57,
+            },
+            {
+                "first": [2.5, 3.0, 3.5, 3.0],
+                "second": [1.0, 2.75, 1.5, 2.5],
+                "t": 2.0,
+            },  # decided by t alone
             {"first": [2.5, 3.0, 3.5, 3.0], "second": [1.0, 2.75, 1.5, 2.5], "t": 3.18},
         ],
     ),

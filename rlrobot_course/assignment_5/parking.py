@@ -14,7 +14,12 @@ def words(before: Readings, after: Readings) -> str:
 
 
 def situation(
-    name: str, front: float, before: float | None = None, left: float = 0.6, right: float = 0.6, ahead: float = 0.0
+    name: str,
+    front: float,
+    before: float | None = None,
+    left: float = 0.6,
+    right: float = 0.6,
+    ahead: float = 0.0,
 ) -> Situation:
     """A step that moved the robot by `ahead` in y [m], and what the lasers say after it [m].
 
@@ -35,8 +40,14 @@ PAIRS = (
     (PARKED, STANDS_FAR),
     (PARKED, COMES),
     (PARKED, situation("stands 0.10 m in front of the wall", 0.10)),
-    (situation("stands 0.17 m in front of the wall", 0.17), situation("stands at 0.12 m", 0.12)),
-    (situation("stands 0.34 m in front of the wall", 0.34), situation("stands at 0.45 m", 0.45)),
+    (
+        situation("stands 0.17 m in front of the wall", 0.17),
+        situation("stands at 0.12 m", 0.12),
+    ),
+    (
+        situation("stands 0.34 m in front of the wall", 0.34),
+        situation("stands at 0.45 m", 0.45),
+    ),
     (PARKED, situation("drives past 0.25 m without a stop", 0.25, 0.345, ahead=0.095)),
     (PARKED, situation("creeps through 0.25 m backward", 0.25, 0.21, ahead=-0.04)),
     (COMES, STANDS_FAR),
@@ -65,7 +76,10 @@ def parking_task(reward: Pay) -> Task:
             InputVariable("laser_front_left", cuts=[0.15], unit="m"),
             InputVariable("laser_front_right", cuts=[0.15], unit="m"),
         ],
-        outputs=[OutputVariable(wheel, values=[-1, 1], unit="rad/s") for wheel in ("left_wheel", "right_wheel")],
+        outputs=[
+            OutputVariable(wheel, values=[-1, 1], unit="rad/s")
+            for wheel in ("left_wheel", "right_wheel")
+        ],
         rewards=[0, 1],
         reward=lambda before, after: 0.0,
         command=command,

@@ -6,7 +6,12 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from rlrobot_course.authoring.lists import checkout, notebook_of, surroundings, write_table
+from rlrobot_course.authoring.lists import (
+    checkout,
+    notebook_of,
+    surroundings,
+    write_table,
+)
 
 
 def run(words: Sequence[str]) -> int:
@@ -38,7 +43,9 @@ def run(words: Sequence[str]) -> int:
 def check(root: Path, number: str) -> int:
     """Run the tests of one lesson, whose names are sentences; returns pytest's exit code, 0 if all pass."""
     notebook = notebook_of(root, number)
-    return subprocess.run(command_of(number, notebook), cwd=root, env=surroundings(root)).returncode
+    return subprocess.run(
+        command_of(number, notebook), cwd=root, env=surroundings(root)
+    ).returncode
 
 
 def command_of(number: str, notebook: Path) -> list[str]:
@@ -46,7 +53,9 @@ def command_of(number: str, notebook: Path) -> list[str]:
 
     Raises ValueError if what the tests need is not installed.
     """
-    if missing := [name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)]:
+    if missing := [
+        name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)
+    ]:
         raise ValueError(f"this needs {', '.join(missing)}: make tools installs it")
     return [
         sys.executable, "-m", "pytest", "-q", "--tb=line", "-rfE", "-p", "no:cacheprovider",

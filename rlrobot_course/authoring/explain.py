@@ -24,14 +24,22 @@ def explain(number: str, name: str, answer: str) -> str:
     Raises ValueError if there is no such exercise, or no such function in the file.
     """
     try:
-        known = vars(importlib.import_module(f"rlrobot_course.lesson_{number}.exercises").check)
+        known = vars(
+            importlib.import_module(f"rlrobot_course.lesson_{number}.exercises").check
+        )
     except ModuleNotFoundError:
-        raise ValueError(f"lesson {number!r} has no exercises: write the number as in 03") from None
+        raise ValueError(
+            f"lesson {number!r} has no exercises: write the number as in 03"
+        ) from None
     if name not in known:
-        raise ValueError(f"there is no exercise {name!r} in lesson {number}; there are {', '.join(known)}")
+        raise ValueError(
+            f"there is no exercise {name!r} in lesson {number}; there are {', '.join(known)}"
+        )
     exercise = known[name]
     if isinstance(exercise, Question):
-        value = safely(answer, eval, answer, {"np": np})  # a word may stand without quotation marks
+        value = safely(
+            answer, eval, answer, {"np": np}
+        )  # a word may stand without quotation marks
         return "\n".join([repr(exercise(value)), *_told_of_value(exercise, value)])
     function = _function(name, answer)
     return "\n".join([repr(exercise.judge(function)), *_told(exercise, function)])
@@ -39,7 +47,9 @@ def explain(number: str, name: str, answer: str) -> str:
 
 def _function(name: str, file: str) -> Any:
     if not Path(file).is_file():
-        raise ValueError(f"{file} is no file; the answer to {name} is a Python file that defines it")
+        raise ValueError(
+            f"{file} is no file; the answer to {name} is a Python file that defines it"
+        )
     names = runpy.run_path(file)
     if name not in names:
         raise ValueError(f"{file} defines no {name}")

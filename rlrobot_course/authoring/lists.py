@@ -31,7 +31,9 @@ def checkout() -> Path:
     """The folder of the project. Raises ValueError where the package is installed without it."""
     root = Path(rlrobot_course.__file__).parents[1]
     if not (root / "tests/course").is_dir():
-        raise ValueError(f"lessons are written in a clone of the project, with notebooks/ and tests/, not in {root}")
+        raise ValueError(
+            f"lessons are written in a clone of the project, with notebooks/ and tests/, not in {root}"
+        )
     return root
 
 
@@ -43,7 +45,10 @@ def surroundings(root: Path) -> dict[str, str]:
 
 def lessons(root: Path) -> dict[str, Path]:
     """The notebook of each lesson, by its number as in 04, in the order of the course; those in `more/` come last."""
-    paths = [*sorted(root.glob("notebooks/*.ipynb")), *sorted(root.glob("notebooks/more/*.ipynb"))]
+    paths = [
+        *sorted(root.glob("notebooks/*.ipynb")),
+        *sorted(root.glob("notebooks/more/*.ipynb")),
+    ]
     return {path.name.partition("_")[0]: path for path in paths}
 
 
@@ -52,9 +57,15 @@ def facts(root: Path) -> dict[str, Lesson]:
     found = {}
     for number, path in lessons(root).items():
         notebook = json.loads(path.read_text(encoding="utf-8"))
-        title = "".join(notebook["cells"][0]["source"]).partition("\n")[0].removeprefix(f"# {number} ")
+        title = (
+            "".join(notebook["cells"][0]["source"])
+            .partition("\n")[0]
+            .removeprefix(f"# {number} ")
+        )
         about = notebook["metadata"]["rlrobot_edu"]
-        found[number] = Lesson(path, title, about["minutes"], about["needs"], about["writes"])
+        found[number] = Lesson(
+            path, title, about["minutes"], about["needs"], about["writes"]
+        )
     return found
 
 
@@ -79,5 +90,7 @@ def notebook_of(root: Path, number: str) -> Path:
     """The notebook of one lesson. Raises ValueError if there is none; the message lists the lessons."""
     known = lessons(root)
     if number not in known:
-        raise ValueError(f"there is no lesson {number!r} in notebooks/; the lessons are {', '.join(known)}")
+        raise ValueError(
+            f"there is no lesson {number!r} in notebooks/; the lessons are {', '.join(known)}"
+        )
     return known[number]

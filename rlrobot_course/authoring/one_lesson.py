@@ -10,7 +10,9 @@ from typing import Any
 
 def pytest_addoption(parser: Any) -> None:
     """The number of the lesson."""
-    parser.addoption("--lesson", required=True, help="only the tests of this lesson, as in 04")
+    parser.addoption(
+        "--lesson", required=True, help="only the tests of this lesson, as in 04"
+    )
 
 
 def pytest_collection_modifyitems(config: Any, items: list[Any]) -> None:
@@ -31,7 +33,10 @@ def belongs(file: Path, parameters: list[Any], number: str) -> bool:
     if file.name.startswith((f"test_lesson_{number}_", f"{number}_")):
         return True
     words = [thing for thing in parameters if isinstance(thing, str)]
-    return any(word in (number, f"lesson_{number}") or word.startswith(_notebooks(number)) for word in words)
+    return any(
+        word in (number, f"lesson_{number}") or word.startswith(_notebooks(number))
+        for word in words
+    )
 
 
 def _notebooks(number: str) -> tuple[str, ...]:

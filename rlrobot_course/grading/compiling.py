@@ -15,7 +15,9 @@ def uncompiled(answer: Callable[..., Any]) -> Callable[..., Any]:
 
 
 @contextmanager
-def told_of_compiling(begins: Callable[[], None], ends: Callable[[], None]) -> Iterator[None]:
+def told_of_compiling(
+    begins: Callable[[], None], ends: Callable[[], None]
+) -> Iterator[None]:
     """Call `begins` and `ends` around each time that numba compiles what is called."""
     event: Any = sys.modules.get("numba.core.event")
     if event is None:

@@ -23,7 +23,9 @@ from rlrobot_course.grading.suspicions import (
 )
 from rlrobot_course.grading.values import safely
 
-AGAIN = 40  # times that a function is asked the same, to see whether there is chance in it
+AGAIN = (
+    40  # times that a function is asked the same, to see whether there is chance in it
+)
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
 
@@ -31,14 +33,23 @@ def chance(seen: Evidence) -> Hint | None:
     """It answers differently when it is asked again. This comes first: chance may look like any mistake."""
     exercise, first = seen.exercise, seen.wrong[0]
     before = seen.got[first]
-    if not safely(False, uses_chance, seen.answer) or before.failure or not before.equals(before):
+    if (
+        not safely(False, uses_chance, seen.answer)
+        or before.failure
+        or not before.equals(before)
+    ):
         return None  # some values equal nothing, not even themselves
     again = (exercise.outcome(seen.answer, exercise.cases[first]) for _ in range(AGAIN))
     if all(outcome.failure or outcome.equals(before) for outcome in again):
         return None
     if in_the_code := from_the_notebook(seen) or about_the_code(seen):
-        return in_the_code if isinstance(in_the_code, Hint) else Hint("code", in_the_code)
-    right, mine = (outcome.values.get(exercise.returns) for outcome in (exercise.expected[first], before))
+        return (
+            in_the_code if isinstance(in_the_code, Hint) else Hint("code", in_the_code)
+        )
+    right, mine = (
+        outcome.values.get(exercise.returns)
+        for outcome in (exercise.expected[first], before)
+    )
     shape = safely("", unlike, right, mine)
     return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
 
@@ -46,7 +57,14 @@ def chance(seen: Evidence) -> Hint | None:
 def known_mistake(seen: Evidence) -> Hint | None:
     """It computes what one of the exercise's mistakes computes, in every case."""
     pairs = zip(seen.exercise.mistakes, seen.exercise.wrong_functions, strict=True)
-    return next((Hint(mistake.id, mistake.hint) for mistake, wrong in pairs if seen.shows(wrong)), None)
+    return next(
+        (
+            Hint(mistake.id, mistake.hint)
+            for mistake, wrong in pairs
+            if seen.shows(wrong)
+        ),
+        None,
+    )
 
 
 def two_mistakes(seen: Evidence) -> Hint | None:

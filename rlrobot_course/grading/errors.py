@@ -16,15 +16,38 @@ import numpy as np
 from rlrobot_course.grading.limits import Failure
 from rlrobot_course.grading.source import names_of, parameters
 
-MEANINGS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))["error"]
-MODULES = {"np": "import numpy as np", "numpy": "import numpy as np", "math": "import math", "random": "import random"}
+MEANINGS = tomllib.loads(
+    Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
+)["error"]
+MODULES = {
+    "np": "import numpy as np",
+    "numpy": "import numpy as np",
+    "math": "import math",
+    "random": "import random",
+}
 MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
-NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {"gamma"}  # what beginners write without its np.
-NUMPYS |= {"argmax", "argmin", "array", "arange", "cumsum", "mean", "ones", "searchsorted", "zeros", "zeros_like"}
+NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {
+    "gamma"
+}  # what beginners write without its np.
+NUMPYS |= {
+    "argmax",
+    "argmin",
+    "array",
+    "arange",
+    "cumsum",
+    "mean",
+    "ones",
+    "searchsorted",
+    "zeros",
+    "zeros_like",
+}
 
 
 def error_hint(
-    failure: Failure, answer: Callable[..., Any], right: Callable[..., Any], lenders: Mapping[str, str]
+    failure: Failure,
+    answer: Callable[..., Any],
+    right: Callable[..., Any],
+    lenders: Mapping[str, str],
 ) -> str:
     """The likely cause of a failure, for the learner.
 
@@ -46,16 +69,25 @@ def error_hint(
     if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for meaning in MEANINGS:
-        if found := re.search(meaning["pattern"], f"{failure.text}, in the line: {failure.line}"):
+        if found := re.search(
+            meaning["pattern"], f"{failure.text}, in the line: {failure.line}"
+        ):
             return meaning["means"].format(**found.groupdict())
     return ""
 
 
 def _about_a_name(
-    failure: Failure, answer: Callable[..., Any], right: Callable[..., Any], lenders: Mapping[str, str]
+    failure: Failure,
+    answer: Callable[..., Any],
+    right: Callable[..., Any],
+    lenders: Mapping[str, str],
 ) -> str:
     name = next(iter(re.findall(r"'(\w+)'", failure.text)), "")
-    if failure.kind == "UnboundLocalError" or "before assignment" in failure.text or "not associated" in failure.text:
+    if (
+        failure.kind == "UnboundLocalError"
+        or "before assignment" in failure.text
+        or "not associated" in failure.text
+    ):
         return f"{name} is used before it has a value. Give it one before the loop, or on every way that leads here."
     if name in MODULES:
         return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
@@ -66,7 +98,9 @@ def _about_a_name(
     known = {*parameters(right), *names_of(answer)} - {name}
     alike = [other for other in known if other.lower() == name.lower()]
     if not alike and name in names_of(right):
-        return f"{name} has no value yet in this line. Give it one first, in a line above."
+        return (
+            f"{name} has no value yet in this line. Give it one first, in a line above."
+        )
     alike = alike or difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
     alike = alike or difflib.get_close_matches(name, dir(builtins), n=1, cutoff=0.8)
     if alike:
@@ -75,7 +109,9 @@ def _about_a_name(
 
 
 def _about_an_index(failure: Failure) -> str:
-    found = re.search(r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)", failure.text)
+    found = re.search(
+        r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)", failure.text
+    )
     if found and re.search(r"\[\s*a\w*\s*,\s*s\w*\s*\]", failure.line):
         return "the state and the action have changed places: it is q[s, a]."
     if found:
@@ -86,4 +122,6 @@ def _about_an_index(failure: Failure) -> str:
         return "pop takes an entry out, and here the list has none left."
     if "too many indices" in failure.text:
         return "there are more numbers in the square brackets than the array has axes. Is it a row, or the whole table?"
-    return "the index is beyond the end. A list of n entries has the numbers 0 to n − 1."
+    return (
+        "the index is beyond the end. A list of n entries has the numbers 0 to n − 1."
+    )

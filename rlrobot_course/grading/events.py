@@ -42,17 +42,25 @@ class Noted:
         if name.startswith("__"):
             raise AttributeError(name)
         found = getattr(self._thing, name)
-        return Noted(f"{self._name}.{name}", found, self._calls) if name in WORLD else found
+        return (
+            Noted(f"{self._name}.{name}", found, self._calls)
+            if name in WORLD
+            else found
+        )
 
     def __call__(self, *arguments: Any, **by_name: Any) -> Any:
         if len(self._calls) < MOST:
-            self._calls.append(Call(self._name, tuple(map(kept, (*arguments, *by_name.values())))))
+            self._calls.append(
+                Call(self._name, tuple(map(kept, (*arguments, *by_name.values()))))
+            )
         return self._thing(*arguments, **by_name)
 
 
 def order_of_events(seen: Evidence) -> str:
     """What is the first to differ in the calls of a loop, if it is the same in every wrong case."""
-    if issubclass(type(seen.answer), Elsewhere) or not any(map(_is_noted, seen.exercise.cases[0].values())):
+    if issubclass(type(seen.answer), Elsewhere) or not any(
+        map(_is_noted, seen.exercise.cases[0].values())
+    ):
         return ""  # the calls in another process are not seen
     found = [safely(("", ""), _first_difference, seen, i) for i in seen.wrong]
     return found[0][1] if len({kind for kind, _ in found}) == 1 else ""
@@ -62,11 +70,15 @@ def _is_noted(thing: Any) -> bool:
     return callable(thing) or all(hasattr(thing, name) for name in WORLD)
 
 
-def _calls(function: Callable[..., Any], case: Case, names: tuple[str, ...]) -> list[Call]:
+def _calls(
+    function: Callable[..., Any], case: Case, names: tuple[str, ...]
+) -> list[Call]:
     """The calls that `function` makes in a case."""
     calls: list[Call] = []
     # together, for `choose` may look at the world's clock
-    given = copy.deepcopy({n: Noted(n, case[n], calls) if _is_noted(case[n]) else case[n] for n in names})
+    given = copy.deepcopy(
+        {n: Noted(n, case[n], calls) if _is_noted(case[n]) else case[n] for n in names}
+    )
     attempt(function, *[given[name] for name in names])
     return calls
 
@@ -74,7 +86,9 @@ def _calls(function: Callable[..., Any], case: Case, names: tuple[str, ...]) -> 
 def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
     """The first call of case `i` that is another than the right one: of which kind that is, and in words."""
     case, names = seen.exercise.cases[i], seen.exercise.parameters
-    right, mine = (_calls(function, case, names) for function in (seen.exercise.right, seen.answer))
+    right, mine = (
+        _calls(function, case, names) for function in (seen.exercise.right, seen.answer)
+    )
     called = {call.name for call in mine}
     for k, (wanted, got) in enumerate(zip(right, mine, strict=False)):
         if wanted.name != got.name:
@@ -86,22 +100,44 @@ def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
         if (which := _other_argument(wanted, got)) is not None:
             theirs, its = wanted.given[which], got.given[which]
             if np.ndim(theirs):
-                return got.name, f"{got.name} is given another table than it should: what has changed it before?"
-            calls = (node for node in ast.walk(tree_of(seen.exercise.right)) if isinstance(node, ast.Call))
-            named = next(ast.unparse(call.args[which]) for call in calls if ast.unparse(call.func) == got.name)
+                return (
+                    got.name,
+                    f"{got.name} is given another table than it should: what has changed it before?",
+                )
+            calls = (
+                node
+                for node in ast.walk(tree_of(seen.exercise.right))
+                if isinstance(node, ast.Call)
+            )
+            named = next(
+                ast.unparse(call.args[which])
+                for call in calls
+                if ast.unparse(call.func) == got.name
+            )
             which_one = f"the argument {named} of {got.name}"
-            return which_one, f"{which_one} is {show(its)} in a call in which it should be {show(theirs)}."
+            return (
+                which_one,
+                f"{which_one} is {show(its)} in a call in which it should be {show(theirs)}.",
+            )
     if len(mine) > len(right):
-        return "long", f"yours goes on too long: it calls {mine[len(right)].name} once more when all is done."
+        return (
+            "long",
+            f"yours goes on too long: it calls {mine[len(right)].name} once more when all is done.",
+        )
     if len(right) > len(mine) > 0:
         missing = right[len(mine)].name
         if missing not in called:
             return missing, f"yours never calls {missing}."
-        return "short", f"yours ends too early: after its last {mine[-1].name} comes {missing}."
+        return (
+            "short",
+            f"yours ends too early: after its last {mine[-1].name} comes {missing}.",
+        )
     return "", ""
 
 
 def _other_argument(wanted: Call, got: Call) -> int | None:
     """Which argument of a call is another than the right one."""
     pairs = zip(wanted.given, got.given, strict=False)
-    return next((k for k, (theirs, its) in enumerate(pairs) if not same(theirs, its)), None)
+    return next(
+        (k for k, (theirs, its) in enumerate(pairs) if not same(theirs, its)), None
+    )

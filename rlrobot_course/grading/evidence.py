@@ -40,5 +40,11 @@ class Evidence:
         endless: whether `function` may take as long as it likes, since it is known to end
         """
         failed = [i for i, mine in enumerate(self.got) if mine.failure]
-        order = dict.fromkeys([*self.wrong, *range(len(self.got))])  # most functions are told apart by a wrong one
-        return all(self.exercise.mistaken(function, i, endless).equals(self.got[i]) for i in order if [i] != failed)
+        order = dict.fromkeys(
+            [*self.wrong, *range(len(self.got))]
+        )  # most functions are told apart by a wrong one
+        return all(
+            self.exercise.mistaken(function, i, endless).equals(self.got[i])
+            for i in order
+            if [i] != failed
+        )

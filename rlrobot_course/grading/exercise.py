@@ -18,12 +18,26 @@ from rlrobot_course.grading.evidence import Evidence, Hint
 from rlrobot_course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
 from rlrobot_course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_course.grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_course.grading.source import COURSES_OWN, edited, is_courses_own, is_unfinished, parameters
-from rlrobot_course.grading.values import MOST_SHOWN, differences, one_line, safely, show
+from rlrobot_course.grading.source import (
+    COURSES_OWN,
+    edited,
+    is_courses_own,
+    is_unfinished,
+    parameters,
+)
+from rlrobot_course.grading.values import (
+    MOST_SHOWN,
+    differences,
+    one_line,
+    safely,
+    show,
+)
 from rlrobot_course.grading.verdict import Verdict
 from rlrobot_course.my_functions import is_notebook, keep
 
-MOST_PAIRED = 20  # of the mistakes, the frequent ones first, that are also tried two at a time
+MOST_PAIRED = (
+    20  # of the mistakes, the frequent ones first, that are also tried two at a time
+)
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -63,7 +77,9 @@ class Exercise:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
-        _ = self.wrong_functions  # an edit that no longer fits its function is told here, not to a learner
+        _ = (
+            self.wrong_functions
+        )  # an edit that no longer fits its function is told here, not to a learner
 
     def __call__(self, answer: Any) -> Verdict:
         """Judge `answer`, and keep it for later lessons if it is right; never raises."""
@@ -73,7 +89,14 @@ class Exercise:
         lesson = re.search(r"lesson_(\w+)", self.right.__module__)
         if not (verdict and lesson and is_notebook()):
             return verdict
-        told = safely("(Not kept for later lessons.)", keep, answer, lesson[1], self.right.__name__, self.judge)
+        told = safely(
+            "(Not kept for later lessons.)",
+            keep,
+            answer,
+            lesson[1],
+            self.right.__name__,
+            self.judge,
+        )
         return replace(verdict, gained=f"{verdict.gained} {told}".strip())
 
     def judge(self, answer: Any) -> Verdict:
@@ -81,12 +104,25 @@ class Exercise:
         if answer is ... or answer is None:
             return self._waits()
         if not callable(answer):
-            return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.")
-        expected = self.expected  # first: what is compiled meanwhile is not the learner's time
+            return Verdict(
+                "wrong",
+                f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.",
+            )
+        expected = (
+            self.expected
+        )  # first: what is compiled meanwhile is not the learner's time
         got = self.outcomes(answer)
-        wrong = [i for i, (mine, right) in enumerate(zip(got, expected, strict=False)) if not right.equals(mine)]
+        wrong = [
+            i
+            for i, (mine, right) in enumerate(zip(got, expected, strict=False))
+            if not right.equals(mine)
+        ]
         if not wrong:
-            how_often = f"Right in all {len(self.tape)} {self._unit}s." if len(self.tape) > 1 else "Right."
+            how_often = (
+                f"Right in all {len(self.tape)} {self._unit}s."
+                if len(self.tape) > 1
+                else "Right."
+            )
             return Verdict("right", how_often, gained=self.gained)
         if safely(False, is_unfinished, answer):
             return self._waits()
@@ -110,7 +146,10 @@ class Exercise:
     def wrong_functions(self) -> tuple[Callable[..., Any], ...]:
         """The function of each mistake."""
         wrong = [mistake.wrong for mistake in self.mistakes]
-        return tuple(change if callable(change) else edited(self.right, change) for change in wrong)
+        return tuple(
+            change if callable(change) else edited(self.right, change)
+            for change in wrong
+        )
 
     @property
     def is_exact(self) -> bool:
@@ -120,8 +159,14 @@ class Exercise:
     @property
     def tables(self) -> list[str]:
         """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
-        tables = [name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)]
-        numbers = [name for name, thing in self.memory.items() if isinstance(thing, int | float)]
+        tables = [
+            name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)
+        ]
+        numbers = [
+            name
+            for name, thing in self.memory.items()
+            if isinstance(thing, int | float)
+        ]
         return tables if len(tables) + len(numbers) == len(self.memory) else []
 
     @property
@@ -131,7 +176,9 @@ class Exercise:
     @cached_property
     def cases(self) -> list[Case]:
         """The steps of the tape, each with the memory as the right function has left it."""
-        return cases_of(self.right, self.tape, self.memory, self.returns, self.parameters)
+        return cases_of(
+            self.right, self.tape, self.memory, self.returns, self.parameters
+        )
 
     @cached_property
     def expected(self) -> list[Outcome]:
@@ -144,7 +191,9 @@ class Exercise:
         """What came of a mistake in a case, as far as anybody has asked."""
         return {}
 
-    def mistaken(self, function: Callable[..., Any], i: int, endless: bool = False) -> Outcome:
+    def mistaken(
+        self, function: Callable[..., Any], i: int, endless: bool = False
+    ) -> Outcome:
         """What comes of a mistake in case `i`; it is tried once, when first asked for."""
         if (function, i) not in self._tried:
             self._tried[function, i] = self.outcome(function, self.cases[i], endless)
@@ -154,7 +203,11 @@ class Exercise:
     def pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
         """Two mistakes, and the function that makes both at once."""
         pairs = []
-        frequent = [mistake for mistake in self.mistakes[:MOST_PAIRED] if not callable(mistake.wrong)]
+        frequent = [
+            mistake
+            for mistake in self.mistakes[:MOST_PAIRED]
+            if not callable(mistake.wrong)
+        ]
         for one, other in combinations(frequent, 2):
             both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
             if both is not None and not one.wrong.keys() & other.wrong.keys():
@@ -170,18 +223,35 @@ class Exercise:
         for case in self.cases:
             outcomes.append(self.outcome(answer, case))
             waited = time.perf_counter() - begun
-            if waited > PATIENCE and not isinstance(answer, Elsewhere) and not outcomes[-1].failure:
-                slow = Failure(TooLong.__name__, f"has taken {waited:.0f} seconds for the {self._unit}s so far")
+            if (
+                waited > PATIENCE
+                and not isinstance(answer, Elsewhere)
+                and not outcomes[-1].failure
+            ):
+                slow = Failure(
+                    TooLong.__name__,
+                    f"has taken {waited:.0f} seconds for the {self._unit}s so far",
+                )
                 outcomes[-1] = replace(outcomes[-1], failure=slow)
             if (failure := outcomes[-1].failure) and failure.kind == TooLong.__name__:
                 break
         return outcomes
 
-    def outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
+    def outcome(
+        self, answer: Callable[..., Any], case: Case, endless: bool = False
+    ) -> Outcome:
         """What `answer` does in a case; endless: whether it may take as long as it likes."""
-        return outcome_of(answer, case, self.parameters, tuple(self.memory), self.returns, endless)
+        return outcome_of(
+            answer, case, self.parameters, tuple(self.memory), self.returns, endless
+        )
 
-    def _wrong(self, answer: Callable[..., Any], got: Sequence[Outcome], first: int, n_wrong: int) -> Verdict:
+    def _wrong(
+        self,
+        answer: Callable[..., Any],
+        got: Sequence[Outcome],
+        first: int,
+        n_wrong: int,
+    ) -> Verdict:
         """The verdict on a wrong answer, which differs first in case `first`."""
         mine, right, n = got[first], self.expected[first], len(self.tape)
         called = self._called(self.cases[first])
@@ -191,13 +261,19 @@ class Exercise:
             ends = f"{'' if mine.failure.kind == TooLong.__name__ else 'stops with '}{mine.failure.text}{line}"
             told = error_hint(mine.failure, answer, self.right, self.lenders)
             return Verdict(
-                "wrong", one_line(f"In {here} your function {ends}.", 400), called, hint=told, id="exception"
+                "wrong",
+                one_line(f"In {here} your function {ends}.", 400),
+                called,
+                hint=told,
+                id="exception",
             )
         rows = differences(right.values, mine.values)
         if not rows:
             names = " and ".join(mine.spoilt)
             told = f"The result is right, but in {here} your function changes {names}, which it should only read."
-            return Verdict("wrong", told, called, hint=COPY.format(mine.spoilt[0]), id="spoilt")
+            return Verdict(
+                "wrong", told, called, hint=COPY.format(mine.spoilt[0]), id="spoilt"
+            )
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
@@ -205,14 +281,22 @@ class Exercise:
             rows += (("printed", "", show(mine.printed)),)
         hint = self.hint_on(answer, got)
         if mine.spoilt and not hint.text:
-            hint = Hint("spoilt", ("{0} changes, and it should only be read: " + COPY).format(*mine.spoilt))
+            hint = Hint(
+                "spoilt",
+                ("{0} changes, and it should only be read: " + COPY).format(
+                    *mine.spoilt
+                ),
+            )
         return Verdict("wrong", where, called, rows, hint.text, id=hint.id)
 
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
         # a repr with an address says nothing to a learner
         told = [
-            n for n in self.parameters if safely(0, np.size, case[n]) <= MOST_SHOWN and " at 0x" not in repr(case[n])
+            n
+            for n in self.parameters
+            if safely(0, np.size, case[n]) <= MOST_SHOWN
+            and " at 0x" not in repr(case[n])
         ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 

@@ -17,9 +17,16 @@ from rlrobot_course.grading.one_change import Change, changed, quoted, simple_ch
 from rlrobot_course.grading.values import safely, same
 
 # in words, the formula and its parts, and what other numbers are in it
-Variant = tuple[str, Mapping[str, str], Callable[[Mapping[str, Any]], Mapping[str, Any]]]
+Variant = tuple[
+    str, Mapping[str, str], Callable[[Mapping[str, Any]], Mapping[str, Any]]
+]
 
-UNITS = {"a hundred": 100, "a hundredth": 0.01, "a thousand": 1000, "a thousandth": 0.001}
+UNITS = {
+    "a hundred": 100,
+    "a hundredth": 0.01,
+    "a thousand": 1000,
+    "a thousandth": 0.001,
+}
 MOST = 2  # changes that give the same number and are told; if there are more, none is
 
 
@@ -40,8 +47,12 @@ class Formula:
     """
 
     def __init__(self, text: str, **of: Any) -> None:
-        self.texts = {name: part for name, part in of.items() if isinstance(part, str)} | {"": text}
-        self.numbers = {name: number for name, number in of.items() if not isinstance(number, str)}
+        self.texts = {
+            name: part for name, part in of.items() if isinstance(part, str)
+        } | {"": text}
+        self.numbers = {
+            name: number for name, number in of.items() if not isinstance(number, str)
+        }
 
     @property
     def value(self) -> Any:
@@ -52,44 +63,78 @@ class Formula:
         """Which change gives this answer; empty if none does, or if that is not certain. near: relative difference"""
         found: list[Changed] = []
         for change in self.changes:
-            if same(answer, change.value, near) and not any(same(change.elsewhere, f.elsewhere) for f in found):
+            if same(answer, change.value, near) and not any(
+                same(change.elsewhere, f.elsewhere) for f in found
+            ):
                 found.append(change)
         likely = [change.said for change in found if change.rank == found[0].rank]
-        return f"it is as if {', or as if '.join(likely)}." if 1 <= len(likely) <= MOST else ""
+        return (
+            f"it is as if {', or as if '.join(likely)}."
+            if 1 <= len(likely) <= MOST
+            else ""
+        )
 
     @cached_property
     def changes(self) -> list[Changed]:
         """Each change of the formula that makes another number of it, the likely ones first."""
         right, found = self.value, []
-        other = {name: number * (1.37 + 0.0917 * i) for i, (name, number) in enumerate(self.numbers.items())}
+        other = {
+            name: number * (1.37 + 0.0917 * i)
+            for i, (name, number) in enumerate(self.numbers.items())
+        }
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
-            for rank, kind in enumerate((self._parts, self._edits, self._other_numbers, self._further_edits)):
+            for rank, kind in enumerate(
+                (self._parts, self._edits, self._other_numbers, self._further_edits)
+            ):
                 for said, texts, change in kind():
                     value, elsewhere = (
-                        safely(None, self._worth, texts, {**n, **safely({}, change, n)}) for n in (self.numbers, other)
+                        safely(None, self._worth, texts, {**n, **safely({}, change, n)})
+                        for n in (self.numbers, other)
                     )
                     if value is not None and not same(value, right, 1e-3):
-                        found.append(Changed(said.replace("_", " "), rank, value, elsewhere))
+                        found.append(
+                            Changed(said.replace("_", " "), rank, value, elsewhere)
+                        )
         return found
 
     def _parts(self) -> Iterator[Variant]:
         """A part of the formula alone, or all of it in another unit."""
         for name, text in self.texts.items():
             if name:
-                yield f"you had stopped at “{name}”", {**self.texts, "": name}, _as_they_are
+                yield (
+                    f"you had stopped at “{name}”",
+                    {**self.texts, "": name},
+                    _as_they_are,
+                )
             for part in ast.walk(ast.parse(text, mode="eval").body):
                 if isinstance(part, ast.BinOp):
-                    yield f"you had stopped at {quoted(part)}", {**self.texts, "": ast.unparse(part)}, _as_they_are
+                    yield (
+                        f"you had stopped at {quoted(part)}",
+                        {**self.texts, "": ast.unparse(part)},
+                        _as_they_are,
+                    )
         if len(np.shape(self.value)) == 1:
-            yield "they stood in reverse order", {**self.texts, "": f"({self.texts['']})[::-1]"}, _as_they_are
+            yield (
+                "they stood in reverse order",
+                {**self.texts, "": f"({self.texts['']})[::-1]"},
+                _as_they_are,
+            )
         for said, times in UNITS.items():
             texts = {**self.texts, "": f"np.multiply({times}, {self.texts['']})"}
-            yield f"{said} times as much were asked. In which unit is it", texts, _as_they_are
+            yield (
+                f"{said} times as much were asked. In which unit is it",
+                texts,
+                _as_they_are,
+            )
 
     def _other_numbers(self) -> Iterator[Variant]:
         """One quantity in place of another, or with another sign, or in per cent."""
-        spare = [name for name, n in self.numbers.items() if isinstance(n, int | float) and name not in self._used]
+        spare = [
+            name
+            for name, n in self.numbers.items()
+            if isinstance(n, int | float) and name not in self._used
+        ]
         for name in self._used:
             for other in spare:
                 said = f"“{other}” stood in place of “{name}”"
@@ -98,10 +143,22 @@ class Formula:
             said = f"“{one}” and “{other}” had changed places"
             yield said, self.texts, lambda of, a=one, b=other: {a: of[b], b: of[a]}
         for name in self._used:
-            yield f"“{name}” had the other sign", self.texts, lambda of, a=name: {a: -of[a]}
+            yield (
+                f"“{name}” had the other sign",
+                self.texts,
+                lambda of, a=name: {a: -of[a]},
+            )
             left, said = (1, "left out") if name in self._rates else (0, "0")
-            yield f"“{name}” were {said} throughout", self.texts, lambda of, a=name, b=left: {a: b}
-            yield f"“{name}” were in per cent", self.texts, lambda of, a=name: {a: 100 * of[a]}
+            yield (
+                f"“{name}” were {said} throughout",
+                self.texts,
+                lambda of, a=name, b=left: {a: b},
+            )
+            yield (
+                f"“{name}” were in per cent",
+                self.texts,
+                lambda of, a=name: {a: 100 * of[a]},
+            )
 
     def _edits(self) -> Iterator[Variant]:
         return self._edited(further_changes, simple_changes)
@@ -109,7 +166,9 @@ class Formula:
     def _further_edits(self) -> Iterator[Variant]:
         return self._edited(put_around)
 
-    def _edited(self, *kinds: Callable[[ast.AST, Sequence[str]], Iterator[Change]]) -> Iterator[Variant]:
+    def _edited(
+        self, *kinds: Callable[[ast.AST, Sequence[str]], Iterator[Change]]
+    ) -> Iterator[Variant]:
         for changes in kinds:
             for name, text in self.texts.items():
                 known = self._used if changes is put_around else self._rates
@@ -120,9 +179,16 @@ class Formula:
     def _used(self) -> list[str]:
         """The numbers that occur in the formula."""
         names = {
-            node.id for text in self.texts.values() for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)
+            node.id
+            for text in self.texts.values()
+            for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.Name)
         }
-        return [name for name, n in self.numbers.items() if name in names and isinstance(n, int | float)]
+        return [
+            name
+            for name, n in self.numbers.items()
+            if name in names and isinstance(n, int | float)
+        ]
 
     @cached_property
     def _rates(self) -> list[str]:

@@ -70,13 +70,17 @@ class Elsewhere:
         return value
 
 
-def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) -> tuple[Any, Failure | None, str]:
+def attempt(
+    answer: Callable[..., Any], *arguments: Any, endless: bool = False
+) -> tuple[Any, Failure | None, str]:
     """What a learner's function returns, what it raises, and what it prints.
 
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
     SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
-    if issubclass(type(answer), Elsewhere):  # isinstance would ask the answer, which may be anything
+    if issubclass(
+        type(answer), Elsewhere
+    ):  # isinstance would ask the answer, which may be anything
         return answer.ask(*arguments)
     printed, answer = io.StringIO(), safely(answer, uncompiled, answer)
     try:
@@ -87,7 +91,11 @@ def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) 
         raise
     except BaseException as error:
         unknown = Failure("error", "an error that cannot be shown")
-        return None, safely(unknown, _failure, error, answer) or unknown, printed.getvalue()
+        return (
+            None,
+            safely(unknown, _failure, error, answer) or unknown,
+            printed.getvalue(),
+        )
 
 
 def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
@@ -100,16 +108,26 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     What never ends within one call of something written in C, as ``max(itertools.count())``, is not ended.
     """
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
-    computed, waited, countdown, swallowed = time.process_time(), time.perf_counter(), EVENTS, 0
+    computed, waited, countdown, swallowed = (
+        time.process_time(),
+        time.perf_counter(),
+        EVENTS,
+        0,
+    )
 
     def look(frame: FrameType, event: str, argument: Any) -> Any:
         nonlocal countdown
         countdown -= 1
-        if countdown <= 0 and event in ("line", "opcode"):  # at others the learner's line would get lost
+        if countdown <= 0 and event in (
+            "line",
+            "opcode",
+        ):  # at others the learner's line would get lost
             has_computed = time.process_time() - computed > SECONDS
             if has_computed or time.perf_counter() - waited > PATIENCE:
                 sys.setprofile(again)
-                raise TooLong(COMPUTES.format(SECONDS) if has_computed else WAITS.format(PATIENCE))
+                raise TooLong(
+                    COMPUTES.format(SECONDS) if has_computed else WAITS.format(PATIENCE)
+                )
             countdown = EVENTS
         if event == "call" and _loops_within_a_line(frame.f_code):
             frame.f_trace_opcodes = True
@@ -146,7 +164,9 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
 @contextmanager
 def _woken() -> Iterator[None]:
     """Have what waits within one call, as time.sleep does, end when PATIENCE is over, where the system has alarms."""
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
+    if threading.current_thread() is not threading.main_thread() or not hasattr(
+        signal, "setitimer"
+    ):
         yield
         return
 
@@ -168,7 +188,9 @@ def _loops_within_a_line(code: CodeType) -> bool:
     if sys.version_info >= (3, 12):
         return False
     steps = {step.offset: step for step in dis.get_instructions(code)}
-    line_of = {at: line for begin, end, line in code.co_lines() for at in range(begin, end)}
+    line_of = {
+        at: line for begin, end, line in code.co_lines() for at in range(begin, end)
+    }
     return any(
         "JUMP_BACKWARD" in step.opname
         and line_of[at] == line_of[step.argval]
@@ -180,7 +202,11 @@ def _loops_within_a_line(code: CodeType) -> bool:
 @contextmanager
 def quietly(printed: io.StringIO) -> Iterator[None]:
     """Keeps what is printed, and numpy's warnings, out of the notebook: the verdict says it all."""
-    with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
+    with (
+        contextlib.redirect_stdout(printed),
+        warnings.catch_warnings(),
+        np.errstate(all="ignore"),
+    ):
         warnings.simplefilter("ignore")
         yield
 
@@ -202,10 +228,24 @@ def exits_raised() -> Iterator[None]:
 def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
     file = getattr(getattr(answer, "__code__", None), "co_filename", None)
     frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
-    last = max((i for i, frame in enumerate(frames) if frame.f_code.co_filename == file), default=None)
+    last = max(
+        (i for i, frame in enumerate(frames) if frame.f_code.co_filename == file),
+        default=None,
+    )
     kind = type(error).__name__
-    text = str(error) if isinstance(error, TooLong) else one_line(f"{kind}: {error}".removesuffix(": ")) or kind
+    text = (
+        str(error)
+        if isinstance(error, TooLong)
+        else one_line(f"{kind}: {error}".removesuffix(": ")) or kind
+    )
     if last is None:
         return Failure(kind, text, inside=file is None and len(frames) > 1)
-    line = one_line((traceback.extract_tb(error.__traceback__)[last].line or "").strip())
-    return Failure(kind, text, line, told=one_line(safely("", told_by, error, frames[last:], line), 400))
+    line = one_line(
+        (traceback.extract_tb(error.__traceback__)[last].line or "").strip()
+    )
+    return Failure(
+        kind,
+        text,
+        line,
+        told=one_line(safely("", told_by, error, frames[last:], line), 400),
+    )

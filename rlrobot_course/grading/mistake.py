@@ -32,15 +32,23 @@ def with_ids(mistakes: Mapping[str, Mistake] | Sequence[Mistake]) -> list[Mistak
     return list(mistakes)
 
 
-def wrong_choices(right: list[int], options: Iterable[int], clues: Sequence[str], shown: Mistake) -> dict[str, Mistake]:
+def wrong_choices(
+    right: list[int], options: Iterable[int], clues: Sequence[str], shown: Mistake
+) -> dict[str, Mistake]:
     """All wrong answers to a question with a list of choices; the hint is the clue of the first choice that is wrong.
 
     shown: the answer that the notebook shows as an example
     """
     tried = map(list, product(options, repeat=len(right)))
     wrong = [choices for choices in tried if choices not in (right, shown.wrong)]
-    first = [next(i for i, choice in enumerate(choices) if choice != right[i]) for choices in wrong]
-    told = {"_".join(map(str, one)): Mistake(clues[i], one) for one, i in zip(wrong, first, strict=True)}
+    first = [
+        next(i for i, choice in enumerate(choices) if choice != right[i])
+        for choices in wrong
+    ]
+    told = {
+        "_".join(map(str, one)): Mistake(clues[i], one)
+        for one, i in zip(wrong, first, strict=True)
+    }
     return {"as_shown": shown, **told}
 
 
@@ -49,9 +57,14 @@ def hinted(hints: Sequence[str], number: int) -> Verdict:
     told = os.environ.get("RLROBOT_EDU_HINTS", "")
     if told.isdecimal() and int(told) < len(hints):
         if number > int(told):
-            return Verdict("hint", f"Hints told in this homework: {int(told)} of {len(hints)}.")
+            return Verdict(
+                "hint", f"Hints told in this homework: {int(told)} of {len(hints)}."
+            )
         hints = hints[: int(told)]
     if not 1 <= number <= len(hints):
-        return Verdict("hint", f"There are {len(hints)} hints: hint() or hint(1) to hint({len(hints)}).")
+        return Verdict(
+            "hint",
+            f"There are {len(hints)} hints: hint() or hint(1) to hint({len(hints)}).",
+        )
     more = f" (hint({number + 1}) tells more.)" if number < len(hints) else ""
     return Verdict("hint", hints[number - 1] + more)

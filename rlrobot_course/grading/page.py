@@ -57,16 +57,31 @@ class Entry(NamedTuple):
     answers: list[Any]
 
 
-def with_pages(names: dict[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
+def with_pages(
+    names: dict[str, Any], **exercises: Exercise | Question
+) -> SimpleNamespace:
     """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
 
     names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them. The
         right values of questions are added to them
     Raises ValueError for a page that cannot be understood, OSError if one is missing.
     """
-    names.update({name: one.right for name, one in exercises.items() if isinstance(one, Question)})
-    pages = {name: Path(names["__file__"]).with_name(f"{name}.md") for name in exercises}
-    return SimpleNamespace(**{name: _with_page(exercises[name], page, names) for name, page in pages.items()})
+    names.update(
+        {
+            name: one.right
+            for name, one in exercises.items()
+            if isinstance(one, Question)
+        }
+    )
+    pages = {
+        name: Path(names["__file__"]).with_name(f"{name}.md") for name in exercises
+    }
+    return SimpleNamespace(
+        **{
+            name: _with_page(exercises[name], page, names)
+            for name, page in pages.items()
+        }
+    )
 
 
 def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
@@ -74,8 +89,14 @@ def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
     text = {heading: " ".join(lines) for heading, lines in sections.items()}
     more: dict[str, Any] = {"because": text.get("Because", "")}
     if not isinstance(exercise, Question):
-        more = {"lenders": {m[1]: m[2] for line in sections["Names"] if (m := NAME.fullmatch(line))}}
-    mistakes = [Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint]
+        more = {
+            "lenders": {
+                m[1]: m[2] for line in sections["Names"] if (m := NAME.fullmatch(line))
+            }
+        }
+    mistakes = [
+        Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint
+    ]
     return replace(
         exercise,
         task=text[page.stem],
@@ -87,7 +108,9 @@ def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
     )
 
 
-def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]], list[Entry]]:
+def read_page(
+    page: Path, names: Mapping[str, Any]
+) -> tuple[dict[str, list[str]], list[Entry]]:
     """The lines of a page by their headings, and its mistakes. Raises ValueError that names what is wrong."""
     names = {"np": np, "math": math} | dict(names)
     sections: dict[str, list[str]] = defaultdict(list)
@@ -97,7 +120,9 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
     for number, line in enumerate(lines, start=1):
         if begin:
             if line == END:
-                entries[-1].answers.append(_last_function(lines[begin : number - 1], begin, page, names))
+                entries[-1].answers.append(
+                    _last_function(lines[begin : number - 1], begin, page, names)
+                )
                 begin = 0
         elif line.startswith("#"):
             section = line.lstrip("# ")
@@ -109,23 +134,35 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
             others = read_page(page.with_name(f"{shared[1]}.md"), names)[1]
             entries += [other._replace(answers=[]) for other in others if other.edits]
         elif edit := EDIT.fullmatch(line):
-            entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace("⏎", "\n")
+            entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace(
+                "⏎", "\n"
+            )
         elif value := VALUE.fullmatch(line):
             entries[-1].answers.append(eval(value[1], dict(names)))
         elif line == BEGIN:
             begin = number
         elif line:
-            raise ValueError(f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}")
+            raise ValueError(
+                f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}"
+            )
     if begin:
-        raise ValueError(f"{page}, line {begin}: this block of Python has no end; close it by three backticks")
+        raise ValueError(
+            f"{page}, line {begin}: this block of Python has no end; close it by three backticks"
+        )
     if not sections[page.stem]:
-        raise ValueError(f"{page} must begin with the line '# {page.stem}' and, below it, the task")
+        raise ValueError(
+            f"{page} must begin with the line '# {page.stem}' and, below it, the task"
+        )
     if bare := [entry.id for entry in entries if not entry.edits and not entry.answers]:
-        raise ValueError(f"{page}: below {bare[0]} there must be an edit, a value or a block of Python")
+        raise ValueError(
+            f"{page}: below {bare[0]} there must be an edit, a value or a block of Python"
+        )
     return sections, entries
 
 
-def _last_function(block: list[str], above: int, page: Path, names: Mapping[str, Any]) -> Any:
+def _last_function(
+    block: list[str], above: int, page: Path, names: Mapping[str, Any]
+) -> Any:
     """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
     source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
     cell = dict(names)

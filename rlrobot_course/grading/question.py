@@ -14,7 +14,14 @@ from rlrobot_course.grading.evidence import Hint
 from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_course.grading.suspicions import unlike
-from rlrobot_course.grading.values import MOST_SIGNS, as_data, is_large, safely, same, show
+from rlrobot_course.grading.values import (
+    MOST_SIGNS,
+    as_data,
+    is_large,
+    safely,
+    same,
+    show,
+)
 from rlrobot_course.grading.verdict import Verdict
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
@@ -56,7 +63,9 @@ class Question:
         """Judge `answer`; never raises."""
         if more:
             told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
-            return Verdict("wrong", f"These are {1 + len(more)} answers.", hint=told, id="form")
+            return Verdict(
+                "wrong", f"These are {1 + len(more)} answers.", hint=told, id="form"
+            )
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         answer = as_data(answer)
@@ -64,11 +73,18 @@ class Question:
             return self._right()
         for mistake in self.mistakes:
             if self.equals(answer, mistake.wrong):
-                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
+                return Verdict(
+                    "wrong",
+                    f"{show(answer)} is not it.",
+                    hint=mistake.hint,
+                    id=mistake.id,
+                )
         if safely(False, _is_rounded, answer, self.right):
             return self._right()
         found = self.found(answer)
-        return Verdict("wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id)
+        return Verdict(
+            "wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id
+        )
 
     def _right(self) -> Verdict:
         return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
@@ -77,8 +93,14 @@ class Question:
         """The hint that nobody had to write for a wrong answer, if there is one."""
         if told := safely("", self._looked_at, answer):
             return Hint("form", told)
-        if safely(True, is_large, answer) or isinstance(answer, str | bool) or isinstance(self.right, str):
-            return Hint("", "")  # what follows looks at numbers, as often as there are changes
+        if (
+            safely(True, is_large, answer)
+            or isinstance(answer, str | bool)
+            or isinstance(self.right, str)
+        ):
+            return Hint(
+                "", ""
+            )  # what follows looks at numbers, as often as there are changes
         if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
             return Hint("formula", told)
         told = safely("", self._how_many, answer)
@@ -90,7 +112,9 @@ class Question:
 
     @property
     def _has_letters(self) -> bool:
-        return isinstance(self.right, str) and len(self.right) > 1 and self.right.isupper()
+        return (
+            isinstance(self.right, str) and len(self.right) > 1 and self.right.isupper()
+        )
 
     def equals(self, answer: Any, value: Any) -> bool:
         """Whether an answer counts as this value."""
@@ -104,7 +128,11 @@ class Question:
         if is_large(answer):
             return ""
         if self._has_letters:
-            return "" if safely("", _letters, answer) else "write the letters as text, in quotation marks."
+            return (
+                ""
+                if safely("", _letters, answer)
+                else "write the letters as text, in quotation marks."
+            )
         if isinstance(self.right, str):
             return self._word_looked_at(answer)
         if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
@@ -113,9 +141,14 @@ class Question:
             return told
         if isinstance(answer, bool):
             return "True and False are no numbers."
-        right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
+        right, mine = (
+            np.asarray(self.right, dtype=float),
+            np.asarray(answer, dtype=float),
+        )
         digits = safely([], _digits, mine, right)
-        if digits and all(same(round(m, n), m) and same(round(r, n), m) for m, r, n in digits):
+        if digits and all(
+            same(round(m, n), m) and same(round(r, n), m) for m, r, n in digits
+        ):
             return "nearly: this is rounded too far. Give a digit or two more, or the formula itself."
         if same(-right, mine, ROUNDED):
             return "the sign is the wrong way round."
@@ -125,8 +158,14 @@ class Question:
 
     def _how_many(self, answer: Any) -> str:
         """How many of several numbers are right."""
-        right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
-        fit = sum(same(r, m, ROUNDED) for r, m in zip(np.ravel(right), np.ravel(mine), strict=True))
+        right, mine = (
+            np.asarray(self.right, dtype=float),
+            np.asarray(answer, dtype=float),
+        )
+        fit = sum(
+            same(r, m, ROUNDED)
+            for r, m in zip(np.ravel(right), np.ravel(mine), strict=True)
+        )
         told = f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
         return told if right.size >= MANY and right.shape == mine.shape else ""
 
@@ -139,7 +178,11 @@ class Question:
         if len(answer.split()) > 1:
             return "asked is one word alone, written as in the text above."
         words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
-        return "is it spelled as in the text above?" if get_close_matches(answer.lower(), words, 1, 0.75) else ""
+        return (
+            "is it spelled as in the text above?"
+            if get_close_matches(answer.lower(), words, 1, 0.75)
+            else ""
+        )
 
 
 def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:
@@ -147,8 +190,12 @@ def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int
     near = np.abs(mine - right) <= FURTHER * np.maximum(np.abs(right), 1e-12)
     if not near.all():
         raise ValueError("these are other numbers")
-    fractions = (len(repr(float(m)).partition(".")[2].rstrip("0")) for m in np.ravel(mine))
-    return list(zip(np.ravel(mine).tolist(), np.ravel(right).tolist(), fractions, strict=True))
+    fractions = (
+        len(repr(float(m)).partition(".")[2].rstrip("0")) for m in np.ravel(mine)
+    )
+    return list(
+        zip(np.ravel(mine).tolist(), np.ravel(right).tolist(), fractions, strict=True)
+    )
 
 
 def _is_rounded(answer: Any, right: Any) -> bool:
@@ -156,7 +203,11 @@ def _is_rounded(answer: Any, right: Any) -> bool:
     if is_large(answer) or unlike(right, answer):
         return False
     mine, exact = np.asarray(answer), np.asarray(right)
-    if exact.dtype.kind != "f" or mine.dtype.kind not in "if" or mine.shape != exact.shape:
+    if (
+        exact.dtype.kind != "f"
+        or mine.dtype.kind not in "if"
+        or mine.shape != exact.shape
+    ):
         return False
     unit = 10.0 ** (np.floor(np.log10(np.abs(exact))) - DIGITS + 1)
     return bool((np.abs(mine - exact) <= 0.5001 * unit).all())
@@ -168,7 +219,9 @@ def _read(text: str) -> float:
 
 def _letters(value: Any) -> str:
     """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
-    if type(value) in (list, tuple, set, frozenset) and not is_large(value):  # of these it is sure that they end
+    if type(value) in (list, tuple, set, frozenset) and not is_large(
+        value
+    ):  # of these it is sure that they end
         value = "".join(value)
     if not isinstance(value, str) or len(value) > MOST_SIGNS:
         return ""

@@ -32,12 +32,22 @@ class Outcome:
 
     def equals(self, other: Outcome) -> bool:
         """Whether two functions do the same in this case, as far as it matters."""
-        kinds = [outcome.failure.kind if outcome.failure else "" for outcome in (self, other)]
-        return kinds[0] == kinds[1] and self.spoilt == other.spoilt and same(dict(self.values), dict(other.values))
+        kinds = [
+            outcome.failure.kind if outcome.failure else "" for outcome in (self, other)
+        ]
+        return (
+            kinds[0] == kinds[1]
+            and self.spoilt == other.spoilt
+            and same(dict(self.values), dict(other.values))
+        )
 
 
 def cases_of(
-    right: Callable[..., Any], tape: Sequence[Case], memory: Case, returns: str, names: Sequence[str]
+    right: Callable[..., Any],
+    tape: Sequence[Case],
+    memory: Case,
+    returns: str,
+    names: Sequence[str],
 ) -> list[Case]:
     """The cases of an exercise: the steps of its tape, each with the memory as the right function has left it.
 
@@ -56,23 +66,41 @@ def cases_of(
 
 
 def outcome_of(
-    answer: Callable[..., Any], case: Case, names: Sequence[str], memory: Sequence[str], returns: str, endless: bool
+    answer: Callable[..., Any],
+    case: Case,
+    names: Sequence[str],
+    memory: Sequence[str],
+    returns: str,
+    endless: bool,
 ) -> Outcome:
     """Call `answer` with the arguments `names` of `case`, of which it may change those in `memory`.
 
     endless: whether it may take as long as it likes
     """
     arguments = copy.deepcopy(dict(case))
-    value, failure, printed = attempt(answer, *[arguments[name] for name in names], endless=endless)
-    spoilt = tuple(name for name in names if name not in memory and safely(True, _changed, case[name], arguments[name]))
+    value, failure, printed = attempt(
+        answer, *[arguments[name] for name in names], endless=endless
+    )
+    spoilt = tuple(
+        name
+        for name in names
+        if name not in memory and safely(True, _changed, case[name], arguments[name])
+    )
     if failure:
         return Outcome({}, spoilt, failure, printed)
-    values = {name: arguments[name] for name in memory} | ({returns: value} if returns else {})
-    return Outcome({name: kept(thing) for name, thing in values.items()}, spoilt, None, printed)
+    values = {name: arguments[name] for name in memory} | (
+        {returns: value} if returns else {}
+    )
+    return Outcome(
+        {name: kept(thing) for name, thing in values.items()}, spoilt, None, printed
+    )
 
 
 def _changed(before: Any, after: Any) -> bool:
     """Whether something that can be changed in place has been: an array, or a list and its like."""
     if isinstance(before, np.ndarray):
-        return not (type(after) is type(before) and np.array_equal(before, after, equal_nan=True))
+        return not (
+            type(after) is type(before)
+            and np.array_equal(before, after, equal_nan=True)
+        )
     return isinstance(before, list | dict | set | deque) and not same(before, after)

@@ -26,12 +26,20 @@ def about_the_values(seen: Evidence) -> str:
     if safely(False, inspect.iscoroutinefunction, seen.answer):
         return "async makes this something to be waited for, not a function. Leave the word out."
     returns = seen.exercise.returns
-    done = [(case, right.values, mine.values) for case, right, mine in _tried(seen) if not mine.failure]
+    done = [
+        (case, right.values, mine.values)
+        for case, right, mine in _tried(seen)
+        if not mine.failure
+    ]
     if returns:
         values = [(right[returns], mine[returns]) for _, right, mine in done]
         told = safely("", _about_returned, values, seen.got, returns)
-        return told or safely("", _about_an_argument, values, [case for case, _, _ in done])
-    if done and all(same(mine[name], case[name]) for case, _, mine in done for name in mine):
+        return told or safely(
+            "", _about_an_argument, values, [case for case, _, _ in done]
+        )
+    if done and all(
+        same(mine[name], case[name]) for case, _, mine in done for name in mine
+    ):
         return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
     return ""
 
@@ -46,12 +54,23 @@ def from_the_notebook(seen: Evidence) -> Hint | None:
 def about_the_code(seen: Evidence) -> str:
     """An argument is never read."""
     unused = safely([], unused_arguments, seen.answer, seen.exercise.right)
-    return f"your function never looks at {unused[0]}, and the answer depends on it." if unused else ""
+    return (
+        f"your function never looks at {unused[0]}, and the answer depends on it."
+        if unused
+        else ""
+    )
 
 
 def about_the_memory(seen: Evidence) -> str:
     """What the wrong changes of a table have in common: more changes than should, or always so many times as much."""
-    return next((told for name in seen.exercise.tables if (told := safely("", _about_changes, name, seen))), "")
+    return next(
+        (
+            told
+            for name in seen.exercise.tables
+            if (told := safely("", _about_changes, name, seen))
+        ),
+        "",
+    )
 
 
 def _about_changes(name: str, seen: Evidence) -> str:
@@ -63,12 +82,23 @@ def _about_changes(name: str, seen: Evidence) -> str:
     wrong = [(right, mine) for right, mine in changes if not same(right, mine)]
     if len(wrong) < 2:
         return ""
-    more = [np.argwhere(np.isclose(right, 0) & ~np.isclose(mine, 0)).tolist() for right, mine in wrong]
+    more = [
+        np.argwhere(np.isclose(right, 0) & ~np.isclose(mine, 0)).tolist()
+        for right, mine in wrong
+    ]
     if all(more):
         return f"more of {name} changes than should: {name}{more[0][0]}, for one, should stay as it is here."
-    times = {round(float(t), 6) for right, mine in changes for t in mine[right != 0] / right[right != 0]}
+    times = {
+        round(float(t), 6)
+        for right, mine in changes
+        for t in mine[right != 0] / right[right != 0]
+    }
     if len(times) == 1:
-        by = f"changes by {show(times.pop())} times as much as it should, always." if any(times) else "does not change."
+        by = (
+            f"changes by {show(times.pop())} times as much as it should, always."
+            if any(times)
+            else "does not change."
+        )
         return f"{name} {by}"
     return ""
 
@@ -77,7 +107,9 @@ def about_the_cases(seen: Evidence) -> str:
     """What the wrong cases have in common, and the right ones have not: an argument is True, or negative, or empty."""
     cases = seen.exercise.cases
     is_wrong = [not right.equals(mine) for _, right, mine in _tried(seen)]
-    if not 2 <= sum(is_wrong) <= len(is_wrong) - 2:  # a single case that is right or wrong may be a coincidence
+    if (
+        not 2 <= sum(is_wrong) <= len(is_wrong) - 2
+    ):  # a single case that is right or wrong may be a coincidence
         return ""
     for name in cases[0]:
         for told, holds in SIGNS.items():
@@ -90,7 +122,9 @@ def about_the_cases(seen: Evidence) -> str:
 
 def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
     """The cases that were tried: each with what the right function does in it, and what the learner's does."""
-    return list(zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False))
+    return list(
+        zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False)
+    )
 
 
 def unlike(right: Any, mine: Any, name: str = "this") -> str:
@@ -99,7 +133,9 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         text = mine.strip().strip("\"'")
         if _is_number(text):
             return f"{name} is text. Leave out the quotation marks, or str(…), so that it is a number."
-        return f"{name} is text. Numbers, and calculations, stand without quotation marks."
+        return (
+            f"{name} is text. Numbers, and calculations, stand without quotation marks."
+        )
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
     if isinstance(mine, dict | set) and not isinstance(right, dict):
@@ -130,7 +166,9 @@ def _is_number(text: str) -> bool:
     return safely(None, float, text) is not None
 
 
-def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], returns: str) -> str:
+def _about_returned(
+    values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], returns: str
+) -> str:
     """What all pairs of an expected and a returned value have in common."""
     wrong = [(x, y) for x, y in values if not same(x, y)]
     if wrong and all(y is None for _, y in wrong):
@@ -142,7 +180,10 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
         return told[0]
     if not wrong or len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
         return ""
-    expected, mine = ([np.asarray(value, dtype=float) for value in side] for side in zip(*values, strict=True))
+    expected, mine = (
+        [np.asarray(value, dtype=float) for value in side]
+        for side in zip(*values, strict=True)
+    )
     return next(_relations(expected, mine), "")
 
 
@@ -150,22 +191,32 @@ def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case])
     """What an argument, a number, does to the right values to make them the learner's, in every case."""
     for name in cases[0]:
         numbers = [case[name] for case in cases]
-        if any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers) or len(set(numbers)) < 2:
+        if (
+            any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers)
+            or len(set(numbers)) < 2
+        ):
             continue
         for told, changed in CHANGES.items():
-            if all(same(changed(np.asarray(x, dtype=float), n), y) for (x, y), n in zip(values, numbers, strict=True)):
+            if all(
+                same(changed(np.asarray(x, dtype=float), n), y)
+                for (x, y), n in zip(values, numbers, strict=True)
+            ):
                 return f"your numbers are the right ones {told} {name}, in every case."
     return ""
 
 
-def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
+def _relations(
+    expected: Sequence[np.ndarray], got: Sequence[np.ndarray]
+) -> Iterator[str]:
     """Relations between the right numbers and the learner's that hold in every case."""
     pairs = list(zip(expected, got, strict=True))
     if all(same(y, got[0]) for y in got):
         yield f"your function always returns {show(got[0])}, whatever its arguments are."
     for digits in DIGITS:
         if all(same(np.round(x, digits), y) for x, y in pairs):
-            after = f"to {digits} digits after the point" if digits else "to whole numbers"
+            after = (
+                f"to {digits} digits after the point" if digits else "to whole numbers"
+            )
             yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
     if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
         yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
@@ -175,26 +226,42 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
         yield "your numbers are 100 times as large: are they in per cent?"
     if all(x.ndim for x in expected) and all(same(x[::-1], y) for x, y in pairs):
         yield "the right numbers, in reverse order."
-    if all(x.ndim for x in expected) and all(same(np.sort(x), np.sort(y)) for x, y in pairs):
+    if all(x.ndim for x in expected) and all(
+        same(np.sort(x), np.sort(y)) for x, y in pairs
+    ):
         yield "the right numbers, in another order."
     with np.errstate(invalid="ignore", over="ignore"):  # infinity − infinity
         apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
-        times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
+        times = {
+            round(float(t), 9)
+            for x, y in pairs
+            for t in np.ravel(y[x != 0] / x[x != 0])
+        }
     if len(apart) == 1:
         d = apart.pop()
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         t = times.pop()
-        yield f"your numbers are {show(t)} times the right ones, always." if t else "your numbers are 0, always."
+        yield (
+            f"your numbers are {show(t)} times the right ones, always."
+            if t
+            else "your numbers are 0, always."
+        )
     if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
         yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
-    if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
-        seen = next(y for x, y in pairs if not same(x, y))  # in the case that the learner sees
+    if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(
+        same(y.sum(), 1.0) for y in got
+    ):
+        seen = next(
+            y for x, y in pairs if not same(x, y)
+        )  # in the case that the learner sees
         if np.isnan(seen).any():
             yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
         if not same(seen.sum(), 1.0):
             yield f"probabilities sum to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
-        if sums := {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}:
+        if sums := {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {
+            1.0
+        }:
             yield f"probabilities sum to 1, and in another case yours sum to {show(min(sums))}."
 
 
@@ -207,7 +274,9 @@ CHANGES: dict[str, Callable[[Any, float], Any]] = {
 SIGNS: dict[str, Callable[[Any], bool]] = {
     "is True": lambda value: isinstance(value, bool | np.bool_) and bool(value),
     "is False": lambda value: isinstance(value, bool | np.bool_) and not value,
-    "is 0": lambda value: isinstance(value, int | float) and not isinstance(value, bool) and value == 0,
+    "is 0": lambda value: (
+        isinstance(value, int | float) and not isinstance(value, bool) and value == 0
+    ),
     "is negative": lambda value: isinstance(value, int | float) and value < 0,
     "is empty": lambda value: len(value) == 0,
 }

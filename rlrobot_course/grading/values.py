@@ -24,7 +24,13 @@ MOST_SHOWN = 15  # entries of an array that are all shown
 MOST_LEVELS = 4  # of lists in lists that are shown
 MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
 
-CONTAINERS = (list, tuple, set, frozenset, deque)  # and dict; their subclasses count as these
+CONTAINERS = (
+    list,
+    tuple,
+    set,
+    frozenset,
+    deque,
+)  # and dict; their subclasses count as these
 
 T = TypeVar("T")
 
@@ -76,7 +82,11 @@ def _data(value: Any) -> Any:
         return value
     if isinstance(value, bytes | bytearray):
         return Unkept(show(value))
-    for kind, plain in ((str, str.__str__), (int, int.__int__), (float, float.__float__)):
+    for kind, plain in (
+        (str, str.__str__),
+        (int, int.__int__),
+        (float, float.__float__),
+    ):
         if isinstance(value, kind):
             return plain(value)  # type: ignore[operator]  # its own methods are not asked
     if isinstance(value, np.ndarray):
@@ -106,7 +116,13 @@ def _array(value: np.ndarray) -> Any:
     array, kind = np.asarray(value), value.dtype.kind
     if kind in "fc":
         return array.astype(float if kind == "f" else complex)
-    return array if kind in "biu" else as_data(array.tolist()) if kind in "OU" else Unkept(show(value))
+    return (
+        array
+        if kind in "biu"
+        else as_data(array.tolist())
+        if kind in "OU"
+        else Unkept(show(value))
+    )
 
 
 def is_large(value: Any) -> bool:
@@ -117,7 +133,9 @@ def is_large(value: Any) -> bool:
         if isinstance(part, np.ndarray):
             n += part.size
         elif isinstance(part, list | tuple | set | frozenset | deque | dict):
-            waiting.extend(islice(part.values() if isinstance(part, dict) else part, MOST_ENTRIES))
+            waiting.extend(
+                islice(part.values() if isinstance(part, dict) else part, MOST_ENTRIES)
+            )
         elif isinstance(part, Sized) and not isinstance(part, str | bytes):
             n += len(part)
     return n + len(waiting) > MOST_ENTRIES
@@ -130,48 +148,84 @@ def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
 
 def _same(a: Any, b: Any, relative: float) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(_same(a[key], b[key], relative) for key in a)
+        return a.keys() == b.keys() and all(
+            _same(a[key], b[key], relative) for key in a
+        )
     if isinstance(a, str) or isinstance(b, str) or a is None or b is None:
-        return a is b or (isinstance(a, str) and isinstance(b, str) and a.strip().lower() == b.strip().lower())
+        return a is b or (
+            isinstance(a, str)
+            and isinstance(b, str)
+            and a.strip().lower() == b.strip().lower()
+        )
     if is_large(a) or is_large(b):
         return False
     try:
         x, y = _numbers(a), _numbers(b)
     except (TypeError, ValueError, OverflowError):
-        if isinstance(a, list | tuple | deque) and isinstance(b, list | tuple | deque):  # of arrays of unlike shapes
-            return len(a) == len(b) and all(_same(x, y, relative) for x, y in zip(a, b, strict=True))
+        if isinstance(a, list | tuple | deque) and isinstance(
+            b, list | tuple | deque
+        ):  # of arrays of unlike shapes
+            return len(a) == len(b) and all(
+                _same(x, y, relative) for x, y in zip(a, b, strict=True)
+            )
         return bool(type(a) is type(b) and a == b)
-    return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
+    return x.shape == y.shape and np.allclose(
+        x, y, rtol=relative, atol=1e-12, equal_nan=True
+    )
 
 
 def _numbers(value: Any) -> np.ndarray:
     if np.asarray(value).dtype.kind in "US":
         raise TypeError("text is no number, even where it could be read as one")
-    return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)  # float would drop what is imaginary
+    return np.asarray(
+        value, dtype=complex if np.iscomplexobj(value) else float
+    )  # float would drop what is imaginary
 
 
-def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
+def differences(
+    expected: Mapping[str, Any], got: Mapping[str, Any]
+) -> tuple[tuple[str, str, str], ...]:
     """Name, expected and got of what differs; of arrays of the same shape, the entries that differ."""
     rows = []
     for name, right in expected.items():
         mine = got.get(name)
         if not same(mine, right):
-            rows += safely([], _entries, name, right, mine) or [(name, show(right), show(mine))]
-    more = ((f"and {len(rows) - ROWS_SHOWN} more", "", ""),) if len(rows) > ROWS_SHOWN else ()
+            rows += safely([], _entries, name, right, mine) or [
+                (name, show(right), show(mine))
+            ]
+    more = (
+        ((f"and {len(rows) - ROWS_SHOWN} more", "", ""),)
+        if len(rows) > ROWS_SHOWN
+        else ()
+    )
     return (*rows[:ROWS_SHOWN], *more)
 
 
 def _entries(name: str, right: Any, mine: Any) -> list[tuple[str, str, str]]:
     """The entries in which two arrays of the same shape differ; empty for anything else."""
-    if not (isinstance(right, np.ndarray) and isinstance(mine, np.ndarray) and right.shape == mine.shape):
+    if not (
+        isinstance(right, np.ndarray)
+        and isinstance(mine, np.ndarray)
+        and right.shape == mine.shape
+    ):
         return []
     differ = np.argwhere(~np.isclose(right, mine, rtol=1e-9, atol=1e-12)).tolist()
-    return [(f"{name}[{', '.join(map(str, i))}]", show(right[tuple(i)]), show(mine[tuple(i)])) for i in differ]
+    return [
+        (
+            f"{name}[{', '.join(map(str, i))}]",
+            show(right[tuple(i)]),
+            show(mine[tuple(i)]),
+        )
+        for i in differ
+    ]
 
 
 def show(value: Any, level: int = 0) -> str:
     """A value as a learner would write it, in a line: numbers with few digits, of a large array its shape."""
-    return one_line(safely("", _shown, value, level) or safely("a value that cannot be shown", _kind, value))
+    return one_line(
+        safely("", _shown, value, level)
+        or safely("a value that cannot be shown", _kind, value)
+    )
 
 
 def _kind(value: Any) -> str:
@@ -201,15 +255,28 @@ def _shown(value: Any, level: int) -> str:
     if type(value) is MappingProxyType and not is_large(value):
         value = dict(value)
     if isinstance(value, dict) and level < MOST_LEVELS:
-        return "{" + ", ".join(f"{_in_dict(key, level)}: {_in_dict(part, level)}" for key, part in value.items()) + "}"
+        return (
+            "{"
+            + ", ".join(
+                f"{_in_dict(key, level)}: {_in_dict(part, level)}"
+                for key, part in value.items()
+            )
+            + "}"
+        )
     text = repr(value)
-    return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
+    return (
+        _kind(value) if " at 0x" in text else text
+    )  # an address says nothing to a learner
 
 
 def _in_dict(value: Any, level: int) -> str:
     """A key or a value of a dict; tuples in round brackets, for a list can be no key."""
     shown = show(value, level + 1)
-    return f"({shown[1:-1]})" if isinstance(value, tuple) and shown.startswith("[") else shown
+    return (
+        f"({shown[1:-1]})"
+        if isinstance(value, tuple) and shown.startswith("[")
+        else shown
+    )
 
 
 def one_line(text: str, most: int = MOST_SIGNS) -> str:

@@ -28,7 +28,10 @@ CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;backgrou
 def side_by_side(table: Sequence[tuple[str, str, str]]) -> list[str]:
     """A table of three columns as lines of text."""
     widths = [max(len(row[column]) for row in table) for column in range(3)]
-    return ["  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in table]
+    return [
+        "  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True))
+        for row in table
+    ]
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,9 @@ class Verdict:
     def __repr__(self) -> str:
         lines = textwrap.wrap(f"{LOOKS[self.status][0]} {self.text}", WIDTH)
         if self.called:
-            lines += textwrap.wrap(f"  called with {self.called}", WIDTH, subsequent_indent=" " * 14)
+            lines += textwrap.wrap(
+                f"  called with {self.called}", WIDTH, subsequent_indent=" " * 14
+            )
         if self.rows:
             lines += side_by_side([("", "expected", "got"), *self.rows])
         if self.hint:
@@ -75,13 +80,20 @@ class Verdict:
 
     def _repr_html_(self) -> str:
         sign, headline, colour = LOOKS[self.status]
-        parts = [f"<b>{sign} {headline}.</b> {escape(self.text.removeprefix('Right. '))}"]
+        parts = [
+            f"<b>{sign} {headline}.</b> {escape(self.text.removeprefix('Right. '))}"
+        ]
         if self.called:
             parts.append(f"called with <code>{escape(self.called)}</code>")
         if self.rows:
             cells = [("", "expected", "got"), *self.rows]
-            rows = ("".join(f'<td style="{CELL}">{escape(cell)}</td>' for cell in row) for row in cells)
-            parts.append("<table>" + "".join(f"<tr>{row}</tr>" for row in rows) + "</table>")
+            rows = (
+                "".join(f'<td style="{CELL}">{escape(cell)}</td>' for cell in row)
+                for row in cells
+            )
+            parts.append(
+                "<table>" + "".join(f"<tr>{row}</tr>" for row in rows) + "</table>"
+            )
         if self.hint:
             parts.append(f"<b>Hint:</b> {escape(self.hint)}")
         if self.gained:

@@ -37,7 +37,9 @@ def away(
 
     def ask(*arguments: Any) -> tuple[Any, Failure | None, str]:
         try:
-            told = json.loads(kernel.ask(f"called({name!r}, {_packed(arguments)!r}{more})", seconds()))
+            told = json.loads(
+                kernel.ask(f"called({name!r}, {_packed(arguments)!r}{more})", seconds())
+            )
             failure = _failure(told["failure"]) if told["failure"] else None
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))
@@ -56,7 +58,9 @@ def _packed(things: Any) -> str:
 
 def _failure(told: dict[str, Any]) -> Failure:
     kind, text, line = (one_line(str(told[name])) for name in ("kind", "text", "line"))
-    return Failure(kind, text, line, bool(told["inside"]), one_line(str(told["told"]), 400))
+    return Failure(
+        kind, text, line, bool(told["inside"]), one_line(str(told["told"]), 400)
+    )
 
 
 def _travel_whole(lesson: str) -> None:

@@ -70,7 +70,9 @@ def _with_calls(source: str) -> str:
 
 def bound(source: str, by_take: bool = False) -> set[str]:
     """Names that a cell gives a value to; by_take: also those for which `take` gives it."""
-    return set().union(*(names for names, value in _bindings(source) if by_take or not _takes(value)))
+    return set().union(
+        *(names for names, value in _bindings(source) if by_take or not _takes(value))
+    )
 
 
 def _takes(value: ast.AST) -> bool:
@@ -81,19 +83,26 @@ def defined_in(source: str, name: str) -> ast.stmt | None:
     """The last function of this name that a cell defines, by def or as a lambda."""
     found = [node for node in _outside(tree(source)) if _defines(node, name)]
     with suppress(RecursionError):  # of one that is nested too deep
-        return copy.deepcopy(max(found, key=lambda node: node.lineno)) if found else None
+        return (
+            copy.deepcopy(max(found, key=lambda node: node.lineno)) if found else None
+        )
     return None
 
 
 def _defines(node: ast.AST, name: str) -> bool:
     if isinstance(node, ast.Assign) and isinstance(node.value, ast.Lambda):
-        return any(isinstance(target, ast.Name) and target.id == name for target in node.targets)
+        return any(
+            isinstance(target, ast.Name) and target.id == name
+            for target in node.targets
+        )
     return isinstance(node, ast.FunctionDef) and node.name == name
 
 
 def handed_in(source: str) -> set[str]:
     """The exercises whose checks a cell calls."""
-    return {_exercise(node.func) for node in _all(source) if isinstance(node, ast.Call)} - {""}
+    return {
+        _exercise(node.func) for node in _all(source) if isinstance(node, ast.Call)
+    } - {""}
 
 
 def handed_in_last(source: str) -> str:
@@ -107,12 +116,20 @@ def handed_in_last(source: str) -> str:
 
 def hints_asked(cells: Sequence[str], exercise: str) -> int:
     """How many different hints of an exercise the cells ask for."""
-    calls = [node for source in cells for node in _all(source) if isinstance(node, ast.Call)]
-    asked = [call for call in calls if isinstance(call.func, ast.Attribute) and call.func.attr == "hint"]
+    calls = [
+        node for source in cells for node in _all(source) if isinstance(node, ast.Call)
+    ]
+    asked = [
+        call
+        for call in calls
+        if isinstance(call.func, ast.Attribute) and call.func.attr == "hint"
+    ]
     numbers = [[*call.args, *(keyword.value for keyword in call.keywords)] for call in asked
                if _exercise(call.func.value) == exercise]  # fmt: skip
     known = (number[0] if number else ast.Constant(1) for number in numbers)
-    return len({one.value if isinstance(one, ast.Constant) else id(one) for one in known})
+    return len(
+        {one.value if isinstance(one, ast.Constant) else id(one) for one in known}
+    )
 
 
 def lessons_imported(source: str) -> list[str]:
@@ -123,14 +140,27 @@ def lessons_imported(source: str) -> list[str]:
             imported += [f"{node.module}.{one.name}" for one in node.names]
         elif isinstance(node, ast.Import):
             imported += [one.name for one in node.names]
-    paths = [name.removeprefix(COURSE).split(".") for name in imported if name.startswith(COURSE)]
+    paths = [
+        name.removeprefix(COURSE).split(".")
+        for name in imported
+        if name.startswith(COURSE)
+    ]
     return [path[0] for path in paths if path[1:2] == [CHECK]]
 
 
 def made_for(source: str) -> str:
     """The student whose variant a cell asks for, by own(check, "…"); empty if it does not."""
-    calls = [node for node in _all(source) if isinstance(node, ast.Call) and _root(node.func) == "own"]
-    students = [part.value for call in calls for part in call.args[1:2] if isinstance(part, ast.Constant)]
+    calls = [
+        node
+        for node in _all(source)
+        if isinstance(node, ast.Call) and _root(node.func) == "own"
+    ]
+    students = [
+        part.value
+        for call in calls
+        for part in call.args[1:2]
+        if isinstance(part, ast.Constant)
+    ]
     return str(students[0]) if students else ""
 
 
@@ -140,7 +170,9 @@ def changes_checks(source: str) -> bool:
 
 
 def _changes_checks(node: ast.AST) -> bool:
-    if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
+    if isinstance(node, ast.Name | ast.Attribute) and isinstance(
+        node.ctx, ast.Store | ast.Del
+    ):
         if isinstance(node, ast.Name):
             return node.id == CHECK
         return node.attr in JUDGING or _root(node) == CHECK
@@ -158,7 +190,9 @@ def calls_in(cells: Sequence[str]) -> dict[str, set[str]]:
                 found[name] |= _names_in(value)
         for call in _all(source):
             if isinstance(call, ast.Call) and (name := _exercise(call.func)):
-                found[name] |= {part for argument in call.args for part in _names_in(argument)}
+                found[name] |= {
+                    part for argument in call.args for part in _names_in(argument)
+                }
     return found
 
 
@@ -167,7 +201,11 @@ def _exercise(node: ast.AST) -> str:
     if not isinstance(node, ast.Attribute):
         return ""
     owner = node.value
-    return node.attr if CHECK in (getattr(owner, "id", ""), getattr(owner, "attr", "")) else ""
+    return (
+        node.attr
+        if CHECK in (getattr(owner, "id", ""), getattr(owner, "attr", ""))
+        else ""
+    )
 
 
 def _root(node: ast.AST) -> str:

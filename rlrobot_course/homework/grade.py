@@ -18,7 +18,14 @@ from rlrobot_course.homework.guard import OPEN, Digests, Guard
 from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score, read_rules
+from rlrobot_course.homework.marks import (
+    NO_RULES,
+    Limits,
+    Marked,
+    Rules,
+    Score,
+    read_rules,
+)
 from rlrobot_course.homework.misunderstood import as_table
 from rlrobot_course.homework.reports import (
     as_gradescope,
@@ -30,7 +37,12 @@ from rlrobot_course.homework.reports import (
     write_each,
 )
 from rlrobot_course.homework.students import read_students
-from rlrobot_course.homework.submission import Submission, exercises_of, read_submission, sections_of
+from rlrobot_course.homework.submission import (
+    Submission,
+    exercises_of,
+    read_submission,
+    sections_of,
+)
 from rlrobot_course.homework.tables import table_for
 from rlrobot_course.homework.whose import Owner, class_of, owners_of
 
@@ -66,10 +78,14 @@ def grade(
         raise ValueError("--jobs at least 1, --seed not negative")
     if lesson:
         exercises_of(lesson)
-    with tempfile.TemporaryDirectory(prefix="rlrobot-class-", ignore_cleanup_errors=True) as temporary:
+    with tempfile.TemporaryDirectory(
+        prefix="rlrobot-class-", ignore_cleanup_errors=True
+    ) as temporary:
         found = handed_in(notebooks, Path(temporary))
         if gradescope and (n := len(found.notebooks)) != 1:
-            raise ValueError(f"--gradescope writes the results of one notebook, and {n} are given")
+            raise ValueError(
+                f"--gradescope writes the results of one notebook, and {n} are given"
+            )
         asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes}
         written = {option: path for option, path in asked.items() if path}
         lists = [path for path in (roster, rules) if path]
@@ -84,18 +100,24 @@ def grade(
         _say(found.notes([*written.values(), *lists, feedback]))
         given = [(kept, _submission(kept, lesson)) for kept in found.notebooks.values()]
         owners = owners_of([submission for _, submission in given], students)
-        marks = marked_files([kept.copy for kept, _ in given], lesson, seed, limits, jobs, what_counts)
+        marks = marked_files(
+            [kept.copy for kept, _ in given], lesson, seed, limits, jobs, what_counts
+        )
         marked: dict[str, Marked] = {}
         for one, (_, submission), owner in zip(marks, given, owners, strict=True):
             digests.check(submission.name)
-            one = _of_student(placed(one, submission.cells), submission.name, owner, what_counts)
+            one = _of_student(
+                placed(one, submission.cells), submission.name, owner, what_counts
+            )
             marked[one.name] = one
             print(as_text(one), flush=True)
         rows, notes = class_of([*marked.values()], students)
         counting = [one for one in rows if one.name]
         _say([*notes, *_unused(rules, what_counts, counting)])
         full = sum(one.is_full for one in counting)
-        print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
+        print(
+            f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}"
+        )
         copies = {submission.name: kept.copy for kept, submission in given}
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
@@ -104,7 +126,12 @@ def grade(
         }
         made = {path: texts[option] for option, path in written.items()}
         if feedback:
-            names = sheet_names([(one.name, one.student.id * bool(students), one.lesson) for one in counting])
+            names = sheet_names(
+                [
+                    (one.name, one.student.id * bool(students), one.lesson)
+                    for one in counting
+                ]
+            )
             for one, name in zip(counting, names, strict=True):
                 made[str(Path(feedback, name))] = partial(_sheet, one, copies[one.name])
         all_written = write_each(made)
@@ -126,7 +153,9 @@ def _of_student(one: Marked, name: str, owner: Owner, rules: Rules) -> Marked:
     """A marked notebook under its own name, with the student whose it is, and what that changes."""
     student, notes = owner.student, [*one.notes, *[owner.note] * bool(owner.note)]
     if student.row and one.made_for and one.made_for.lower() != student.id.lower():
-        notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
+        notes.append(
+            f"This is the notebook that was made for {one.made_for}, not for {student.id}."
+        )
     off = 0.0 if one.problem else rules.off(student.late, one.score)
     return replace(one, name=name, student=student, notes=notes, off=off)
 
@@ -135,7 +164,9 @@ def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
     """What the rules say of exercises that are not there, as a misspelt name is not."""
     there = {score.exercise for one in marked for score in one.scores}
     unused = [name for name in rules.points if name not in there]
-    return [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
+    return (
+        [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
+    )
 
 
 def _sheet(one: Marked, copy: Path) -> str:
@@ -143,7 +174,12 @@ def _sheet(one: Marked, copy: Path) -> str:
 
 
 def marked_files(
-    paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int, rules: Rules = NO_RULES
+    paths: Sequence[Path],
+    lesson: str,
+    seed: int,
+    limits: Limits,
+    jobs: int,
+    rules: Rules = NO_RULES,
 ) -> Iterator[Marked]:
     """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
 
@@ -153,13 +189,18 @@ def marked_files(
     ahead = list(paths)
     while ahead:
         with _pool(min(jobs, len(ahead))) as pool:
-            waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
+            waiting = [
+                pool.submit(mark_file, path, lesson, seed, limits, rules)
+                for path in ahead
+            ]
             try:
                 for future in waiting:
                     error = future.exception()
                     if error is None:
                         yield future.result()
-                    elif isinstance(error, ImportError):  # nothing can be graded without it
+                    elif isinstance(
+                        error, ImportError
+                    ):  # nothing can be graded without it
                         raise error
                     else:
                         yield _failed(ahead[0], error)
@@ -171,19 +212,24 @@ def marked_files(
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"), initializer=end_with_parent)
+    return ProcessPoolExecutor(
+        jobs,
+        mp_context=multiprocessing.get_context("spawn"),
+        initializer=end_with_parent,
+    )
 
 
 def _failed(path: Path, error: BaseException) -> Marked:
-    told = (
-        f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
-    )
+    fault = one_line(f"{type(error).__name__}: {error}")
+    told = f"The grader itself failed at this notebook ({fault}); grade it again."
     return Marked(str(path), "", [Score("notebook", 0.0, told)], problem=told)
 
 
 def run(arguments: dict[str, object]) -> None:
     """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
-    seconds, memory, user, container = (arguments.pop(name) for name in ("seconds", "memory", "user", "container"))
+    seconds, memory, user, container = (
+        arguments.pop(name) for name in ("seconds", "memory", "user", "container")
+    )
     try:
         limits = Limits(seconds, memory, Guard(user, container))  # type: ignore[arg-type]
         code = grade(**arguments, limits=limits)  # type: ignore[arg-type]

@@ -24,7 +24,11 @@ NOBODY = 65534  # the user in a container, if root grades
 OTHER_USER = ("setpriv", "prlimit")  # programs of util-linux
 PROCESSES = 512  # of a user who runs a notebook, threads counted
 LOCKS = Path("/run/rlrobot-edu")  # root's: in it, each job locks the number of its user
-SHARED = (Path(tempfile.gettempdir()), Path("/var/tmp"), Path("/dev/shm"))  # where everybody may leave something
+SHARED = (
+    Path(tempfile.gettempdir()),
+    Path("/var/tmp"),
+    Path("/dev/shm"),
+)  # where everybody may leave something
 OPEN = (
     "Without --container or --user a submission runs with your rights: it can read, change and delete your files, the "
     "other notebooks and this grader, and use the network."
@@ -53,7 +57,9 @@ class Guard:
         try:
             return pwd.getpwnam(self.user).pw_uid
         except KeyError:
-            raise ValueError(f"--user {self.user}: there is no such user; a number will do, too, as 61000") from None
+            raise ValueError(
+                f"--user {self.user}: there is no such user; a number will do, too, as 61000"
+            ) from None
 
     @contextmanager
     def of_one_job(self) -> Iterator[Guard]:
@@ -91,25 +97,56 @@ class Guard:
         if self.user and self.container:
             raise ValueError("--user and --container: choose one of them")
         if self.user:
-            if sys.platform != "linux" or os.getuid() != 0 or None in map(shutil.which, OTHER_USER):
-                raise ValueError(f"--user needs Linux, root, {' and '.join(OTHER_USER)}; --container does not")
+            if (
+                sys.platform != "linux"
+                or os.getuid() != 0
+                or None in map(shutil.which, OTHER_USER)
+            ):
+                raise ValueError(
+                    f"--user needs Linux, root, {' and '.join(OTHER_USER)}; --container does not"
+                )
             if self.uid == 0:
                 raise ValueError("--user must be another user than root")
-            self._said([sys.executable, "-c", "import rlrobot_edu, ipykernel"], f"--user {self.user}: no Python for it")
-            readable = ["sh", "-c", 'for file; do if test -r "$file"; then echo "$file"; fi; done', "sh"]
+            self._said(
+                [sys.executable, "-c", "import rlrobot_edu, ipykernel"],
+                f"--user {self.user}: no Python for it",
+            )
+            readable = [
+                "sh",
+                "-c",
+                'for file; do if test -r "$file"; then echo "$file"; fi; done',
+                "sh",
+            ]
             paths = [str(path.resolve()) for path in notebooks]
-            if seen := self._said([*readable, *paths], f"--user {self.user}").splitlines():
-                raise ValueError(f"--user {self.user} could read {seen[0]}: chmod -R o-rwx {Path(seen[0]).parent}")
+            if seen := self._said(
+                [*readable, *paths], f"--user {self.user}"
+            ).splitlines():
+                raise ValueError(
+                    f"--user {self.user} could read {seen[0]}: chmod -R o-rwx {Path(seen[0]).parent}"
+                )
         if self.container:
             version = "import sys, rlrobot_edu, ipykernel; print(*sys.version_info[:2])"
-            command = [self.engine, "run", "--rm", "--network=none", self.container, "python", "-c", version]
+            command = [
+                self.engine,
+                "run",
+                "--rm",
+                "--network=none",
+                self.container,
+                "python",
+                "-c",
+                version,
+            ]
             said = self._said(command, f"--container {self.container} cannot be run")
             if said.split()[-2:] != [*map(str, sys.version_info[:2])]:
-                raise ValueError(f"--container {self.container} must have the Python of the grader, {sys.version[:4]}")
+                raise ValueError(
+                    f"--container {self.container} must have the Python of the grader, {sys.version[:4]}"
+                )
 
     def _said(self, command: Sequence[str], told: str) -> str:
         """What a command says, as the other user if there is one. Raises ValueError if it fails."""
-        done = subprocess.run([*self._other_user(), *command], capture_output=True, text=True, cwd="/")
+        done = subprocess.run(
+            [*self._other_user(), *command], capture_output=True, text=True, cwd="/"
+        )
         if done.returncode:
             why = (done.stderr.strip() or f"exit code {done.returncode}").splitlines()
             raise ValueError(f"{told}: {why[0]}")
@@ -120,18 +157,37 @@ class Guard:
         """The program that runs containers: podman or docker. Raises ValueError if there is none."""
         found = [name for name in ("podman", "docker") if shutil.which(name)]
         if not found:
-            raise ValueError("--container needs podman or docker, and neither is installed")
+            raise ValueError(
+                "--container needs podman or docker, and neither is installed"
+            )
         return found[0]
 
     def _other_user(self) -> list[str]:
         if not self.user:
             return []
-        rights = ["--clear-groups", "--no-new-privs", "--inh-caps=-all", "--bounding-set=-all"]
+        rights = [
+            "--clear-groups",
+            "--no-new-privs",
+            "--inh-caps=-all",
+            "--bounding-set=-all",
+        ]
         limit = ["prlimit", f"--nproc={PROCESSES}"]
-        return [*limit, "setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", *rights, "--"]
+        return [
+            *limit,
+            "setpriv",
+            f"--reuid={self.uid}",
+            f"--regid={self.uid}",
+            *rights,
+            "--",
+        ]
 
     def command(
-        self, argv: Sequence[str], folder: Path, home: Path, memory: int, environment: dict[str, str]
+        self,
+        argv: Sequence[str],
+        folder: Path,
+        home: Path,
+        memory: int,
+        environment: dict[str, str],
     ) -> list[str]:
         """The command that runs a kernel behind this guard.
 
@@ -139,7 +195,11 @@ class Guard:
         """
         if not self.container:
             return [*self._other_user(), *argv]
-        own = {name: environment[name] for name in environment if name not in NOT_IN_CONTAINERS}
+        own = {
+            name: environment[name]
+            for name in environment
+            if name not in NOT_IN_CONTAINERS
+        }
         notebooks = [f"--volume={path}:{path}:ro" for path in sorted(folder.iterdir())]
         return [
             self.engine, "run", "--rm", f"--name={home.parent.name}", "--network=none", "--read-only", "--cap-drop=ALL",
@@ -160,7 +220,9 @@ class Guard:
     def end(self, home: Path) -> None:
         """End what `command` has started, where killing that command does not."""
         if self.container:
-            subprocess.run([self.engine, "rm", "--force", home.parent.name], capture_output=True)
+            subprocess.run(
+                [self.engine, "rm", "--force", home.parent.name], capture_output=True
+            )
 
 
 OPEN_HOUSE = Guard()
@@ -178,7 +240,9 @@ def _is_somebody(uid: int) -> bool:
 def _left_by(uid: int) -> set[Path]:
     """What belongs to a user in the folders that everybody may write to."""
     left = set()
-    for path in {path for folder in SHARED if folder.is_dir() for path in folder.iterdir()}:
+    for path in {
+        path for folder in SHARED if folder.is_dir() for path in folder.iterdir()
+    }:
         with suppress(OSError):  # it is gone already
             left |= {path} if path.lstat().st_uid == uid else set()
     return left
@@ -193,7 +257,11 @@ class Digests:
     def check(self, notebook: str) -> None:
         """Raise ValueError if they have changed since; `notebook`: the one that has just been graded."""
         now = _digests()
-        if changed := [str(path) for path in self._taken.keys() | now if self._taken.get(path) != now.get(path)]:
+        if changed := [
+            str(path)
+            for path in self._taken.keys() | now
+            if self._taken.get(path) != now.get(path)
+        ]:
             raise ValueError(
                 f"{min(changed)} has changed by the time {notebook} was graded: trust no points, install rlrobot-edu "
                 "anew, look into that notebook and the next ones, and grade with --user or --container"
@@ -202,5 +270,9 @@ class Digests:
 
 def _digests() -> dict[Path, str]:
     """SHA-256 of each file of the course."""
-    files = sorted(path for kind in ("py", "md", "toml") for path in COURSE.resolve().rglob(f"*.{kind}"))
+    files = sorted(
+        path
+        for kind in ("py", "md", "toml")
+        for path in COURSE.resolve().rglob(f"*.{kind}")
+    )
     return {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in files}

@@ -17,8 +17,12 @@ from rlrobot_course.homework.submission import KINDS, LARGEST, is_notebook
 from rlrobot_course.homework.text import ZIP
 
 # What macOS, Windows, Jupyter and editors leave beside the files of people: in a folder, and anywhere
-OF_THE_SYSTEM = re.compile(r"\..+|thumbs\.db|desktop\.ini|icon\r|~\$.*|#.*#|.*~", re.IGNORECASE)
-ALWAYS = re.compile(r"__MACOSX|\.ipynb_checkpoints|\.Trash.*|\$RECYCLE\.BIN", re.IGNORECASE)
+OF_THE_SYSTEM = re.compile(
+    r"\..+|thumbs\.db|desktop\.ini|icon\r|~\$.*|#.*#|.*~", re.IGNORECASE
+)
+ALWAYS = re.compile(
+    r"__MACOSX|\.ipynb_checkpoints|\.Trash.*|\$RECYCLE\.BIN", re.IGNORECASE
+)
 ARCHIVE = re.compile(r".*\.(zip|7z|rar|tar|tgz|gz|bz2|xz)", re.IGNORECASE)
 NAMED = 3  # files that a note names
 DEEPEST = 3  # archives in each other that are looked into
@@ -66,13 +70,19 @@ class HandedIn:
         """What the instructor should know of the files that are not graded; known: files and folders of the grader."""
         ours = [Path(os.path.abspath(path)) for path in known if path]
         others = [
-            path for path in self.others if not any(Path(os.path.abspath(path)).is_relative_to(one) for one in ours)
+            path
+            for path in self.others
+            if not any(Path(os.path.abspath(path)).is_relative_to(one) for one in ours)
         ]
         notes = list(dict.fromkeys(self.unread))
         if self.of_the_system:
-            notes.append(f"Left out, as files of the operating system or an editor: {_some(self.of_the_system)}.")
+            notes.append(
+                f"Left out, as files of the operating system or an editor: {_some(self.of_the_system)}."
+            )
         if others:
-            notes.append(f"Not graded, since these are no notebooks of a lesson: {_some(others)}.")
+            notes.append(
+                f"Not graded, since these are no notebooks of a lesson: {_some(others)}."
+            )
         if any(ARCHIVE.fullmatch(path.name) for path in others):
             notes[-1] += " Unpack what is an archive."
         return notes
@@ -97,9 +107,13 @@ def handed_in(names: Sequence[str], folder: Path) -> HandedIn:
     """
     found = HandedIn(folder)
     for name in names:
-        matches = [name] if os.path.lexists(name) else sorted(glob.glob(name, recursive=True))
+        matches = (
+            [name] if os.path.lexists(name) else sorted(glob.glob(name, recursive=True))
+        )
         if not matches:
-            raise FileNotFoundError(f"{name}: there is no such file, nor a notebook in it; name what is to be graded")
+            raise FileNotFoundError(
+                f"{name}: there is no such file, nor a notebook in it; name what is to be graded"
+            )
         for path in map(Path, matches):
             if any(map(ALWAYS.fullmatch, path.parts)):
                 found.of_the_system.append(path)
@@ -110,22 +124,32 @@ def handed_in(names: Sequence[str], folder: Path) -> HandedIn:
             elif not (is_archive(path) and _unpack(path, path, path, found)):
                 found.keep(path, path, path)
     if not found.notebooks:
-        raise FileNotFoundError(" ".join([f"{', '.join(names)}: there is no notebook in it.", *found.notes()]))
+        raise FileNotFoundError(
+            " ".join(
+                [f"{', '.join(names)}: there is no notebook in it.", *found.notes()]
+            )
+        )
     return found
 
 
 def _walk(top: Path, found: HandedIn) -> None:
     for folder, folders, files in os.walk(top, onerror=found.not_read):
         folders.sort()
-        for link in (path for path in map(Path(folder).joinpath, folders) if path.is_symlink()):
+        for link in (
+            path for path in map(Path(folder).joinpath, folders) if path.is_symlink()
+        ):
             found.not_read(f"{link} is a link to a folder; name it")
         for file in (Path(folder, name) for name in sorted(files)):
             _take_in(file, file, file, file.relative_to(top), found)
 
 
-def _take_in(path: Path, file: Path, here: Path, inside: Path, found: HandedIn, depth: int = 0) -> None:
+def _take_in(
+    path: Path, file: Path, here: Path, inside: Path, found: HandedIn, depth: int = 0
+) -> None:
     """Sort one file. path, file: as of `Kept`; here: where it can be read; inside: its path in what was named."""
-    if any(ALWAYS.fullmatch(part) or OF_THE_SYSTEM.fullmatch(part) for part in inside.parts):
+    if any(
+        ALWAYS.fullmatch(part) or OF_THE_SYSTEM.fullmatch(part) for part in inside.parts
+    ):
         found.of_the_system += [path] * (path.suffix.lower() == ".ipynb")
     elif not (is_archive(here) and _unpack(path, file, here, found, depth)):
         if is_notebook(here):
@@ -134,7 +158,9 @@ def _take_in(path: Path, file: Path, here: Path, inside: Path, found: HandedIn, 
             found.others.append(path)
 
 
-def _unpack(path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0) -> bool:
+def _unpack(
+    path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0
+) -> bool:
     """Take in what is in a zip archive; whether there is a notebook in it.
 
     Nothing is written under a name that the archive chooses, and nothing beyond the limits.
@@ -144,7 +170,10 @@ def _unpack(path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0)
         with zipfile.ZipFile(here) as archive:
             for member in archive.infolist():
                 inside = _inside(member)
-                unpacked = any((folder / inside).is_file() for folder in (path.parent, path.with_suffix("")))
+                unpacked = any(
+                    (folder / inside).is_file()
+                    for folder in (path.parent, path.with_suffix(""))
+                )
                 if unpacked or member.is_dir() or not inside.parts:
                     continue
                 if inside.suffix.lower() not in (*KINDS, ".zip") or depth == DEEPEST:
@@ -155,7 +184,9 @@ def _unpack(path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0)
                 if len(data) > LARGEST or found.unpacked > MOST_UNPACKED:
                     found.not_read(f"{path / inside} is too large")
                     continue
-                place = found.folder / f"unpacked{found.unpacked}{inside.suffix.lower()}"
+                place = (
+                    found.folder / f"unpacked{found.unpacked}{inside.suffix.lower()}"
+                )
                 place.write_bytes(data)
                 _take_in(path / inside, file, place, inside, found, depth + 1)
                 place.unlink()
@@ -168,7 +199,9 @@ def _inside(member: zipfile.ZipInfo) -> Path:
     """The path of a file in an archive: of Windows with backslashes, of macOS in UTF-8 and not said to be."""
     name = member.filename.replace("\\", "/")
     with suppress(UnicodeError):
-        name = name if member.flag_bits & 0x800 else name.encode("cp437").decode("utf-8")
+        name = (
+            name if member.flag_bits & 0x800 else name.encode("cp437").decode("utf-8")
+        )
     return Path(*(part for part in name.split("/") if part not in ("", ".", "..")))
 
 

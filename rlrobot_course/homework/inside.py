@@ -26,7 +26,9 @@ from rlrobot_course.grading.values import safely
 from rlrobot_course.homework.rooms import COURSE, room_of
 from rlrobot_course.homework.wire import state_of, written
 
-answers: dict[str, Any] = {}  # what has been handed in, by exercise; where nothing has, what defines it
+answers: dict[
+    str, Any
+] = {}  # what has been handed in, by exercise; where nothing has, what defines it
 handed_in: list[str] = []  # since the grader asked last
 given: dict[str, Given] = {}  # what stands in for the solutions
 taken: list[Any] = []  # what `take` has given: no answers
@@ -73,7 +75,9 @@ class Given:
             raise NotGivenError(COURSES_OWN)
         answer = answers.get(self.__name__)
         if not callable(answer) or isinstance(answer, Given):
-            raise NotGivenError(f"{self.__name__} is an exercise of this notebook; while it is graded none is given")
+            raise NotGivenError(
+                f"{self.__name__} is an exercise of this notebook; while it is graded none is given"
+            )
         return answer(*arguments, **more)
 
 
@@ -84,7 +88,9 @@ def start() -> None:
 
     app = IPKernelApp.instance()
     app.initialize(["-f", connection_file])
-    type(app.shell).ask_exit = staticmethod(sys.exit)  # exit() would end the kernel; so it ends a cell
+    type(app.shell).ask_exit = staticmethod(
+        sys.exit
+    )  # exit() would end the kernel; so it ends a cell
     _stand_in(lesson, exercises.split(","))
     _limit_memory(int(memory))
     app.start()
@@ -95,9 +101,14 @@ def _limit_memory(mebibytes: int) -> None:
     if sys.platform == "linux":
         import resource
 
-        most, pages = mebibytes << 20, int(Path("/proc/self/statm").read_text().split()[0])
+        most, pages = (
+            mebibytes << 20,
+            int(Path("/proc/self/statm").read_text().split()[0]),
+        )
         resource.setrlimit(resource.RLIMIT_DATA, (most, most))
-        resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + most,) * 2)
+        resource.setrlimit(
+            resource.RLIMIT_AS, (pages * resource.getpagesize() + most,) * 2
+        )
         resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
 
@@ -123,10 +134,19 @@ def _let_take_give(lesson: str, exercises: Sequence[str]) -> None:
     my_functions.LESSONS = [other for other in my_functions.LESSONS if other != lesson]
 
     def take_own(number: str, *names: str, folder: str | Path = ".") -> Any:
-        own = {name: answers.get(name) for name in names if lesson.startswith(number) and name in exercises}
+        own = {
+            name: answers.get(name)
+            for name in names
+            if lesson.startswith(number) and name in exercises
+        }
         if missing := [name for name, answer in own.items() if not callable(answer)]:
-            raise NotGivenError(f"{missing[0]} is an exercise of this notebook; while it is graded none is given")
-        found = [own[name] if name in own else take(number, name, folder=folder) for name in names]
+            raise NotGivenError(
+                f"{missing[0]} is an exercise of this notebook; while it is graded none is given"
+            )
+        found = [
+            own[name] if name in own else take(number, name, folder=folder)
+            for name in names
+        ]
         taken.extend(found)
         return found if len(found) > 1 else found[0]
 
@@ -144,14 +164,23 @@ def taken_in(exercises: Sequence[str]) -> str:
 
     here, checked = get_ipython().user_ns, list(dict.fromkeys(handed_in))
     handed_in.clear()
-    defined = [name for name in exercises if name in here and name not in checked and _is_new(name, here[name])]
+    defined = [
+        name
+        for name in exercises
+        if name in here and name not in checked and _is_new(name, here[name])
+    ]
     answers.update({name: here[name] for name in defined})
-    told = {name: _described(answers[name], given[name]) | {"checked": name in checked} for name in checked + defined}
+    told = {
+        name: _described(answers[name], given[name]) | {"checked": name in checked}
+        for name in checked + defined
+    }
     return json.dumps({"answers": told, "is_full": is_full()})
 
 
 def _is_new(name: str, thing: Any) -> bool:
-    return not isinstance(thing, Intake) and not any(thing is known for known in [answers.get(name), *taken])
+    return not isinstance(thing, Intake) and not any(
+        thing is known for known in [answers.get(name), *taken]
+    )
 
 
 def is_full() -> bool:
@@ -167,7 +196,10 @@ def _described(answer: Any, solution: Given | None = None) -> dict[str, Any]:
     if solution is not None and safely(False, is_courses_own, answer, solution):
         return {"kind": "solution", "value": ""}
     if callable(answer):
-        return {"kind": "function", "value": "unfinished" if safely(False, is_unfinished, answer) else ""}
+        return {
+            "kind": "function",
+            "value": "unfinished" if safely(False, is_unfinished, answer) else "",
+        }
     return {"kind": "value", "value": written(answer)}
 
 
@@ -178,7 +210,9 @@ def called(name: str, arguments: str, lent: str = "") -> str:
     """
     try:
         os.getcwd()
-    except FileNotFoundError:  # a cell has deleted it, and some modules cannot be imported from nowhere
+    except (
+        FileNotFoundError
+    ):  # a cell has deleted it, and some modules cannot be imported from nowhere
         os.chdir(COURSE)
     answer, things = answers[name], _unpacked(arguments)
     names = getattr(answer, "__globals__", None) or sys.modules["__main__"].__dict__

@@ -21,7 +21,9 @@ from rlrobot_course.grading.values import one_line
 from rlrobot_course.homework.guard import OPEN_HOUSE, Guard
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
-SETTLED = 0.5  # after which a kernel that has been told to end, as by a restart, is gone [s]
+SETTLED = (
+    0.5  # after which a kernel that has been told to end, as by a restart, is gone [s]
+)
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
@@ -30,10 +32,26 @@ END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 INSIDE = "__import__('rlrobot_course.homework.inside', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
-PASSED_ON = ("LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEMROOT", "NUMBA_CACHE_DIR")
+PASSED_ON = (
+    "LANG",
+    "LC_ALL",
+    "LD_LIBRARY_PATH",
+    "VIRTUAL_ENV",
+    "SYSTEMROOT",
+    "NUMBA_CACHE_DIR",
+)
 
 
-INSTALLERS = ("conda", "mamba", "micromamba", "uv", "apt", "apt-get", "sudo", "brew")  # they do nothing here
+INSTALLERS = (
+    "conda",
+    "mamba",
+    "micromamba",
+    "uv",
+    "apt",
+    "apt-get",
+    "sudo",
+    "brew",
+)  # they do nothing here
 NOTHING = "#!/bin/sh\necho While a notebook is graded, nothing is installed.\n"
 
 
@@ -53,7 +71,13 @@ class Kernel:
     """
 
     def __init__(
-        self, folder: Path, home: Path, lesson: str, exercises: Sequence[str], memory: int, guard: Guard = OPEN_HOUSE
+        self,
+        folder: Path,
+        home: Path,
+        lesson: str,
+        exercises: Sequence[str],
+        memory: int,
+        guard: Guard = OPEN_HOUSE,
     ) -> None:
         try:
             import jupyter_client  # noqa: F401
@@ -63,8 +87,21 @@ class Kernel:
             ) from None
         self._memory, self._file = memory, home / "kernel.json"
         command = "from rlrobot_course.homework.inside import start; start()"
-        self._argv = [sys.executable, "-c", command, lesson, ",".join(exercises), str(memory), "{connection_file}"]
-        self._folder, self._environment, self._guard, self._home = folder, _environment(home), guard, home
+        self._argv = [
+            sys.executable,
+            "-c",
+            command,
+            lesson,
+            ",".join(exercises),
+            str(memory),
+            "{connection_file}",
+        ]
+        self._folder, self._environment, self._guard, self._home = (
+            folder,
+            _environment(home),
+            guard,
+            home,
+        )
         self._before: list[Any] = []
 
     def __enter__(self) -> Kernel:
@@ -72,7 +109,10 @@ class Kernel:
             try:
                 self._start()
                 break
-            except (EndedError, TimeoutError):  # it hangs, or another program has taken a port that was free
+            except (
+                EndedError,
+                TimeoutError,
+            ):  # it hangs, or another program has taken a port that was free
                 if tries_left == 0:
                     raise
         return self
@@ -84,17 +124,29 @@ class Kernel:
         self._file.unlink(missing_ok=True)
         self._before = _children(os.getpid())
         # behind a guard they talk by sockets that are files, since there may be no network
-        by_files = {"transport": "ipc", "ip": str(self._home / "k")} if self._guard else {}
+        by_files = (
+            {"transport": "ipc", "ip": str(self._home / "k")} if self._guard else {}
+        )
         self._manager: Any = KernelManager(connection_file=str(self._file), **by_files)
-        argv = self._guard.command(self._argv, self._folder, self._home, self._memory, self._environment)
-        self._manager._kernel_spec = KernelSpec(argv=argv)  # not one of those that are installed
+        argv = self._guard.command(
+            self._argv, self._folder, self._home, self._memory, self._environment
+        )
+        self._manager._kernel_spec = KernelSpec(
+            argv=argv
+        )  # not one of those that are installed
         if self._guard:
             self._manager.write_connection_file()
-            self._guard.hand_over(self._folder.parent, self._folder, *self._folder.iterdir(), self._home)
+            self._guard.hand_over(
+                self._folder.parent, self._folder, *self._folder.iterdir(), self._home
+            )
             self._guard.hand_over(*self._home.rglob("*"))
-        self._manager.start_kernel(cwd=str(self._folder), env=self._environment, stdout=DEVNULL, stderr=DEVNULL)
+        self._manager.start_kernel(
+            cwd=str(self._folder), env=self._environment, stdout=DEVNULL, stderr=DEVNULL
+        )
         self._client = self._manager.client()
-        self._client.start_channels(shell=True, iopub=False, stdin=False, hb=False, control=False)
+        self._client.start_channels(
+            shell=True, iopub=False, stdin=False, hb=False, control=False
+        )
         try:
             self._answer(self._client.kernel_info(), START)
         except BaseException:
@@ -106,7 +158,13 @@ class Kernel:
         self._manager.shutdown_kernel(now=True)
         self._guard.end(self._home)
         for _ in range(MOST_ROUNDS):  # some may start others meanwhile
-            if not (left := [child for child in _children(os.getpid()) if child not in self._before]):
+            if not (
+                left := [
+                    child
+                    for child in _children(os.getpid())
+                    if child not in self._before
+                ]
+            ):
                 break
             for child in left:
                 with suppress(Exception):  # it is gone already
@@ -131,9 +189,18 @@ class Kernel:
         told = reply.get("user_expressions", {}).get("told", {})
         try:
             return str(ast.literal_eval(told["data"]["text/plain"]))
-        except (KeyError, ValueError, SyntaxError, TypeError, RecursionError, MemoryError):
+        except (
+            KeyError,
+            ValueError,
+            SyntaxError,
+            TypeError,
+            RecursionError,
+            MemoryError,
+        ):
             said = f"{told.get('ename', '')}: {told.get('evalue', '')}"
-            raise EndedError(f"leaves the kernel in a state in which it can tell nothing ({said:.200})") from None
+            raise EndedError(
+                f"leaves the kernel in a state in which it can tell nothing ({said:.200})"
+            ) from None
 
     def settle(self) -> None:
         """Wait a moment. Raises GoneError if the kernel ends meanwhile."""
@@ -146,9 +213,15 @@ class Kernel:
                 f"ends the whole kernel: os._exit, a crash, or more memory than the {self._memory} MiB allowed"
             )
 
-    def _asked(self, source: str, expressions: dict[str, str], seconds: float) -> dict[str, Any]:
+    def _asked(
+        self, source: str, expressions: dict[str, str], seconds: float
+    ) -> dict[str, Any]:
         request = self._client.execute(
-            source, store_history=False, allow_stdin=False, stop_on_error=False, user_expressions=expressions
+            source,
+            store_history=False,
+            allow_stdin=False,
+            stop_on_error=False,
+            user_expressions=expressions,
         )
         try:
             return self._answer(request, seconds)
@@ -157,15 +230,22 @@ class Kernel:
         try:
             reply = self._answer(request, GRACE)
         except TimeoutError:
-            raise EndedError(f"has not ended after {seconds:.0f} seconds and cannot be interrupted") from None
-        return reply | {"ename": TIME_OUT, "evalue": f"it has not ended after {seconds:.0f} seconds"}
+            raise EndedError(
+                f"has not ended after {seconds:.0f} seconds and cannot be interrupted"
+            ) from None
+        return reply | {
+            "ename": TIME_OUT,
+            "evalue": f"it has not ended after {seconds:.0f} seconds",
+        }
 
     def _answer(self, request: str, seconds: float) -> dict[str, Any]:
         """The content of the reply to a request. Raises TimeoutError; GoneError if the kernel is gone."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             with suppress(queue.Empty):
-                message = self._client.get_shell_msg(timeout=min(LOOK, max(0.01, end - time.monotonic())))
+                message = self._client.get_shell_msg(
+                    timeout=min(LOOK, max(0.01, end - time.monotonic()))
+                )
                 if message["parent_header"].get("msg_id") == request:
                     return dict(message["content"])
                 continue
@@ -199,7 +279,10 @@ def _environment(home: Path) -> dict[str, str]:
     for name in INSTALLERS:
         (programs / name).write_text(NOTHING, encoding="utf-8")
         (programs / name).chmod(0o755)
-    paths = [str(Path(__file__).parents[2]), *filter(None, [os.environ.get("PYTHONPATH")])]
+    paths = [
+        str(Path(__file__).parents[2]),
+        *filter(None, [os.environ.get("PYTHONPATH")]),
+    ]
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
         "HOME": str(home), "USERPROFILE": str(home), "TMPDIR": str(temporary), "IPYTHONDIR": str(home / "ipython"),
         "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",

@@ -30,9 +30,13 @@ class Limits:
     def check(self) -> None:
         """Raise ValueError if these are no limits; NaN is none."""
         if not 0 < self.seconds <= LONGEST:
-            raise ValueError(f"--seconds {self.seconds}: it must be above 0, and {LONGEST:.0f} at most")
+            raise ValueError(
+                f"--seconds {self.seconds}: it must be above 0, and {LONGEST:.0f} at most"
+            )
         if not 256 <= self.memory <= LARGEST:
-            raise ValueError(f"--memory {self.memory}: it must be at least 256 [MiB], and {LARGEST} at most")
+            raise ValueError(
+                f"--memory {self.memory}: it must be at least 256 [MiB], and {LARGEST} at most"
+            )
 
 
 @dataclass(frozen=True)
@@ -74,7 +78,11 @@ class Score:
             return "not answered yet"
         told = " ".join(self.output.removeprefix("✗").split())
         sentence = re.match(r".+?[.!?](?=\s|$)", told) if self.is_answered else None
-        return self.hint or one_line(sentence[0] if sentence else told) or self.mistake.replace("_", " ")
+        return (
+            self.hint
+            or one_line(sentence[0] if sentence else told)
+            or self.mistake.replace("_", " ")
+        )
 
 
 @dataclass
@@ -133,7 +141,11 @@ class Rules:
 
     def off(self, days: float, points: float) -> float:
         """Points that come off so many points after so many days."""
-        return round(points * min(self.late_most, self.late_off * max(0.0, days - self.late_free)), 2)
+        return round(
+            points
+            * min(self.late_most, self.late_off * max(0.0, days - self.late_free)),
+            2,
+        )
 
 
 NO_RULES = Rules()
@@ -153,11 +165,19 @@ def read_rules(path: str) -> Rules:
         else:
             fits = isinstance(value, bool) if name == "partial" else _is_amount(value)
         if name not in known or not fits:
-            raise ValueError(f"{path}: {name} = {value!r} is no rule; there are {', '.join(known)}, not below 0")
+            raise ValueError(
+                f"{path}: {name} = {value!r} is no rule; there are {', '.join(known)}, not below 0"
+            )
         if name in PARTS and value > 1:
-            raise ValueError(f"{path}: {name} = {value!r} is more than all; write 0.1 for 10 %")
+            raise ValueError(
+                f"{path}: {name} = {value!r} is more than all; write 0.1 for 10 %"
+            )
     return Rules(**told)
 
 
 def _is_amount(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e9
+    return (
+        isinstance(value, int | float)
+        and not isinstance(value, bool)
+        and 0 <= value < 1e9
+    )

@@ -37,15 +37,23 @@ def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
         for notebook, score in answers:
             if not score.is_right:
                 made[_mistake(lesson, score)].append((notebook, score.hint))
-        for (mistake, _), told in sorted(made.items(), key=lambda item: (-len(item[1]), item[0])):
+        for (mistake, _), told in sorted(
+            made.items(), key=lambda item: (-len(item[1]), item[0])
+        ):
             # some hints name a number of the learner's, and differ: the one that most of them got
             hints = Counter(hint for _, hint in told if hint).most_common(1)
             notebooks = [notebook for notebook, _ in told]
-            found.append(Misunderstood(lesson, exercise, mistake, hints[0][0] if hints else "", notebooks))
+            found.append(
+                Misunderstood(
+                    lesson, exercise, mistake, hints[0][0] if hints else "", notebooks
+                )
+            )
     return found
 
 
-def _answers(marked: Sequence[Marked]) -> dict[tuple[str, str], list[tuple[str, Score]]]:
+def _answers(
+    marked: Sequence[Marked],
+) -> dict[tuple[str, str], list[tuple[str, Score]]]:
     """By lesson and exercise, the notebooks that were graded and their scores; of exercises that count."""
     answers: dict[tuple[str, str], list[tuple[str, Score]]] = defaultdict(list)
     for one in marked:
@@ -68,12 +76,19 @@ def _mistake(lesson: str, score: Score) -> tuple[str, str]:
 @cache
 def _known(lesson: str) -> dict[str, set[str]]:
     """The mistakes that each exercise knows, by their ids; any other id is that of a way to find hints."""
-    return {name: {known.id for known in exercise.mistakes} for name, exercise in exercises_of(lesson).items()}
+    return {
+        name: {known.id for known in exercise.mistakes}
+        for name, exercise in exercises_of(lesson).items()
+    }
 
 
 def as_table(marked: Sequence[Marked]) -> str:
     """CSV: a line for each mistake, with the notebooks that made it."""
     head = ["lesson", "exercise", "mistake", "how many", "hint", "notebooks"]
     return as_csv(
-        [head] + [[*one[:3], len(one.notebooks), one.hint, " ".join(one.notebooks)] for one in misunderstood(marked)]
+        [head]
+        + [
+            [*one[:3], len(one.notebooks), one.hint, " ".join(one.notebooks)]
+            for one in misunderstood(marked)
+        ]
     )

@@ -50,7 +50,11 @@ raise AssertionError("not judged: nbgrader must be run in the folder of the expo
 
 
 def export(
-    notebooks: Sequence[Path], folder: Path, seed: int | None = None, hints: int | None = None, rules: str = ""
+    notebooks: Sequence[Path],
+    folder: Path,
+    seed: int | None = None,
+    hints: int | None = None,
+    rules: str = "",
 ) -> list[str]:
     """Write a course folder with an assignment for each notebook; returns the assignments' names.
 
@@ -67,7 +71,9 @@ def export(
     import nbformat  # is there: the notebooks have been read
 
     folder.mkdir(parents=True, exist_ok=True)
-    _settle(folder / "nbgrader_config.py", seed, str(Path(rules).resolve()) if rules else "")
+    _settle(
+        folder / "nbgrader_config.py", seed, str(Path(rules).resolve()) if rules else ""
+    )
     for name, source in sources.items():
         path = folder / "source" / name / f"{name}.ipynb"
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -82,9 +88,13 @@ def _settle(settings: Path, seed: int | None, rules: str) -> None:
         seed = secrets.randbits(64) if seed is None else seed
         settings.write_text(CONFIG.format(seed=seed, rules=rules), encoding="utf-8")
     elif "c.Judge.seed" not in settings.read_text(encoding="utf-8"):
-        raise FileExistsError(f"{settings} belongs to another course; choose another folder")
+        raise FileExistsError(
+            f"{settings} belongs to another course; choose another folder"
+        )
     elif seed is not None:
-        raise FileExistsError(f"{settings} has a seed already: change it there, or choose another folder")
+        raise FileExistsError(
+            f"{settings} has a seed already: change it there, or choose another folder"
+        )
 
 
 def source_of(path: Path, rules: Rules = NO_RULES, hints: int | None = None) -> Any:
@@ -105,12 +115,20 @@ def source_of(path: Path, rules: Rules = NO_RULES, hints: int | None = None) -> 
     for cell in notebook.cells:
         name = checked(cell)
         if name in exercises:
-            cells += _answer_and_test(cell, name, solution_of(name, submission.lesson), rules.points_of(name))
+            cells += _answer_and_test(
+                cell, name, solution_of(name, submission.lesson), rules.points_of(name)
+            )
             found.append(name)
         else:
-            cells.append(_in_words(cell, path) if "question" in cell.metadata.get("tags", []) else cell)
+            cells.append(
+                _in_words(cell, path)
+                if "question" in cell.metadata.get("tags", [])
+                else cell
+            )
     if wrong := [name for name in exercises if found.count(name) != 1]:
-        raise ValueError(f"{path}: one cell must end with check.{wrong[0]}({wrong[0]}), not {found.count(wrong[0])}")
+        raise ValueError(
+            f"{path}: one cell must end with check.{wrong[0]}({wrong[0]}), not {found.count(wrong[0])}"
+        )
     notebook.cells = cells
     tell_hints(notebook, hints)
     return notebook
@@ -134,7 +152,9 @@ def _in_words(cell: Any, path: Path) -> Any:
     rubric = text.partition(f"\n## {path.stem}\n")[2].partition("\n## ")[0].strip()
     points = rubric.count("\n- ") + rubric.startswith("- ")
     answer.source = f"{cell.source}\n\n### BEGIN SOLUTION\n{rubric}\n### END SOLUTION"
-    answer.metadata["nbgrader"] = _metadata("in-words", solution=True, points=points or 1, cell_type="markdown")
+    answer.metadata["nbgrader"] = _metadata(
+        "in-words", solution=True, points=points or 1, cell_type="markdown"
+    )
     return answer
 
 
@@ -142,10 +162,14 @@ def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     room = f"rlrobot_course.{room_of(lesson)}"
     if isinstance(asked := exercises_of(lesson)[exercise], Question):
-        right = asked.right.tolist() if isinstance(asked.right, np.ndarray) else asked.right
+        right = (
+            asked.right.tolist() if isinstance(asked.right, np.ndarray) else asked.right
+        )
         return f"{exercise} = {right!r}"
     text = inspect.getsource(importlib.import_module(f"{room}.exercises"))
-    defined = {name: line for line in ast.parse(text).body for name in bound(ast.unparse(line))}
+    defined = {
+        name: line for line in ast.parse(text).body for name in bound(ast.unparse(line))
+    }
     needed, ahead = [], [exercise]
     while ahead:
         line = defined[ahead.pop()]
@@ -154,7 +178,10 @@ def solution_of(exercise: str, lesson: str) -> str:
             used = {node.id for node in ast.walk(line) if isinstance(node, ast.Name)}
             ahead += used & defined.keys() - exercises_of(lesson).keys()
     lines = text.splitlines()
-    return "\n\n".join("\n".join(lines[n.lineno - 1 : n.end_lineno]) for n in sorted(needed, key=lambda n: n.lineno))
+    return "\n\n".join(
+        "\n".join(lines[n.lineno - 1 : n.end_lineno])
+        for n in sorted(needed, key=lambda n: n.lineno)
+    )
 
 
 def checked(cell: Any) -> str:
@@ -169,25 +196,53 @@ def _answer_and_test(cell: Any, name: str, solution: str, points: float) -> list
     answer.source = f"{blank}\n### BEGIN SOLUTION\n{solution}\n### END SOLUTION"
     answer.metadata["nbgrader"] = _metadata(f"{name}-answer", solution=True)
     test.source = f"check.{name}({name}){HIDDEN}"
-    test.metadata["nbgrader"] = _metadata(name, locked=True, points=points, cell_type="code")
+    test.metadata["nbgrader"] = _metadata(
+        name, locked=True, points=points, cell_type="code"
+    )
     if "id" in cell:
         test.id = f"{cell.id}-test"[-64:]
     return [answer, test]
 
 
-def _metadata(grade_id: str, solution: bool = False, locked: bool = False, **graded: Any) -> dict[str, Any]:
+def _metadata(
+    grade_id: str, solution: bool = False, locked: bool = False, **graded: Any
+) -> dict[str, Any]:
     """What nbgrader knows of a cell; graded: points and cell_type, if there are points for it."""
-    kind = {"grade": bool(graded), "locked": locked, "solution": solution, "task": False}
+    kind = {
+        "grade": bool(graded),
+        "locked": locked,
+        "solution": solution,
+        "task": False,
+    }
     return {"grade_id": grade_id, "schema_version": 3, **kind, **graded}
 
 
 def _release(folder: Path, names: Sequence[str]) -> None:
     """Have nbgrader make the students' version of each assignment, in release/."""
     if importlib.util.find_spec("nbgrader") is None:
-        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[teach]'")
-    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])  # it looks for alembic there
+        raise ImportError(
+            "nbgrader is not installed: run pip install 'rlrobot-edu[teach]'"
+        )
+    path = os.pathsep.join(
+        [str(Path(sys.executable).parent), os.environ.get("PATH", "")]
+    )  # it looks for alembic there
     for name in names:
-        command = [sys.executable, "-m", "nbgrader", "generate_assignment", name, "--force"]
-        done = subprocess.run(command, cwd=folder, env=os.environ | {"PATH": path}, capture_output=True, text=True)
+        command = [
+            sys.executable,
+            "-m",
+            "nbgrader",
+            "generate_assignment",
+            name,
+            "--force",
+        ]
+        done = subprocess.run(
+            command,
+            cwd=folder,
+            env=os.environ | {"PATH": path},
+            capture_output=True,
+            text=True,
+        )
         if done.returncode:
-            raise RuntimeError(f"nbgrader could not make the students' version of {name}:\n{done.stderr}")
+            raise RuntimeError(
+                f"nbgrader could not make the students' version of {name}:\n{done.stderr}"
+            )

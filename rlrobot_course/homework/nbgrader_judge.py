@@ -28,21 +28,32 @@ class Judge(NbGraderPreprocessor):
     seed = Integer(None, allow_none=True, help="Of the secret tapes.").tag(config=True)
     seconds = Float(Limits.seconds, help="For one notebook.").tag(config=True)
     memory = Integer(Limits.memory, help="For one notebook [MiB].").tag(config=True)
-    rules = Unicode("", help="Path of a file that says what counts how much.").tag(config=True)
+    rules = Unicode("", help="Path of a file that says what counts how much.").tag(
+        config=True
+    )
 
     def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
         """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
         if self.seed is None:
-            raise ValueError("c.Judge.seed is missing in nbgrader_config.py: from it come the hidden tests")
+            raise ValueError(
+                "c.Judge.seed is missing in nbgrader_config.py: from it come the hidden tests"
+            )
         told, course = resources["nbgrader"], CourseDirectory(parent=self)
         folder = course.format_path(course.source_directory, ".", told["assignment"])
         source = Path(folder, f"{told['notebook']}.ipynb")
-        limits, rules = Limits(self.seconds, self.memory), read_rules(self.rules) if self.rules else NO_RULES
+        limits, rules = (
+            Limits(self.seconds, self.memory),
+            read_rules(self.rules) if self.rules else NO_RULES,
+        )
         with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as temporary:
             path = Path(temporary, source.name)
             nbformat.write(nb, path)
-            marked = mark_file(path, read_submission(source).lesson, self.seed, limits, rules)
-        marked = placed(marked, [cell.source for cell in nb.cells if cell.cell_type == "code"])
+            marked = mark_file(
+                path, read_submission(source).lesson, self.seed, limits, rules
+            )
+        marked = placed(
+            marked, [cell.source for cell in nb.cells if cell.cell_type == "code"]
+        )
         for note in marked.notes:
             self.log.warning("%s: %s", told["student"], note)
         restore(nb, nbformat.read(source, as_version=4))
@@ -56,7 +67,11 @@ class Judge(NbGraderPreprocessor):
 
 def restore(nb: Any, source: Any) -> None:
     """Give a submission back what belongs to nbgrader: locked cells as they were, and tests that have been deleted."""
-    missing = {cell.metadata.nbgrader.grade_id: cell for cell in source.cells if "nbgrader" in cell.metadata}
+    missing = {
+        cell.metadata.nbgrader.grade_id: cell
+        for cell in source.cells
+        if "nbgrader" in cell.metadata
+    }
     for cell in nb.cells:
         name = _name(cell)
         cell.metadata.pop("nbgrader", None)
@@ -76,7 +91,13 @@ def _name(cell: Any) -> str:
 def _verdict(score: Score) -> list[Any]:
     """Outputs by which nbgrader gives all points of a cell, a part of them, or none."""
     if not score.score:
-        return [nbformat.v4.new_output("error", ename="wrong", evalue="", traceback=[score.output])]
+        return [
+            nbformat.v4.new_output(
+                "error", ename="wrong", evalue="", traceback=[score.output]
+            )
+        ]
     told = nbformat.v4.new_output("stream", name="stdout", text=f"{score.output}\n")
-    part = nbformat.v4.new_output("execute_result", data={"text/plain": f"{score.score:g}"}, execution_count=1)
+    part = nbformat.v4.new_output(
+        "execute_result", data={"text/plain": f"{score.score:g}"}, execution_count=1
+    )
     return [told] if score.score == score.max_score else [told, part]

@@ -22,16 +22,24 @@ CELLS = re.compile(r"\b([Cc]ode cells? )(\d+(?:, \d+)*)")
 # A file that only the kernel knows, as in "(190330142.py, line 1)"
 LINE = re.compile(r"\b([Cc]ode cell )(\d+)( .*?)\((?:\d+\.py|<[^<>]*>), line (\d+)\)")
 NOBODY_TYPES = re.compile(r"(EOFError|StdinNotImplementedError): [^\n.]*\.?")
-NOBODY_TYPES_TOLD = r"\1: it asks with input(), and nobody is there to type while it is graded."
+NOBODY_TYPES_TOLD = (
+    r"\1: it asks with input(), and nobody is there to type while it is graded."
+)
 LONGEST = 40  # of a line that is shown
-KINDS = {"--csv": ".csv", "--mistakes": ".csv", "--gradescope": ".json"}  # what a report is, by its option
+KINDS = {
+    "--csv": ".csv",
+    "--mistakes": ".csv",
+    "--gradescope": ".json",
+}  # what a report is, by its option
 
 
 def as_text(one: Marked) -> str:
     """What a terminal shows of one notebook: points, and remarks on each exercise."""
     where = f" ({_title(one)})" * bool(one.lesson)
     if one.problem:
-        return "\n".join([f"{one.name}: not graded{where}", f"  {one.problem}", *_notes(one)])
+        return "\n".join(
+            [f"{one.name}: not graded{where}", f"  {one.problem}", *_notes(one)]
+        )
     lines = [f"{one.name}: {one.score:g} of {one.max_score:g} points{where}"]
     for score in one.scores:
         lines.append(f"  {score.exercise:<20} {score.score:g}/{score.max_score:g}")
@@ -64,25 +72,40 @@ def as_sheet(one: Marked, sections: Mapping[str, str], day: date) -> str:
     title = f"{student}, {_title(one)}" if one.lesson else student
     graded = f"`{Path(one.name).name}`, graded on {day.isoformat()}."
     if one.problem:
-        again = "Save it again in Jupyter, as a file that ends in .ipynb, and hand that in."
-        return "\n".join([f"# {title}: not graded", "", graded, "", one.problem, "", again, ""])
+        again = (
+            "Save it again in Jupyter, as a file that ends in .ipynb, and hand that in."
+        )
+        return "\n".join(
+            [f"# {title}: not graded", "", graded, "", one.problem, "", again, ""]
+        )
     lines = [f"# {title}: {one.score:g} of {one.max_score:g} points", "", graded, ""]
     if one.off:
         points = f"{one.score + one.off:g} points for the answers"
-        lines += [f"{points}; {one.student.late:g} days late: {one.off:g} points off.", ""]
+        lines += [
+            f"{points}; {one.student.late:g} days late: {one.off:g} points off.",
+            "",
+        ]
     for score in one.scores:
         if not score.max_score:
             lines += [f"- `{score.exercise}`: does not count", ""]
         elif score.score == score.max_score:
-            lent = f", with the right `{score.lent}` in place of yours" * bool(score.lent)
+            lent = f", with the right `{score.lent}` in place of yours" * bool(
+                score.lent
+            )
             lines += [f"- `{score.exercise}`: right{lent}", ""]
         elif score.is_blank:
-            lines += [f"- `{score.exercise}`: not answered yet, 0 of {score.max_score:g}", ""]
+            lines += [
+                f"- `{score.exercise}`: not answered yet, 0 of {score.max_score:g}",
+                "",
+            ]
         else:
             points = f"## `{score.exercise}`: {score.score:g} of {score.max_score:g}"
             lines += [points, "", "```text", score.output, "```", ""]
             if score.exercise in sections:
-                lines += [f"To look at again: *{sections[score.exercise]}*, in your notebook.", ""]
+                lines += [
+                    f"To look at again: *{sections[score.exercise]}*, in your notebook.",
+                    "",
+                ]
     return "\n".join(lines)
 
 
@@ -98,13 +121,20 @@ def as_gradescope(one: Marked) -> str:
             {"name": "notes for the instructor", "score": 0.0, "max_score": 0.0, "output": "\n".join(one.notes),
              "visibility": "hidden"}
         )  # fmt: skip
-    return json.dumps({"score": one.score, "tests": tests}, indent=1, ensure_ascii=False) + "\n"
+    return (
+        json.dumps({"score": one.score, "tests": tests}, indent=1, ensure_ascii=False)
+        + "\n"
+    )
 
 
 def placed(one: Marked, cells: Sequence[str]) -> Marked:
     """A marked notebook, with the cells and lines that its messages name shown."""
-    scores = [replace(score, output=in_words(score.output, cells)) for score in one.scores]
-    return replace(one, scores=scores, notes=[in_words(note, cells) for note in one.notes])
+    scores = [
+        replace(score, output=in_words(score.output, cells)) for score in one.scores
+    ]
+    return replace(
+        one, scores=scores, notes=[in_words(note, cells) for note in one.notes]
+    )
 
 
 def in_words(text: str, cells: Sequence[str]) -> str:
@@ -112,10 +142,17 @@ def in_words(text: str, cells: Sequence[str]) -> str:
 
     def line(match: re.Match[str]) -> str:
         shown = _shown(_lines(cells, match[2])[int(match[4]) - 1 : int(match[4])])
-        return f"{match[1]}{match[2]}{match[3].rstrip()}, in its line {match[4]}{shown}" if shown else match[0]
+        return (
+            f"{match[1]}{match[2]}{match[3].rstrip()}, in its line {match[4]}{shown}"
+            if shown
+            else match[0]
+        )
 
     def first(match: re.Match[str]) -> str:
-        told = (n + _shown([line for line in _lines(cells, n) if line.strip()]) for n in match[2].split(", "))
+        told = (
+            n + _shown([line for line in _lines(cells, n) if line.strip()])
+            for n in match[2].split(", ")
+        )
         return match[1] + ", ".join(told)
 
     return CELLS.sub(first, LINE.sub(line, NOBODY_TYPES.sub(NOBODY_TYPES_TOLD, text)))
@@ -130,7 +167,9 @@ def _shown(lines: Sequence[str]) -> str:
     return f" (“{one_line(lines[0].strip(), LONGEST)}”)" if lines else ""
 
 
-def check_paths(reports: Mapping[str, str], folder: str, inputs: Iterable[str | Path]) -> None:
+def check_paths(
+    reports: Mapping[str, str], folder: str, inputs: Iterable[str | Path]
+) -> None:
     """Raise ValueError if a report cannot be written to its path, or would be written over an input or another report.
 
     reports: paths by their options; folder: of the sheets, empty if there is none
@@ -138,18 +177,36 @@ def check_paths(reports: Mapping[str, str], folder: str, inputs: Iterable[str | 
     inputs, taken = list(inputs), dict(reports)
     for option, path in reports.items():
         if Path(path).is_dir():
-            raise ValueError(f"{option} {path}: this is a folder; give the name of a file")
+            raise ValueError(
+                f"{option} {path}: this is a folder; give the name of a file"
+            )
         _check_folder(option, path, Path(path).absolute().parent)
     if folder:
         taken["--feedback"] = folder
         _check_folder("--feedback", folder, Path(folder).absolute())
     for option, path in taken.items():
         if over := next((str(one) for one in inputs if _are_one(path, one)), ""):
-            raise ValueError(f"{option} {path} would be written over {over}, which is an input: choose another path")
-        if other := next((name for name, one in taken.items() if name < option and _are_one(path, one)), ""):
-            raise ValueError(f"{other} and {option} have the same path, {path}: choose two")
-        if (kind := KINDS.get(option, "")) and Path(path).suffix.lower() not in ("", kind):
-            raise ValueError(f"{option} {path}: this report is a {kind} file; give its name that ending")
+            raise ValueError(
+                f"{option} {path} would be written over {over}, which is an input: choose another path"
+            )
+        if other := next(
+            (
+                name
+                for name, one in taken.items()
+                if name < option and _are_one(path, one)
+            ),
+            "",
+        ):
+            raise ValueError(
+                f"{other} and {option} have the same path, {path}: choose two"
+            )
+        if (kind := KINDS.get(option, "")) and Path(path).suffix.lower() not in (
+            "",
+            kind,
+        ):
+            raise ValueError(
+                f"{option} {path}: this report is a {kind} file; give its name that ending"
+            )
 
 
 def _check_folder(option: str, path: str, folder: Path) -> None:
@@ -180,8 +237,13 @@ def write_each(reports: Mapping[str, Callable[[], str]]) -> bool:
     for path, made in reports.items():
         try:
             write_whole(path, made())
-        except Exception as error:  # whatever it is, the points are there and should be told
-            print(f"{path} could not be written: {one_line(f'{type(error).__name__}: {error}')}", file=sys.stderr)
+        except (
+            Exception
+        ) as error:  # whatever it is, the points are there and should be told
+            print(
+                f"{path} could not be written: {one_line(f'{type(error).__name__}: {error}')}",
+                file=sys.stderr,
+            )
             written = False
     return written
 
@@ -214,4 +276,6 @@ def _sheet_name(path: Path, student: str, lesson: str) -> str:
 def _flat(path: Path) -> str:
     """A path as one name, for in some hand-ins all notebooks have the same."""
     near = path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
-    return "__".join(part for part in near.with_suffix("").parts if part not in (near.anchor, ".."))
+    return "__".join(
+        part for part in near.with_suffix("").parts if part not in (near.anchor, "..")
+    )

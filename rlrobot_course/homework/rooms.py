@@ -3,7 +3,9 @@
 from pathlib import Path
 
 COURSE = Path(__file__).parents[1]
-LESSONS = sorted(path.parent.name.removeprefix("lesson_") for path in COURSE.glob("*/exercises.py"))
+LESSONS = sorted(
+    path.parent.name.removeprefix("lesson_") for path in COURSE.glob("*/exercises.py")
+)
 
 
 def room_of(lesson: str) -> str:

@@ -26,7 +26,9 @@ def secret_twin(exercise: Exercise | Question, seed: int) -> Exercise | None:
     """
     if type(exercise) is not Exercise:
         return None
-    rng = np.random.default_rng([seed, zlib.crc32(exercise.right.__qualname__.encode())])
+    rng = np.random.default_rng(
+        [seed, zlib.crc32(exercise.right.__qualname__.encode())]
+    )
     for _ in range(MOST_DRAWN):
         twin = _drawn(exercise, rng)
         if all(_shows(twin, wrong) for wrong in twin.wrong_functions):
@@ -36,7 +38,10 @@ def secret_twin(exercise: Exercise | Question, seed: int) -> Exercise | None:
 
 def _shows(exercise: Exercise, wrong: Callable[..., Any]) -> bool:
     """Whether a mistake does something else than what is right in some case."""
-    return any(not right.equals(exercise.mistaken(wrong, i)) for i, right in enumerate(exercise.expected))
+    return any(
+        not right.equals(exercise.mistaken(wrong, i))
+        for i, right in enumerate(exercise.expected)
+    )
 
 
 def _drawn(exercise: Exercise, rng: np.random.Generator) -> Exercise:
@@ -59,7 +64,9 @@ def _changed(value: Any, change: Change) -> Any:
     """A copy of `value` in which the numbers with a fraction are changed; those of a probability still sum to 1."""
     if isinstance(value, np.ndarray) and value.dtype.kind == "f":
         new = np.array([change(x) for x in value.ravel().tolist()]).reshape(value.shape)
-        is_probability = value.ndim == 1 and (value >= 0).all() and abs(value.sum() - 1) < 1e-9
+        is_probability = (
+            value.ndim == 1 and (value >= 0).all() and abs(value.sum() - 1) < 1e-9
+        )
         return new / new.sum() if is_probability else new
     if isinstance(value, float):
         return change(value) if np.isfinite(value) else value

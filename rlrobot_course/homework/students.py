@@ -32,7 +32,9 @@ COLUMNS = {
     "role": ("role",),
 }  # fmt: skip
 SEPARATORS = ",;\t|"
-MOST_ABOVE = 10  # lines above the heading, as a title, or Excel's note on what parts the cells
+MOST_ABOVE = (
+    10  # lines above the heading, as a title, or Excel's note on what parts the cells
+)
 ROUNDED = re.compile(r"\d[.,]\d+E\+\d+")  # what a spreadsheet makes of a long number
 # Moodle's number of someone in a course
 PARTICIPANT = re.compile(r"(?:partecip|particip|teilnehm)\D*(\d+)", re.IGNORECASE)
@@ -79,21 +81,36 @@ def read_students(path: str) -> list[Student]:
             raise ValueError(f"{path}, line {line}: the id {student.id} is there twice")
         students[student.id.lower()] = student
     if not students:
-        raise ValueError(f"{path}: there is no student in it; its first line should name the columns, as id,name,late")
+        raise ValueError(
+            f"{path}: there is no student in it; its first line should name the columns, as id,name,late"
+        )
     return list(students.values())
 
 
 def _student(where: str, row: Mapping[str, str]) -> Student | None:
     """The student of a line; None if it is empty, or of somebody else."""
     by_name = {_heading(name): text for name, text in row.items()}
-    told = {of: next((by_name[n] for n in names if by_name.get(n)), "") for of, names in COLUMNS.items()}
+    told = {
+        of: next((by_name[n] for n in names if by_name.get(n)), "")
+        for of, names in COLUMNS.items()
+    }
     name = told["name"] or f"{told['first']} {told['last']}".strip()
-    if name.lower() in NO_STUDENTS or told["role"].lower() in STAFF or not any(row.values()):
+    if (
+        name.lower() in NO_STUDENTS
+        or told["role"].lower() in STAFF
+        or not any(row.values())
+    ):
         return None
     participant = PARTICIPANT.match(told["number"])
     if ROUNDED.fullmatch(told["id"]):
-        raise ValueError(f"{where}: a spreadsheet has rounded the id {told['id']}: format the column as text")
-    own = "" if PARTICIPANT.match(told["id"]) else re.sub(r"^(\d+)\.0$", r"\1", told["id"])
+        raise ValueError(
+            f"{where}: a spreadsheet has rounded the id {told['id']}: format the column as text"
+        )
+    own = (
+        ""
+        if PARTICIPANT.match(told["id"])
+        else re.sub(r"^(\d+)\.0$", r"\1", told["id"])
+    )
     id = own or (participant[1] if participant else told["number"]) or told["email"]
     if not id and not name:
         return None  # such as Canvas's line on which columns are posted by hand
@@ -102,8 +119,12 @@ def _student(where: str, row: Mapping[str, str]) -> Student | None:
     except ValueError:
         late = -1.0
     if not id or not 0 <= late < 1e4:
-        raise ValueError(f"{where}: a student has an id, and late is a number of days from 0 on")
-    return Student(id, name, told["email"], late, row, told["number"] if participant else "")
+        raise ValueError(
+            f"{where}: a student has an id, and late is a number of days from 0 on"
+        )
+    return Student(
+        id, name, told["email"], late, row, told["number"] if participant else ""
+    )
 
 
 def _rows(path: str) -> Iterator[tuple[int, dict[str, str]]]:
@@ -121,7 +142,9 @@ def _rows(path: str) -> Iterator[tuple[int, dict[str, str]]]:
                 head, below = cells, rows[i + 1 :]
     for line, cells in below:
         if any(cells[len(head) :]):
-            raise ValueError(f"{path}, line {line}: {len(cells)} cells, and the heading names {len(head)} columns")
+            raise ValueError(
+                f"{path}, line {line}: {len(cells)} cells, and the heading names {len(head)} columns"
+            )
         yield line, dict(zip(head, cells + [""] * len(head), strict=False))
 
 

@@ -16,12 +16,24 @@ from typing import Any, NamedTuple
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.values import one_line
-from rlrobot_course.homework.cell import bound, calls_in, handed_in, lessons_imported, made_for, tree
+from rlrobot_course.homework.cell import (
+    bound,
+    calls_in,
+    handed_in,
+    lessons_imported,
+    made_for,
+    tree,
+)
 from rlrobot_course.homework.rooms import LESSONS, room_of
 from rlrobot_course.homework.text import INVISIBLE, text_of
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
-KINDS = (".ipynb", ".py", ".json", ".txt")  # of files: a script is exported; browsers name some the last two
+KINDS = (
+    ".ipynb",
+    ".py",
+    ".json",
+    ".txt",
+)  # of files: a script is exported; browsers name some the last two
 # Where a cell begins in an exported script: of Jupyter; of VS Code, Spyder and Jupytext; of Databricks
 MARK = re.compile(r"^# (?:In ?\[[ \d]*\]:|%%.*|COMMAND -+)$", re.MULTILINE)
 
@@ -58,7 +70,9 @@ class Submission:
     def last_cell(self) -> int:
         """How many cells are run: what comes after the last answer is not judged."""
         if not all(self.answered_in.values()):
-            return len(self.cells)  # an answer may be handed in by a way that cannot be read off
+            return len(
+                self.cells
+            )  # an answer may be handed in by a way that cannot be read off
         found = [*self.answered_in.values(), *self.defined_in.values()]
         return 1 + max((i for places in found for i in places), default=-1)
 
@@ -77,7 +91,11 @@ class Submission:
 
     def answered_by(self, place: int, left_out: Collection[int]) -> list[str]:
         """The exercises that a definition in this cell answers: as far as can be read, no later cell hands them in."""
-        later = [self.cells[i] for i in range(place + 1, len(self.cells)) if i not in left_out]
+        later = [
+            self.cells[i]
+            for i in range(place + 1, len(self.cells))
+            if i not in left_out
+        ]
         handed = set().union(*(handed_in(source) for source in later))
         return [name for name in self.answered_in if name not in handed]
 
@@ -90,7 +108,11 @@ def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
         )
     room = f"rlrobot_course.{room_of(lesson)}"
     checks = vars(importlib.import_module(f"{room}.exercises").check)
-    return {name: one for name, one in checks.items() if isinstance(one, Exercise | Question)}
+    return {
+        name: one
+        for name, one in checks.items()
+        if isinstance(one, Exercise | Question)
+    }
 
 
 def read_submission(path: Path, lesson: str = "") -> Submission:
@@ -102,17 +124,32 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
     except OSError as error:
         cells, problem = [], f"It cannot be read: {error.strerror}."
     except ValueError as error:
-        cells, problem = [], f"This is not a notebook that can be read ({one_line(str(error), 120)})."
+        cells, problem = (
+            [],
+            f"This is not a notebook that can be read ({one_line(str(error), 120)}).",
+        )
     except Exception:  # of a file that is no notebook anything may be the matter
-        cells, problem = [], "This is not a notebook that can be read (it has no cells where a notebook has them)."
+        cells, problem = (
+            [],
+            "This is not a notebook that can be read (it has no cells where a notebook has them).",
+        )
     lesson = lesson or _lesson_of(path, cells)
     if not lesson:
         why = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
         return Submission(name, problem=problem or why)
     exercises = exercises_of(lesson)
-    defined = {name: [i for i, source in enumerate(cells) if name in bound(source)] for name in exercises}
-    handing = {name: [i for i, source in enumerate(cells) if name in handed_in(source)] for name in exercises}
-    answered = {name: handing[name] or defined[name] or _named_in(name, cells) for name in exercises}
+    defined = {
+        name: [i for i, source in enumerate(cells) if name in bound(source)]
+        for name in exercises
+    }
+    handing = {
+        name: [i for i, source in enumerate(cells) if name in handed_in(source)]
+        for name in exercises
+    }
+    answered = {
+        name: handing[name] or defined[name] or _named_in(name, cells)
+        for name in exercises
+    }
     student = next(filter(None, map(made_for, cells)), "")
     return Submission(name, lesson, cells, answered, defined, problem, student)
 
@@ -124,18 +161,28 @@ def sections_of(path: Path) -> dict[str, str]:
     with suppress(Exception):  # it may be no notebook
         for cell in cells_of(path):
             if cell.kind == "markdown":
-                headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
+                headings = [
+                    line.strip("# ")
+                    for line in cell.source.splitlines()
+                    if line.startswith("#")
+                ]
                 heading = headings[-1] if headings else heading
             elif cell.kind == "code" and heading:
                 for name in handed_in(cell.source):
-                    sections.setdefault(name, heading)  # it may be checked again, below the summary, say
+                    sections.setdefault(
+                        name, heading
+                    )  # it may be checked again, below the summary, say
     return sections
 
 
 def _named_in(exercise: str, cells: Sequence[str]) -> list[int]:
     """Cells that cannot be read, but name the exercise: to tell why it is not answered."""
     word = re.compile(rf"\b{exercise}\b")
-    return [i for i, source in enumerate(cells) if word.search(source) and tree(source) is None]
+    return [
+        i
+        for i, source in enumerate(cells)
+        if word.search(source) and tree(source) is None
+    ]
 
 
 def cells_of(path: Path) -> list[Cell]:
@@ -153,15 +200,25 @@ def cells_of(path: Path) -> list[Cell]:
         raise ValueError("it is empty")
     if path.suffix == ".py":
         return _cells_of_script(text)
-    told, _ = json.JSONDecoder().raw_decode(text)  # what stands behind it is no part of it
-    sheets = [told] if "cells" in told else told["worksheets"]  # the latter until format 3
-    return [Cell(str(cell.get("cell_type")), _source(cell)) for sheet in sheets for cell in sheet["cells"]]
+    told, _ = json.JSONDecoder().raw_decode(
+        text
+    )  # what stands behind it is no part of it
+    sheets = (
+        [told] if "cells" in told else told["worksheets"]
+    )  # the latter until format 3
+    return [
+        Cell(str(cell.get("cell_type")), _source(cell))
+        for sheet in sheets
+        for cell in sheet["cells"]
+    ]
 
 
 def _source(cell: Mapping[str, Any]) -> str:
     source = cell.get("source", cell.get("input")) or ""
     whole = "".join(source).strip(INVISIBLE)
-    return whole.encode("utf-8", "replace").decode()  # half a letter cannot be sent to a kernel
+    return whole.encode(
+        "utf-8", "replace"
+    ).decode()  # half a letter cannot be sent to a kernel
 
 
 def _cells_of_script(text: str) -> list[Cell]:
@@ -186,6 +243,17 @@ def _lesson_of(path: Path, cells: Sequence[str]) -> str:
 
     03_q_learning.ipynb is of lesson 03; 1_a_robots_day.ipynb is of assignment_1.
     """
-    imported = [room.removeprefix("lesson_") for source in cells for room in lessons_imported(source)]
+    imported = [
+        room.removeprefix("lesson_")
+        for source in cells
+        for room in lessons_imported(source)
+    ]
     number = path.name.partition("_")[0]
-    return next((lesson for lesson in [*imported, number, f"assignment_{number}"] if lesson in LESSONS), "")
+    return next(
+        (
+            lesson
+            for lesson in [*imported, number, f"assignment_{number}"]
+            if lesson in LESSONS
+        ),
+        "",
+    )

@@ -16,13 +16,19 @@ def text_of(path: str | Path) -> str:
     """
     data = Path(path).read_bytes()
     if data.startswith(ZIP):
-        raise ValueError("this is a workbook or an archive: save a list as CSV, and unpack an archive")
-    encoding = json.detect_encoding(data)  # any of Unicode's, with a mark at the beginning or without
+        raise ValueError(
+            "this is a workbook or an archive: save a list as CSV, and unpack an archive"
+        )
+    encoding = json.detect_encoding(
+        data
+    )  # any of Unicode's, with a mark at the beginning or without
     try:
         return data.decode(encoding).strip(INVISIBLE)
     except UnicodeDecodeError as error:
         if encoding != "utf-8":
-            raise ValueError(f"this begins as {encoding}, but is not: save it anew, as UTF-8 ({error})") from None
+            raise ValueError(
+                f"this begins as {encoding}, but is not: save it anew, as UTF-8 ({error})"
+            ) from None
     try:
         return data.decode("cp1252")
     except UnicodeDecodeError:

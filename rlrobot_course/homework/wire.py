@@ -9,10 +9,23 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.grading.values import CONTAINERS, Unkept, as_data, is_large, safely, show
+from rlrobot_course.grading.values import (
+    CONTAINERS,
+    Unkept,
+    as_data,
+    is_large,
+    safely,
+    show,
+)
 
 LONGEST = 1_000_000  # characters of a message that is read
-ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "c": "complex128"}  # what stands in an array
+ARRAYS = {
+    "b": "bool",
+    "i": "int64",
+    "u": "uint64",
+    "f": "float64",
+    "c": "complex128",
+}  # what stands in an array
 LISTS: dict[str, type] = {kind.__name__: kind for kind in CONTAINERS}
 
 
@@ -43,7 +56,11 @@ def _plain(value: Any) -> Any:
     if type(value) is np.ndarray:
         kind = value.dtype.kind
         numbers = value.ravel().view(float) if kind == "c" else value.ravel()
-        return {"array": numbers.tolist(), "shape": list(value.shape), "kind": ARRAYS[kind]}
+        return {
+            "array": numbers.tolist(),
+            "shape": list(value.shape),
+            "kind": ARRAYS[kind],
+        }
     if type(value) is dict:
         return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
     if type(value) not in CONTAINERS:
@@ -60,11 +77,15 @@ def _value(plain: Any) -> Any:
             raise TypeError("a list stands under its name")
         return plain
     if "array" in plain:
-        if plain["kind"] not in ARRAYS.values():  # a text of any length could be claimed, which would fill the memory
+        if (
+            plain["kind"] not in ARRAYS.values()
+        ):  # a text of any length could be claimed, which would fill the memory
             raise ValueError("an array holds numbers")
         is_complex = plain["kind"] == ARRAYS["c"]
         numbers = np.array(plain["array"], dtype=float if is_complex else plain["kind"])
-        return (numbers.view(complex) if is_complex else numbers).reshape(plain["shape"])
+        return (numbers.view(complex) if is_complex else numbers).reshape(
+            plain["shape"]
+        )
     if "dict" in plain:
         return {_value(key): _value(entry) for key, entry in plain["dict"]}
     if "complex" in plain:
@@ -81,13 +102,24 @@ def state_of(thing: Any) -> Any:
     """What can be changed in an argument: itself, or the attributes of an object; None where nothing can."""
     if isinstance(thing, np.ndarray | list | dict | set | deque):
         return thing
-    return safely(None, lambda: dict(vars(thing)) if type(thing).__module__ not in ("builtins", "types") else None)
+    return safely(
+        None,
+        lambda: (
+            dict(vars(thing))
+            if type(thing).__module__ not in ("builtins", "types")
+            else None
+        ),
+    )
 
 
 def change(thing: Any, state: Any) -> None:
     """Give an argument the state that its twin in the kernel has, in place."""
     if isinstance(thing, np.ndarray):
-        fits = isinstance(state, np.ndarray) and state.shape == thing.shape and state.dtype.kind in "biuf"
+        fits = (
+            isinstance(state, np.ndarray)
+            and state.shape == thing.shape
+            and state.dtype.kind in "biuf"
+        )
         thing[...] = state if fits else np.nan if thing.dtype.kind == "f" else -1
     elif isinstance(thing, list | deque | set):
         thing.clear()

@@ -9,7 +9,9 @@ from rlrobot_edu import InputVariable, plot_scene
 from rlrobot_edu.robots.scene import Scene
 
 
-def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[InputVariable]) -> Picture:
+def plot_lasers(
+    scene: Scene, readings: Mapping[str, float], inputs: Sequence[InputVariable]
+) -> Picture:
     """Picture of a robot and its beams, those of `inputs` drawn thick, with their names and readings.
 
     readings: by the sensors' names, the lasers in the order of the scene's beams
@@ -20,7 +22,9 @@ def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[In
     ax = figure.subplots()
     plot_scene(scene, ax, f"{len(counted)} of {len(names)} lasers count")
     beams = next(
-        thing for thing in ax.collections if isinstance(thing, LineCollection) and thing.get_label() == "laser"
+        thing
+        for thing in ax.collections
+        if isinstance(thing, LineCollection) and thing.get_label() == "laser"
     )
     counts = [name in counted for name in names]
     beams.set(
@@ -31,9 +35,19 @@ def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[In
     for name, (start, end) in zip(names, scene.beams[:, :, :2], strict=True):
         if name in counted:
             x, y = start + 0.6 * (end - start)
-            text = plain(f"{name.removeprefix('laser_').replace('_', ' ')}\n{readings[name]:.2f} m")
-            box = {"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.2"}
-            ax.text(x, y, text, ha="center", va="center", fontsize=8.5, bbox=box, zorder=9)
-    told = ", ".join(f"{variable.name} {readings[variable.name]:.2f} m" for variable in inputs)
+            text = plain(
+                f"{name.removeprefix('laser_').replace('_', ' ')}\n{readings[name]:.2f} m"
+            )
+            box = {
+                "facecolor": "white",
+                "edgecolor": VERMILION,
+                "boxstyle": "round,pad=0.2",
+            }
+            ax.text(
+                x, y, text, ha="center", va="center", fontsize=8.5, bbox=box, zorder=9
+            )
+    told = ", ".join(
+        f"{variable.name} {readings[variable.name]:.2f} m" for variable in inputs
+    )
     figure.alt = f"The robot in its maze with {len(names)} laser beams. {len(counted)} of them are thick: {told}."
     return figure

@@ -18,14 +18,26 @@ def situation(
 ) -> Situation:
     """A step that moved the robot from `start` by `moved` in x and y [m]; before, after: lasers left and right [m]."""
     (x, y), (dx, dy) = start, moved
-    was = {"x": x, "y": y, "laser_front_left": before[0], "laser_front_right": before[1]}
-    now = {"x": x + dx, "y": y + dy, "laser_front_left": after[0], "laser_front_right": after[1]}
+    was = {
+        "x": x,
+        "y": y,
+        "laser_front_left": before[0],
+        "laser_front_right": before[1],
+    }
+    now = {
+        "x": x + dx,
+        "y": y + dy,
+        "laser_front_left": after[0],
+        "laser_front_right": after[1],
+    }
     return name, was, now
 
 
 STANDS = situation("stands still", start=(0.0, 0.0))
 # x and y are measured behind the axle, so they change a little
-TURNS = situation("turns on the spot", (0.018, 0.018), (0.9, 0.9), (0.4, 1.2), start=(0.0, 0.0))
+TURNS = situation(
+    "turns on the spot", (0.018, 0.018), (0.9, 0.9), (0.4, 1.2), start=(0.0, 0.0)
+)
 FREE = (1.0, 1.0), (0.9, 0.9)  # lasers before and after
 
 PAIRS = (
@@ -38,7 +50,10 @@ PAIRS = (
     (situation("drives askew, 0.11 m", (0.08, 0.08), *FREE, (-1.0, -1.0)), STANDS),
     (situation("drives 0.15 m", (0.15, 0), *FREE), STANDS),
     (situation("drives 0.3 m", (0.3, 0), (1.3, 1.3), (1.0, 1.0)), STANDS),
-    (situation("drives 0.08 m", (0.08, 0), *FREE), situation("creeps 0.06 m", (0.06, 0), (0.9, 0.9), (0.85, 0.85))),
+    (
+        situation("drives 0.08 m", (0.08, 0), *FREE),
+        situation("creeps 0.06 m", (0.06, 0), (0.9, 0.9), (0.85, 0.85)),
+    ),
     (
         situation("drives 0.08 m", (0, 0.08), *FREE),
         situation("creeps askew, 0.064 m", (0.045, 0.045), (0.9, 0.9), (0.85, 0.8)),
@@ -56,6 +71,12 @@ PAIRS = (
         situation("drives away from a wall", (0.095, 0), (0.3, 0.08), (0.3, 0.18)),
         situation("scrapes along it", (0.095, 0), (0.3, 0.08), (0.3, 0.08)),
     ),
-    (TURNS, situation("scrapes along a wall, left", (0.095, 0), (0.3, 0.9), (0.08, 0.9))),
-    (STANDS, situation("scrapes along a wall, right", (0.06, 0.06), (0.9, 0.3), (0.9, 0.08))),
+    (
+        TURNS,
+        situation("scrapes along a wall, left", (0.095, 0), (0.3, 0.9), (0.08, 0.9)),
+    ),
+    (
+        STANDS,
+        situation("scrapes along a wall, right", (0.06, 0.06), (0.9, 0.3), (0.9, 0.08)),
+    ),
 )

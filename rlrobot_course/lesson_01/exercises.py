@@ -50,7 +50,9 @@ check = with_pages(
     bin_of=Exercise(
         bin_of,
         returns="bin",
-        tape=[{"x": x, "cuts": LASER} for x in (0.53, 0.70, 0.10, 0.30, 2.00, 0.27, 0.80)]
+        tape=[
+            {"x": x, "cuts": LASER} for x in (0.53, 0.70, 0.10, 0.30, 2.00, 0.27, 0.80)
+        ]
         + [{"x": x, "cuts": [0.20]} for x in (0.20, 0.21)]
         + [{"x": x, "cuts": ANGLE} for x in (-30, -90, 90, 180, 0, 20)]
         + [{"x": x, "cuts": [1.5, 1.6, 4.0, 4.5, 9.0]} for x in (4.2, 1.55, 5, 9.1)],
@@ -58,7 +60,10 @@ check = with_pages(
     state_number=Exercise(
         state_number,
         returns="state",
-        tape=[{"bins": bins, "shape": ROBOT} for bins in ([1, 0, 1, 1], [0, 1, 2, 0], [0, 0, 0, 1], [1, 1, 2, 1])]
+        tape=[
+            {"bins": bins, "shape": ROBOT}
+            for bins in ([1, 0, 1, 1], [0, 1, 2, 0], [0, 0, 0, 1], [1, 1, 2, 1])
+        ]
         + [
             {"bins": [2, 1], "shape": [3, 4]},
             {"bins": [1, 3, 0, 2], "shape": [2, 5, 3, 4]},
@@ -69,5 +74,10 @@ check = with_pages(
         ],
         another=another_state,
     ),
-    reward=Design(reward, returns="more is paid when it", words=words, tape=rows("wanted unwanted", *PAIRS)),
+    reward=Design(
+        reward,
+        returns="more is paid when it",
+        words=words,
+        tape=rows("wanted unwanted", *PAIRS),
+    ),
 )

@@ -25,7 +25,9 @@ class Drive:
 
     def ways(self) -> list[float]:
         """How far each step moved the robot [m]."""
-        return [distance_moved(before, after) for before, after in pairwise(self.readings)]
+        return [
+            distance_moved(before, after) for before, after in pairwise(self.readings)
+        ]
 
 
 def drive_by(reward: Pay, seed: int = 0) -> Drive:

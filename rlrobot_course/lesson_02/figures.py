@@ -14,7 +14,12 @@ from rlrobot_course.plots import BLUE, GREY, Picture
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import FEW_COLOURS
 
-ARROWS = {0: (-1, 0), 1: (0, 1), 2: (1, 0), 3: (0, -1)}  # FrozenLake's actions: (columns to the right, rows down)
+ARROWS = {
+    0: (-1, 0),
+    1: (0, 1),
+    2: (1, 0),
+    3: (0, -1),
+}  # FrozenLake's actions: (columns to the right, rows down)
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,21 +47,43 @@ class Sweeps(Displayed):
 
     def still(self) -> Still:
         """All of them, about a second each."""
-        shots = [Image.open(io.BytesIO(self.picture(k).png())).convert("RGB") for k in range(len(self.values))]
+        shots = [
+            Image.open(io.BytesIO(self.picture(k).png())).convert("RGB")
+            for k in range(len(self.values))
+        ]
         palette = shots[-1].quantize(128, FEW_COLOURS)
-        first, *rest = (shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots)
-        buffer, times = io.BytesIO(), [900] * len(rest) + [3000]  # how long each stays [ms]
-        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=times, optimize=True)
-        return Still(repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif")
+        first, *rest = (
+            shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots
+        )
+        buffer, times = (
+            io.BytesIO(),
+            [900] * len(rest) + [3000],
+        )  # how long each stays [ms]
+        first.save(
+            buffer,
+            "GIF",
+            save_all=True,
+            append_images=rest,
+            loop=0,
+            duration=times,
+            optimize=True,
+        )
+        return Still(
+            repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif"
+        )
 
 
-def plot_returns(gathered: Mapping[str, Sequence[float]], gammas: Sequence[float], shown: int = 30) -> Picture:
+def plot_returns(
+    gathered: Mapping[str, Sequence[float]], gammas: Sequence[float], shown: int = 30
+) -> Picture:
     """What is left of each reward in the return: a column a policy, a row a discount rate.
 
     gathered: the rewards of each policy, the next one first; shown: how many are drawn, the return has them all
     """
     figure = Picture((4.4 * len(gathered), 1.8 * len(gammas) + 0.5))
-    panels = figure.subplots(len(gammas), len(gathered), sharex=True, sharey=True, squeeze=False)
+    panels = figure.subplots(
+        len(gammas), len(gathered), sharex=True, sharey=True, squeeze=False
+    )
     said, k = [], np.arange(shown)
     for row, gamma in zip(panels, gammas, strict=True):
         for ax, (name, rewards) in zip(row, gathered.items(), strict=True):
@@ -64,12 +91,16 @@ def plot_returns(gathered: Mapping[str, Sequence[float]], gammas: Sequence[float
             discounted = r * gamma ** np.arange(len(r))
             ax.bar(k, r[:shown], color="#e0e0e0", label="reward")
             ax.bar(k, discounted[:shown], color=BLUE, label="what counts of it")
-            ax.set_title(f"{name}, γ = {gamma}: G = {discounted.sum():.2f}", fontsize=10)
+            ax.set_title(
+                f"{name}, γ = {gamma}: G = {discounted.sum():.2f}", fontsize=10
+            )
             said.append(f"{name}, γ = {gamma}: {discounted.sum():.2f}")
     for ax in panels[-1]:
         ax.set_xlabel("steps ahead, k")
     figure.supylabel("reward", fontsize=10)
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    figure.legend(
+        *panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2
+    )
     figure.alt = f"Bars of the first {shown} rewards, each with the part that counts in the return. {'; '.join(said)}."
     return figure
 
@@ -82,14 +113,27 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
     figure = Picture(figsize=(5, 4.6))
     ax = figure.subplots()
     draw_values(ax, q.max(axis=1), desc, numbers=False)
-    best = {s: np.flatnonzero(np.isclose(q[s], q[s].max())) for s in np.flatnonzero(np.isin(desc, [b"S", b"F"]))}
+    best = {
+        s: np.flatnonzero(np.isclose(q[s], q[s].max()))
+        for s in np.flatnonzero(np.isin(desc, [b"S", b"F"]))
+    }
     for s, actions in best.items():
         y, x = divmod(s, desc.shape[1])
         for a in actions:
             right, down = ARROWS[int(a)]
-            arrow = {"arrowstyle": "-|>", "color": "white", "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
-            drawn = ax.annotate("", (x + 0.45 * right, y + 0.45 * down), (x, y), arrowprops=arrow)
-            drawn.arrow_patch.set_path_effects([withStroke(linewidth=4, foreground="black")])
+            arrow = {
+                "arrowstyle": "-|>",
+                "color": "white",
+                "linewidth": 2,
+                "shrinkA": 0,
+                "shrinkB": 0,
+            }
+            drawn = ax.annotate(
+                "", (x + 0.45 * right, y + 0.45 * down), (x, y), arrowprops=arrow
+            )
+            drawn.arrow_patch.set_path_effects(
+                [withStroke(linewidth=4, foreground="black")]
+            )
     figure.colorbar(ax.images[0], ax=ax, label="V(s)")
     ax.set_title("The best actions lead uphill in value")
     several = sum(len(actions) > 1 for actions in best.values())
@@ -100,7 +144,9 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
     return figure
 
 
-def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True) -> None:
+def draw_values(
+    ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True
+) -> None:
     """Draw the values `v`, array (n_states,), as colours on the map `desc`, and as numbers where they are not 0."""
     grid = v.reshape(desc.shape)
     ax.imshow(grid, cmap="cividis", vmin=0, vmax=1)
@@ -108,11 +154,36 @@ def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True)
     for (y, x), square in np.ndenumerate(desc):
         if square == b"H" or (square == b"G" and not numbers):
             hatch = "////" if square == b"H" else ""
-            end = Rectangle((x - 0.5, y - 0.5), 1, 1, facecolor="white", edgecolor=GREY, hatch=hatch, linewidth=0)
+            end = Rectangle(
+                (x - 0.5, y - 0.5),
+                1,
+                1,
+                facecolor="white",
+                edgecolor=GREY,
+                hatch=hatch,
+                linewidth=0,
+            )
             ax.add_patch(end)
         if square in (b"S", b"G") and not grid[y, x]:
             colour = "black" if square == b"G" and not numbers else "white"
-            ax.text(x, y, square.decode(), ha="center", va="center", color=colour, fontsize=11, weight="bold")
+            ax.text(
+                x,
+                y,
+                square.decode(),
+                ha="center",
+                va="center",
+                color=colour,
+                fontsize=11,
+                weight="bold",
+            )
         elif numbers and grid[y, x]:
             colour = "black" if grid[y, x] > 0.45 else "white"
-            ax.text(x, y, f"{grid[y, x]:.2f}".lstrip("0"), ha="center", va="center", color=colour, fontsize=8.5)
+            ax.text(
+                x,
+                y,
+                f"{grid[y, x]:.2f}".lstrip("0"),
+                ha="center",
+                va="center",
+                color=colour,
+                fontsize=8.5,
+            )

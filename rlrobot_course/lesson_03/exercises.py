@@ -3,7 +3,16 @@
 import numpy as np
 
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
+from rlrobot_course.tapes import (
+    Q_TAPE,
+    Fickle,
+    Ranked,
+    TapeWorld,
+    Wavering,
+    q_learner,
+    rows,
+    with_columns,
+)
 
 BY_HAND = Formula(
     "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, last=3.7, middle=-1, mean=2.9, sum=8.7,
@@ -18,7 +27,15 @@ def target(q, r, s_next, terminated, gamma):
 
 
 # as in the other lessons, and a state in which every action is bad
-Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
+Q = np.array(
+    [
+        [0.0, 2.0, 1.0],
+        [4.0, -1.0, 5.5],
+        [0.0, 0.5, 3.0],
+        [5.0, 6.0, 7.0],
+        [-1.375, -3.0, -2.0],
+    ]
+)
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -30,7 +47,13 @@ ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
 AT_A_WALL = (
     {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
-    {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
+    {
+        "s": 4,
+        "a": 0,
+        "r": -0.02,
+        "s_next": 4,
+        "terminated": False,
+    },  # it stays, and a is the best action there
 )
 
 
@@ -64,7 +87,13 @@ check = with_pages(
             (Q[:, :2] + 0.0625, 3.0, 2, False, 0.99),
             (Q, 0.37, 4, np.True_, 0.85),  # as a comparison in numpy has it
             (Q[1:3], 10.0, 0, False, 0.25),
-            (np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), 0.125, 1, False, 0.9),
+            (
+                np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]),
+                0.125,
+                1,
+                False,
+                0.9,
+            ),
             (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
         ),
     ),
@@ -78,9 +107,21 @@ check = with_pages(
         memory={"env": TapeWorld(), "q": Q[:4]},
         tape=[
             {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
-            for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
+            for rank, alpha, gamma, n in (
+                (1, 0.1, 0.9, 4),
+                (2, 0.5, 0.7, 2),
+                (0, 0.3, 0.8, 9),
+                (1, 0.25, 0.9, 1),
+            )
         ]
         + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
-        + [{"env": WORLD, "choose": Fickle(WORLD), "update": q_learner(0.2, 0.9), "steps": 9}],
+        + [
+            {
+                "env": WORLD,
+                "choose": Fickle(WORLD),
+                "update": q_learner(0.2, 0.9),
+                "steps": 9,
+            }
+        ],
     ),
 )

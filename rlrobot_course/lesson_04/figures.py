@@ -21,15 +21,29 @@ def plot_draw(p: Sequence[float], u: float) -> Picture:
     figure = Picture(figsize=(7, 1.7))
     ax = figure.subplots()
     for a, (colour, _) in zip(range(len(p)), CURVES, strict=False):
-        ax.barh(0, p[a], left=ends[a] - p[a], color=colour, alpha=1 if a == sampled else 0.35, edgecolor=BLACK)
-        ax.text(ends[a] - p[a] / 2, 0.5, f"action {a}: {p[a]:g}", ha="center", va="bottom")
+        ax.barh(
+            0,
+            p[a],
+            left=ends[a] - p[a],
+            color=colour,
+            alpha=1 if a == sampled else 0.35,
+            edgecolor=BLACK,
+        )
+        ax.text(
+            ends[a] - p[a] / 2, 0.5, f"action {a}: {p[a]:g}", ha="center", va="bottom"
+        )
     ax.plot([u, u], [-0.55, 0.45], color=BLACK, linewidth=2.5)
     ax.text(u, -0.6, f"u = {u:g}", ha="center", va="top")
-    ax.set(xlim=(0, 1), ylim=(-1.05, 0.95), yticks=[], xticks=[0, *ends], title=f"u = {u:g} draws action {sampled}")
-    ax.set_xlabel("running sum of the probabilities")
-    figure.alt = (
-        f"A line from 0 to 1, cut at {', '.join(f'{end:g}' for end in ends)}. u = {u:g} draws action {sampled}."
+    ax.set(
+        xlim=(0, 1),
+        ylim=(-1.05, 0.95),
+        yticks=[],
+        xticks=[0, *ends],
+        title=f"u = {u:g} draws action {sampled}",
     )
+    ax.set_xlabel("running sum of the probabilities")
+    cuts = ", ".join(f"{end:g}" for end in ends)
+    figure.alt = f"A line from 0 to 1, cut at {cuts}. u = {u:g} draws action {sampled}."
     return figure
 
 
@@ -50,7 +64,9 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
     others[0].set_ylabel("probability")
     for ax in figure.axes:
         ax.set(xlabel="action", xticks=range(len(q_s)))
-    told = [f"{name}: {', '.join(f'{one:.2f}' for one in p)}" for name, p in rules.items()]
+    told = [
+        f"{name}: {', '.join(f'{one:.2f}' for one in p)}" for name, p in rules.items()
+    ]
     values = ", ".join(f"{q:g}" for q in q_s)
     figure.alt = f"Probabilities of {len(q_s)} actions with values {values}, as bars. {'; '.join(told)}."
     return figure
@@ -66,21 +82,34 @@ def learn_in_units(
     """
     histories = []
     for i in range(repetitions):
-        env = gymnasium.wrappers.TransformReward(make_env(task, seed=seed + i), lambda r: r * factor)
+        env = gymnasium.wrappers.TransformReward(
+            make_env(task, seed=seed + i), lambda r: r * factor
+        )
         r_max = max(task.rewards) * (factor if normalised else 1)
-        history = learn(Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=seed + i), env, steps, progress=False)
+        history = learn(
+            Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=seed + i),
+            env,
+            steps,
+            progress=False,
+        )
         transitions = history.transitions._replace(r=history.rewards / factor)
         histories.append(replace(history, transitions=transitions))
     return histories
 
 
 def plot_units(
-    task: Task, factors: Sequence[float], *, repetitions: int = 10, steps: int = 600, seed: int = 0
+    task: Task,
+    factors: Sequence[float],
+    *,
+    repetitions: int = 10,
+    steps: int = 600,
+    seed: int = 0,
 ) -> Picture:
     """Learning curves for rewards times each of `factors`: on the left without normalising, on the right with it."""
     panels = {
         f"{name} ({repetitions} repetitions)": [
-            learn_in_units(task, factor, name == "normalised", repetitions, steps, seed) for factor in factors
+            learn_in_units(task, factor, name == "normalised", repetitions, steps, seed)
+            for factor in factors
         ]
         for name in ("not normalised", "normalised")
     }
@@ -88,7 +117,9 @@ def plot_units(
     return plot_side_by_side(panels, labels, "Rewards in three units")
 
 
-def plot_side_by_side(panels: Mapping[str, Sequence[Sequence[History]]], labels: Sequence[str], title: str) -> Picture:
+def plot_side_by_side(
+    panels: Mapping[str, Sequence[Sequence[History]]], labels: Sequence[str], title: str
+) -> Picture:
     """Learning curves in panels that share their labels and the axis of rewards.
 
     panels: title of a panel -> for each label the repetitions to average, see `plot_learning`
@@ -98,35 +129,68 @@ def plot_side_by_side(panels: Mapping[str, Sequence[Sequence[History]]], labels:
     for ax, (name, groups) in zip(axes, panels.items(), strict=True):
         plot_learning(*groups, labels=labels, ax=ax, title=name)
         ax.get_legend().remove()
-        ends = [np.mean([history.average_reward[-1] for history in group]) for group in groups]
-        told.append(f"{name}: " + ", ".join(f"{label} {end:.2f}" for label, end in zip(labels, ends, strict=True)))
+        ends = [
+            np.mean([history.average_reward[-1] for history in group])
+            for group in groups
+        ]
+        told.append(
+            f"{name}: "
+            + ", ".join(
+                f"{label} {end:.2f}" for label, end in zip(labels, ends, strict=True)
+            )
+        )
     axes[1].set_ylabel("")
     # the bands of the first steps are as wide as the rewards themselves; the means decide what is shown
-    means = np.concatenate([line.get_ydata() for ax in figure.axes for line in ax.lines])
-    axes[0].set_ylim(means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means))
+    means = np.concatenate(
+        [line.get_ydata() for ax in figure.axes for line in ax.lines]
+    )
+    axes[0].set_ylim(
+        means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means)
+    )
     figure.suptitle(plain(title))
     note = "means, and bands of their 95 % intervals"
     names = [plain(label) for label in labels]
-    figure.legend(axes[0].lines, names, loc="outside lower center", ncols=len(names), title=note)
+    figure.legend(
+        axes[0].lines, names, loc="outside lower center", ncols=len(names), title=note
+    )
     figure.alt = f"Learning curves, average reward at the end. {'; '.join(told)}."
     return figure
 
 
-def plot_ends(worlds: Mapping[str, Mapping[str, Sequence[History]]], title: str) -> Picture:
+def plot_ends(
+    worlds: Mapping[str, Mapping[str, Sequence[History]]], title: str
+) -> Picture:
     """What each robot earns in the last 200 of its steps: a dot a robot, a line for the mean of all, a panel a world.
 
     worlds: title of a panel -> name of a rule -> the repetitions
     """
     figure, told = Picture(figsize=(8.5, 3.6)), []
-    for ax, (world, groups) in zip(figure.subplots(1, len(worlds)), worlds.items(), strict=True):
+    for ax, (world, groups) in zip(
+        figure.subplots(1, len(worlds)), worlds.items(), strict=True
+    ):
         means = []
-        for i, ((name, group), (colour, _)) in enumerate(zip(groups.items(), CURVES, strict=False)):
+        for i, ((name, group), (colour, _)) in enumerate(
+            zip(groups.items(), CURVES, strict=False)
+        ):
             ends = np.array([history.rewards[-200:].mean() for history in group])
-            ax.plot(i + np.linspace(-0.25, 0.25, len(ends)), ends, "o", color=colour, alpha=0.7, markersize=4)
+            ax.plot(
+                i + np.linspace(-0.25, 0.25, len(ends)),
+                ends,
+                "o",
+                color=colour,
+                alpha=0.7,
+                markersize=4,
+            )
             ax.plot([i - 0.35, i + 0.35], [ends.mean()] * 2, color=BLACK, linewidth=2)
             mean, half = mean_and_half(ends)
-            means.append(f"{name} {mean:.2f} ± {half:.2f} (from {ends.min():.2f} to {ends.max():.2f})")
-        ax.set(xticks=range(len(groups)), xticklabels=map(plain, groups), title=plain(world))
+            means.append(
+                f"{name} {mean:.2f} ± {half:.2f} (from {ends.min():.2f} to {ends.max():.2f})"
+            )
+        ax.set(
+            xticks=range(len(groups)),
+            xticklabels=map(plain, groups),
+            title=plain(world),
+        )
         ax.grid(alpha=0.3, axis="y")
         told.append(f"{world}: " + ", ".join(means))
     figure.axes[0].set_ylabel("reward per step, last 200 steps")

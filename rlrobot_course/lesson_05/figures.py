@@ -25,15 +25,28 @@ def plot_similar_states(s: int) -> Picture:
     sets = task.states.siblings(s)
     figure = Picture(figsize=(5.2, 5.8))
     maps = figure.subplots(len(sets), 3)
-    for row, (name, states), mark in zip(maps, sets.items(), marks_of(task).values(), strict=True):
+    for row, (name, states), mark in zip(
+        maps, sets.items(), marks_of(task).values(), strict=True
+    ):
         for ax, k in zip_longest(row, map(int, states)):
             ax.set_axis_off()
             if k is not None:
                 _draw_pose(ax, task.states.decode(k), mark)
-                value = f"{name_text(name)} = {value_words(task.states.decode(k)[name])}"
-                ax.set_title(f"{mark.sign} {value}: state {k}", fontsize=10, weight="bold" if k == s else "normal")
-    figure.suptitle(f"State {s} ({state_words(task, s)}) is in each of its sets", fontsize=11)
-    words = "; ".join(f"{name_text(name)}: {', '.join(map(str, states))}" for name, states in sets.items())
+                value = (
+                    f"{name_text(name)} = {value_words(task.states.decode(k)[name])}"
+                )
+                ax.set_title(
+                    f"{mark.sign} {value}: state {k}",
+                    fontsize=10,
+                    weight="bold" if k == s else "normal",
+                )
+    figure.suptitle(
+        f"State {s} ({state_words(task, s)}) is in each of its sets", fontsize=11
+    )
+    words = "; ".join(
+        f"{name_text(name)}: {', '.join(map(str, states))}"
+        for name, states in sets.items()
+    )
     figure.alt = f"Small maps of the four cells with the robot, a row for each set of state {s}. {words}."
     return figure
 
@@ -51,7 +64,12 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
     ax.annotate("", middle + 0.32 * along, middle - 0.32 * along,
                 arrowprops={"arrowstyle": "-|>", "color": BLACK, "linewidth": 2})  # fmt: skip
     bar = np.array([middle + 0.42 * along + side * 0.35 * across for side in (-1, 1)])
-    ax.plot(*bar.T, color=BLACK, linewidth=4 if blocked else 1.2, linestyle="-" if blocked else ":")
+    ax.plot(
+        *bar.T,
+        color=BLACK,
+        linewidth=4 if blocked else 1.2,
+        linestyle="-" if blocked else ":",
+    )
     ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
 
 
@@ -61,10 +79,23 @@ def plot_draws(taken: Mapping[str, Sequence[int]], actions: Sequence[str]) -> Pi
     taken: by the name of what softmax looked at, the actions drawn; actions: their names
     """
     figure, ax = chart((6.5, 3.2), "", "times drawn", "", grid="y")
-    counts = {name: np.bincount(drawn, minlength=len(actions)) for name, drawn in taken.items()}
+    counts = {
+        name: np.bincount(drawn, minlength=len(actions))
+        for name, drawn in taken.items()
+    }
     looks = ({"color": "white", "edgecolor": GREY, "hatch": "//////"}, {"color": BLUE})
-    for shift, (name, times), look in zip((-0.2, 0.2), counts.items(), looks, strict=True):
-        ax.bar_label(ax.bar(np.arange(len(actions)) + shift, times, 0.4, label=f"softmax of {name}", **look))
+    for shift, (name, times), look in zip(
+        (-0.2, 0.2), counts.items(), looks, strict=True
+    ):
+        ax.bar_label(
+            ax.bar(
+                np.arange(len(actions)) + shift,
+                times,
+                0.4,
+                label=f"softmax of {name}",
+                **look,
+            )
+        )
     ax.set_xticks(range(len(actions)), actions)
     ax.margins(y=0.15)
     bumps = [times[0] for times in counts.values()]

@@ -5,9 +5,19 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
+from rlrobot_course.tapes import (
+    OTHER_Q,
+    Q_START,
+    TAPE,
+    Fickle,
+    TapeWorld,
+    in_order,
+    with_columns,
+)
 
-FALL = Formula("1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p")
+FALL = Formula(
+    "1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p"
+)
 
 
 def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
@@ -18,10 +28,42 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
 
 # Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
 OTHER_STEPS: tuple[dict[str, object], ...] = (
-    {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
-    {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
+    {
+        "q": OTHER_Q,
+        "s": 1,
+        "a": 1,
+        "r": -0.3,
+        "s_next": 2,
+        "a_next": 1,
+        "terminated": False,
+    },
+    {
+        "q": OTHER_Q,
+        "s": 0,
+        "a": 1,
+        "r": -5.5,
+        "s_next": 1,
+        "a_next": 0,
+        "terminated": np.True_,
+    },
+    {
+        "q": OTHER_Q,
+        "s": 2,
+        "a": 0,
+        "r": 0.0,
+        "s_next": 1,
+        "a_next": 1,
+        "terminated": False,
+    },
+    {
+        "q": OTHER_Q,
+        "s": 1,
+        "a": 0,
+        "r": 0.0,
+        "s_next": 0,
+        "a_next": None,
+        "terminated": True,
+    },
 )
 # α and γ of each step: none is the default twice, and no product of them is round
 ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
@@ -46,10 +88,20 @@ def called_update(*arguments: Any, **by_name: Any) -> None:
     learn_from(*in_order("update", learn_from, arguments, by_name))
 
 
-def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:
+def learn_from(
+    q: np.ndarray,
+    s: int,
+    a: int,
+    r: float,
+    s_next: int,
+    a_next: int | None,
+    terminated: bool,
+) -> None:
     """SARSA's update."""
     if a_next is None and not terminated:
-        raise ValueError("update needs a_next, for the world goes on: only terminated ends it for good")
+        raise ValueError(
+            "update needs a_next, for the world goes on: only terminated ends it for good"
+        )
     q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
 
 

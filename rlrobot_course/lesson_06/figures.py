@@ -11,7 +11,14 @@ from matplotlib.patches import Rectangle
 from rlrobot_course.plots import BLUE, CURVES, ROLE, VERMILION, Picture, chart, plain
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, greedy_path
+from rlrobot_edu.widgets.playground.cliff import (
+    CLIFF,
+    GOAL,
+    SHAPE,
+    SHORTEST,
+    START,
+    greedy_path,
+)
 
 FALL = -100  # the reward of a step into the cliff
 WAYS = ("up to row 0", "up to row 1", "along the edge", "lost")
@@ -29,16 +36,33 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
     for ax, (name, histories) in zip(grids, groups.items(), strict=True):
         _draw_grid(ax)
-        colour = BLUE if name.startswith("Q") else VERMILION  # SARSA's, as its curve in `plot_returns`
-        paths = [greedy_path(history.q) for history in histories if way_of(history) != "lost"]
+        colour = (
+            BLUE if name.startswith("Q") else VERMILION
+        )  # SARSA's, as its curve in `plot_returns`
+        paths = [
+            greedy_path(history.q) for history in histories if way_of(history) != "lost"
+        ]
         moves = Counter(move for path in paths for move in pairwise(path))
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
-            ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
+            ax.plot(
+                column,
+                row,
+                color=colour,
+                linewidth=0.5 + 7 * agents / len(histories),
+                solid_capstyle="round",
+            )
         falls = falls_of(histories)
         for cell, n in zip(CLIFF, falls, strict=True):
             row, column = np.unravel_index(cell, SHAPE)
-            ax.text(column, row, f"{n:.1f}" if n else "", ha="center", va="center", fontsize=9)
+            ax.text(
+                column,
+                row,
+                f"{n:.1f}" if n else "",
+                ha="center",
+                va="center",
+                fontsize=9,
+            )
         ways = Counter(way_of(history) for history in histories)
         told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
         title = f"{name}: of {len(histories)} agents {told}"
@@ -71,12 +95,18 @@ def first_returns(histories: Sequence[History], episodes: int) -> np.ndarray:
     """
     fewest = min(len(history.returns) for history in histories)
     if fewest < episodes:
-        raise ValueError(f"a repetition has {fewest} finished episodes, {episodes} are needed; learn for more steps")
+        raise ValueError(
+            f"a repetition has {fewest} finished episodes, {episodes} are needed; learn for more steps"
+        )
     return np.array([history.returns[:episodes] for history in histories])
 
 
 def plot_returns(
-    groups: Mapping[str, Sequence[History]], title: str, *, episodes: int = 500, window: int = 10
+    groups: Mapping[str, Sequence[History]],
+    title: str,
+    *,
+    episodes: int = 500,
+    window: int = 10,
 ) -> Picture:
     """Sum of the rewards of an episode while learning, mean of the repetitions with its 95 % interval.
 
@@ -84,23 +114,47 @@ def plot_returns(
     episodes: how many are drawn; window: so many episodes in a row make one point, which smooths the curve
     """
     figure, ax = _figure("episode", title)
-    for (name, histories), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
-        blocks = first_returns(histories, episodes).reshape(len(histories), -1, window).mean(axis=2)
+    for (name, histories), (colour, dashes) in zip(
+        groups.items(), CURVES, strict=False
+    ):
+        blocks = (
+            first_returns(histories, episodes)
+            .reshape(len(histories), -1, window)
+            .mean(axis=2)
+        )
         mean = blocks.mean(axis=0)
         middle = window * (np.arange(len(mean)) + 0.5)
-        ax.fill_between(middle, *mean_band(blocks), color=colour, alpha=0.2, linewidth=0)
+        ax.fill_between(
+            middle, *mean_band(blocks), color=colour, alpha=0.2, linewidth=0
+        )
         label = f"{name} ({len(histories)} repetitions)"
-        ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
+        ax.plot(
+            middle,
+            mean,
+            color=colour,
+            linestyle=dashes,
+            linewidth=1.8,
+            label=plain(label),
+        )
         figure.alt += f" {name} ends at {mean[-1]:.0f}."
-    ax.set_ylim(-110, 0)  # the first episodes lie far below and would flatten all that follows
-    figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
+    ax.set_ylim(
+        -110, 0
+    )  # the first episodes lie far below and would flatten all that follows
+    figure.legend(
+        title="means, and their 95 % intervals", loc="outside lower center", ncols=2
+    )
     return figure
 
 
 def _draw_grid(ax: Axes) -> None:
     """Cells, cliff, start and goal, row 0 on top."""
     rows, columns = SHAPE
-    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal", ylabel="row")
+    ax.set(
+        xlim=(-0.5, columns - 0.5),
+        ylim=(rows - 0.5, -0.5),
+        aspect="equal",
+        ylabel="row",
+    )
     ax.set_xlabel("column; grey: the cliff, with the falls into each cell")
     ax.set_xticks(range(columns))
     ax.set_yticks(range(rows))
@@ -108,7 +162,9 @@ def _draw_grid(ax: Axes) -> None:
     ax.set_yticks(np.arange(rows) - 0.5, minor=True)
     ax.grid(which="minor", alpha=0.4)
     ax.tick_params(which="both", length=0)
-    ax.add_patch(Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4))
+    ax.add_patch(
+        Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4)
+    )
     for state, word in ((START, "start"), (GOAL, "goal")):
         row, column = np.unravel_index(state, SHAPE)
         ax.text(column, row + 0.28, word, ha="center", va="center", fontsize=9)
@@ -116,6 +172,12 @@ def _draw_grid(ax: Axes) -> None:
 
 def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
     figure, ax = chart((6.5, 4.2), xlabel, "sum of the rewards of an episode", title)
-    ax.axhline(SHORTEST, color="black", linewidth=1, linestyle=":", label=f"the shortest way: −{-SHORTEST}")
+    ax.axhline(
+        SHORTEST,
+        color="black",
+        linewidth=1,
+        linestyle=":",
+        label=f"the shortest way: −{-SHORTEST}",
+    )
     figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
     return figure, ax

@@ -18,18 +18,38 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
     picture.alt = f"{title}. {'; '.join(known)}."
-    for ax, (name, table) in zip(picture.subplots(1, len(values), squeeze=False)[0], values.items(), strict=True):
+    for ax, (name, table) in zip(
+        picture.subplots(1, len(values), squeeze=False)[0], values.items(), strict=True
+    ):
         ax.imshow(table, cmap="cividis", vmin=0, vmax=highest, aspect="auto")
         for (row, column), q in np.ndenumerate(table):
             colour = BLACK if q > 0.45 * highest else "white"
-            ax.text(column, row, f"{q:.1f}", ha="center", va="center", color=colour, fontsize=8)
-        ax.set(title=plain(name), xlabel="cell (the reward lies behind the last one)", ylabel="after episode")
+            ax.text(
+                column,
+                row,
+                f"{q:.1f}",
+                ha="center",
+                va="center",
+                color=colour,
+                fontsize=8,
+            )
+        ax.set(
+            title=plain(name),
+            xlabel="cell (the reward lies behind the last one)",
+            ylabel="after episode",
+        )
         ax.set_xticks(range(table.shape[1]))
         ax.set_yticks(range(table.shape[0]), range(1, table.shape[0] + 1))
     return picture
 
 
-def trace_curve(visits: Sequence[int], steps: int, gamma: float, lam: float, accumulating: bool = False) -> np.ndarray:
+def trace_curve(
+    visits: Sequence[int],
+    steps: int,
+    gamma: float,
+    lam: float,
+    accumulating: bool = False,
+) -> np.ndarray:
     """The trace of one pair at each step, as the update of that step uses it; array (steps,).
 
     visits: steps at which the pair is visited; each visit leaves (γλ)^n after n steps. A replacing trace is what the
@@ -40,7 +60,9 @@ def trace_curve(visits: Sequence[int], steps: int, gamma: float, lam: float, acc
     return left.sum(axis=0) if accumulating else left.max(axis=0)
 
 
-def plot_trace(visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: float = 0.9) -> Picture:
+def plot_trace(
+    visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: float = 0.9
+) -> Picture:
     """The trace of one pair, replacing and accumulating, with a mark at each visit."""
     replacing = trace_curve(visits, steps, gamma, lam)
     accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
@@ -51,8 +73,23 @@ def plot_trace(visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: 
         f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
     )
     t = np.arange(steps)
-    ax.plot(t, accumulating, color=VERMILION, linestyle="--", marker="s", markersize=3.5, label="accumulating: e + 1")
+    ax.plot(
+        t,
+        accumulating,
+        color=VERMILION,
+        linestyle="--",
+        marker="s",
+        markersize=3.5,
+        label="accumulating: e + 1",
+    )
     ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5, label="replacing: 1")
-    ax.plot(visits, np.full(len(visits), -0.12), "^", color=BLACK, markersize=7, label="the pair is visited")
+    ax.plot(
+        visits,
+        np.full(len(visits), -0.12),
+        "^",
+        color=BLACK,
+        markersize=7,
+        label="the pair is visited",
+    )
     ax.legend(loc="upper right")
     return picture

@@ -16,7 +16,9 @@ BY_HAND = Formula(
 )  # fmt: skip
 
 
-def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+def true_online_update(
+    q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
+):
     q_sa = q[s, a]
     q_next = 0 if terminated else q[s_next, a_next]
     delta = r + gamma * q_next - q_sa
@@ -30,7 +32,9 @@ def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, 
 # One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
-E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
+E_START = np.array(
+    [[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]]
+)
 ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
 GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
 LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
@@ -40,7 +44,15 @@ check = with_pages(
     dutch=Exercise(
         dutch,
         returns="e",
-        tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
+        tape=rows(
+            "e alpha",
+            (0.813, 0.3),
+            (0.0, 0.5),
+            (1.377, 0.12),
+            (2.37, 0.25),
+            (1.4, 1.0),
+            (0.53, 0.0),
+        ),
     ),
     true_online_by_hand=Question(BY_HAND),
     largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),

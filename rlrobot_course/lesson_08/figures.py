@@ -8,7 +8,16 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
-from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, VERMILION, Picture, chart, plain
+from rlrobot_course.plots import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    VERMILION,
+    Picture,
+    chart,
+    plain,
+)
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.learning.size import Size
 
@@ -31,19 +40,33 @@ def pair_over_time(trace: str, steps: Sequence[tuple], alpha: float) -> list[flo
 
     trace: a name in `TRACES`; steps, alpha: as for `plot_one_pair`
     """
-    return [float(agent.q[0, 0]) for agent in replay(trace, steps, Size((2,), 1), alpha=alpha)]
+    return [
+        float(agent.q[0, 0])
+        for agent in replay(trace, steps, Size((2,), 1), alpha=alpha)
+    ]
 
 
-def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
+def plot_one_pair(
+    steps: Sequence[tuple], *traces: str, alpha: float, title: str
+) -> Picture:
     """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
     steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
     alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
     """
     t = np.arange(1, len(steps) + 1)
-    ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
+    ideal = [
+        q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)
+    ]
     figure, ax = chart((6.5, 4), "step", "Q(open, ahead)", title)
-    ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
+    ax.plot(
+        t,
+        ideal,
+        color=BLACK,
+        linewidth=5,
+        alpha=0.35,
+        label="ideal: all updates done again",
+    )
     ends = [f"The ideal ends at {ideal[-1]:.1f}"]
     for trace in traces:
         values = pair_over_time(trace, steps, alpha)
@@ -52,10 +75,20 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     ax.axhline(0, color=GREY, linewidth=0.8)
     for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
         ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
-        ax.text(bump - 0.05, 0.97, "bump", rotation=90, ha="right", va="top", transform=ax.get_xaxis_transform())
+        ax.text(
+            bump - 0.05,
+            0.97,
+            "bump",
+            rotation=90,
+            ha="right",
+            va="top",
+            transform=ax.get_xaxis_transform(),
+        )
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     ax.legend()
-    figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+    figure.alt = (
+        f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+    )
     return figure
 
 
@@ -64,8 +97,14 @@ def plot_q_old() -> Picture:
 
     α = 0.5, γ = λ = 0.9, dutch traces; step 2 pays 10. All values are computed by the online λ-return algorithm.
     """
-    turns = [(0, 0, 0.0, 1, 0, False), (1, 0, 10.0, 0, 0, False), (0, 0, 0.0, 1, 0, False)]
-    ideal = np.array([q[:, 0] for q in online_lambda_return(turns, np.zeros((2, 1)), 0.5, 0.9, 0.9)])
+    turns = [
+        (0, 0, 0.0, 1, 0, False),
+        (1, 0, 10.0, 0, 0, False),
+        (0, 0, 0.0, 1, 0, False),
+    ]
+    ideal = np.array(
+        [q[:, 0] for q in online_lambda_return(turns, np.zeros((2, 1)), 0.5, 0.9, 0.9)]
+    )
     (noted, now), (b_before, b_after) = ideal[:2, 0], ideal[1:, 1]
     shown = 0.9 * b_before  # what step 3 shows of A
     b_alone = b_before + 0.5 * (shown - now) * 0.81
@@ -79,16 +118,39 @@ def plot_q_old() -> Picture:
         for border in (1.5, 2.5):
             ax.axvline(border, color=GREY, linewidth=0.8, linestyle=":")
     above.plot(2, noted, "s", color=VERMILION, markersize=11, zorder=3)
-    above.text(2.03, -0.8, f"noted on arrival: Q_old = {noted:.0f}", ha="center", color=VERMILION)
+    above.text(
+        2.03,
+        -0.8,
+        f"noted on arrival: Q_old = {noted:.0f}",
+        ha="center",
+        color=VERMILION,
+    )
     above.text(1.95, now, f"{now:.2f} ", ha="right", va="center")
     above.plot([2.1, 3.44], [now, now], color=GREY, linewidth=1)
     above.plot([2.1, 2.85], [noted, noted], color=VERMILION, linewidth=1)
     above.plot([2.55, 3.44], [shown, shown], color=BLACK, linestyle="--", linewidth=1)
-    above.text(2.55, shown + 0.15, f"step 3 shows: A is worth 0 + 0.9 · {b_before:.0f} = {shown:.1f}", va="bottom")
+    above.text(
+        2.55,
+        shown + 0.15,
+        f"step 3 shows: A is worth 0 + 0.9 · {b_before:.0f} = {shown:.1f}",
+        va="bottom",
+    )
     _change(above, 2.85, noted, shown, VERMILION)
-    above.text(2.9, 2, f"{shown - noted:.1f}: for B, whose\ntarget holds the {noted:.0f}", color=VERMILION, va="center")
+    above.text(
+        2.9,
+        2,
+        f"{shown - noted:.1f}: for B, whose\ntarget holds the {noted:.0f}",
+        color=VERMILION,
+        va="center",
+    )
     _change(above, 3.4, now, shown, BLUE)
-    above.text(3.47, now - 0.1, f"δ = {shown - now:.2f}: for\nthis visit of A", color=BLUE, va="center")
+    above.text(
+        3.47,
+        now - 0.1,
+        f"δ = {shown - now:.2f}: for\nthis visit of A",
+        color=BLUE,
+        va="center",
+    )
     below.text(1.95, b_before, f"{b_before:.2f} ", ha="right", va="center")
     below.plot([2.1, 3.44], [b_before, b_before], color=GREY, linewidth=1)
     _change(below, 2.85, b_before, b_after, VERMILION)
@@ -102,7 +164,10 @@ def plot_q_old() -> Picture:
         color=BLUE,
         va="center",
     )
-    below.set_xticks([1, 2, 3.2], ["step 1\nA → B, pays 0", "step 2\nB → A, pays 10", "step 3\nA → B, pays 0"])
+    below.set_xticks(
+        [1, 2, 3.2],
+        ["step 1\nA → B, pays 0", "step 2\nB → A, pays 10", "step 3\nA → B, pays 0"],
+    )
     figure.suptitle("In step 3 B needs all that is new about A, not δ alone")
     figure.alt = (
         f"Two rows, Q(A) and Q(B), over three steps. In step 2 Q(A) = {noted:.0f} is noted as Q_old, and then rises to "
@@ -127,9 +192,18 @@ def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
     """
     columns = []
     for k in range(len(steps)):
-        alone = [(s, a, float(i == k), *rest) for i, (s, a, _, *rest) in enumerate(steps)]
+        alone = [
+            (s, a, float(i == k), *rest) for i, (s, a, _, *rest) in enumerate(steps)
+        ]
         if name == "ideal":
-            columns.append([q[0, 0] for q in online_lambda_return(alone, np.zeros((2, 1)), alpha, 0.9, 0.9)])
+            columns.append(
+                [
+                    q[0, 0]
+                    for q in online_lambda_return(
+                        alone, np.zeros((2, 1)), alpha, 0.9, 0.9
+                    )
+                ]
+            )
         else:
             columns.append(pair_over_time(name, alone, alpha))
     return np.array(columns).T
@@ -140,39 +214,81 @@ def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
 
     steps, alpha: as for `plot_one_pair`; names: of `TRACES`, or ``ideal``, a panel each
     """
-    figure, n, told = Picture(figsize=(10, 4.6 * ((len(names) + 1) // 2))), len(steps), []
-    for ax, name in zip(figure.subplots((len(names) + 1) // 2, 2, squeeze=False).flat, names, strict=False):
-        shown, rewards = weights(name, steps, alpha), np.array([r for _, _, r, *_ in steps])
+    figure, n, told = (
+        Picture(figsize=(10, 4.6 * ((len(names) + 1) // 2))),
+        len(steps),
+        [],
+    )
+    for ax, name in zip(
+        figure.subplots((len(names) + 1) // 2, 2, squeeze=False).flat,
+        names,
+        strict=False,
+    ):
+        shown, rewards = (
+            weights(name, steps, alpha),
+            np.array([r for _, _, r, *_ in steps]),
+        )
         most = max(1.0, np.abs(shown).max())
         for (t, k), weight in np.ndenumerate(shown):
             if k <= t:
-                colour, opacity = (BLUE if weight > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(weight) / most)
-                ax.add_patch(Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity))
-                ax.text(k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), ha="center", va="center", fontsize=7.5)
+                colour, opacity = (
+                    (BLUE if weight > 0 else VERMILION),
+                    0.1 + 0.6 * np.sqrt(abs(weight) / most),
+                )
+                ax.add_patch(
+                    Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity)
+                )
+                ax.text(
+                    k + 1,
+                    t + 1,
+                    f"{weight:.2f}".replace("-", "−"),
+                    ha="center",
+                    va="center",
+                    fontsize=7.5,
+                )
         value = float(shown[-1] @ rewards)
-        ax.set(xlim=(0.5, n + 0.5), ylim=(n + 0.5, 0.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+        ax.set(
+            xlim=(0.5, n + 0.5),
+            ylim=(n + 0.5, 0.5),
+            xticks=range(1, n + 1),
+            yticks=range(1, n + 1),
+        )
         ax.set(
             xlabel="reward of step",
             ylabel="after step",
-            title=plain(f"{CREDITED[name]}: Q = {value:.1f} at the end".replace("-", "−")),
+            title=plain(
+                f"{CREDITED[name]}: Q = {value:.1f} at the end".replace("-", "−")
+            ),
         )
         newest = ", ".join(f"{x:.2f}" for x in shown[-1])
-        told.append(f"{CREDITED[name]}: in the last row the weights are {newest}, and Q is {value:.1f}")
-    figure.alt = f"Who paid for Q of one pair, α = {alpha:g}. {'. '.join(told)}.".replace("-", "−")
+        told.append(
+            f"{CREDITED[name]}: in the last row the weights are {newest}, and Q is {value:.1f}"
+        )
+    figure.alt = (
+        f"Who paid for Q of one pair, α = {alpha:g}. {'. '.join(told)}.".replace(
+            "-", "−"
+        )
+    )
     return figure
 
 
-def trace_over_time(trace: str, visits: Sequence[bool], alpha: float, lam: float = 0.9) -> np.ndarray:
+def trace_over_time(
+    trace: str, visits: Sequence[bool], alpha: float, lam: float = 0.9
+) -> np.ndarray:
     """One pair's trace at each step, as Q is updated with it; array (n,).
 
     trace: ``accumulating``, ``replacing`` or ``dutch``; visits: list (n,), whether the pair is visited in each step
     alpha, lam: learning rate and trace decay. γ is the default of an `Agent`, 0.9.
     """
     if lam == 0:
-        return np.array(visits, dtype=float)  # a fresh trace is 1, and nothing is left of the one before
+        return np.array(
+            visits, dtype=float
+        )  # a fresh trace is 1, and nothing is left of the one before
     steps = [(0 if visited else 1, 0, 0.0, 1, 0, False) for visited in visits]
     agents = replay(trace, steps, Size((2,), 1), alpha=alpha, lam=lam, traces="full")
-    return np.array([agent.e[0, 0] / (0.9 * lam) for agent in agents])  # the kernels let it fade after the update
+    return np.array(
+        [agent.e[0, 0] / (0.9 * lam) for agent in agents]
+    )  # the kernels let it fade after the update
 
 
 def plot_traces(visits: Sequence[bool], alpha: float) -> Picture:
@@ -180,15 +296,32 @@ def plot_traces(visits: Sequence[bool], alpha: float) -> Picture:
 
     visits: list (n,), whether the pair is visited in each step; alpha: learning rate
     """
-    figure, ax = chart((6.5, 3.6), "step", "trace e(s, a) at the update", f"The trace of one pair, α = {alpha:g}")
+    figure, ax = chart(
+        (6.5, 3.6),
+        "step",
+        "trace e(s, a) at the update",
+        f"The trace of one pair, α = {alpha:g}",
+    )
     t, ends = np.arange(1, len(visits) + 1), []
     for trace in TRACES:
         e = trace_over_time(trace, visits, alpha)
         ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
         ends.append(f"{trace} {e.max():.1f}")
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
-    ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=BLACK, markersize=8, label="visit")
-    ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"α · e = 1, at e = {1 / alpha:g}")
+    ax.plot(
+        t[np.array(visits)],
+        np.full(sum(visits), -0.25),
+        "|",
+        color=BLACK,
+        markersize=8,
+        label="visit",
+    )
+    ax.axhline(
+        1 / alpha,
+        color=GREY,
+        linestyle=(0, (1, 1)),
+        label=f"α · e = 1, at e = {1 / alpha:g}",
+    )
     ax.legend(loc="upper right")
     figure.alt = (
         f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps, with α = {alpha:g}. Largest "
@@ -197,22 +330,35 @@ def plot_traces(visits: Sequence[bool], alpha: float) -> Picture:
     return figure
 
 
-def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str) -> Picture:
+def plot_over_alpha(
+    alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str
+) -> Picture:
     """Average reward over the learning rate, one curve for each kind of trace, with 95 % intervals.
 
     alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
     """
     figure, ax = chart((6.5, 4.2), "learning rate α", "average reward per step", title)
     ends = []
-    aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
+    aside = 0.008 * np.ptp(
+        alphas
+    )  # so that the intervals of one α do not hide each other
     for i, (trace, averages) in enumerate(rewards.items()):
         mean, reach = error_bars(np.asarray(averages).T)
-        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
+        ax.errorbar(
+            np.asarray(alphas) + (i - 1) * aside,
+            mean,
+            reach,
+            **LOOK[trace],
+            capsize=3,
+            label=NAMES[trace],
+        )
         ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
     repetitions = np.shape(next(iter(rewards.values())))[1]
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
     legend = f"means of {repetitions} repetitions, and their 95 % intervals"
     figure.legend(title=legend, loc="outside lower center", ncols=2)
-    figure.alt = f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
+    figure.alt = (
+        f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
+    )
     return figure

@@ -8,10 +8,16 @@ import numpy as np
 from rlrobot_edu.learning.agent import Agent
 
 # the three ways to mark a pair as visited: method and settings of an Agent
-TRACES = {"accumulating": ("SL+SR", {"accumulating": True}), "replacing": ("SL+SR", {}), "dutch": ("TOSL+SR", {})}
+TRACES = {
+    "accumulating": ("SL+SR", {"accumulating": True}),
+    "replacing": ("SL+SR", {}),
+    "dutch": ("TOSL+SR", {}),
+}
 
 
-def lambda_return(rewards: Sequence[float], values: Sequence[float], gamma: float, lam: float) -> float:
+def lambda_return(
+    rewards: Sequence[float], values: Sequence[float], gamma: float, lam: float
+) -> float:
     """The λ-return as far as it is known after n steps: a weighted mean of all k-step returns.
 
     rewards, values: lists (n,); values[k - 1] is what the pair reached after k steps was worth
@@ -34,16 +40,22 @@ def online_lambda_return(
     q, values = q_start, []
     for h in range(1, len(steps) + 1):
         *_, s_next, a_next, terminated = steps[h - 1]
-        values.append(0.0 if terminated else q[s_next, a_next])  # noted on arrival, never changed again
+        values.append(
+            0.0 if terminated else q[s_next, a_next]
+        )  # noted on arrival, never changed again
         q = q_start.copy()
         for t in range(h):
             s, a, *_ = steps[t]
             rewards = [r for _, _, r, *_ in steps[t:h]]
-            q[s, a] += alpha * (lambda_return(rewards, values[t:], gamma, lam) - q[s, a])
+            q[s, a] += alpha * (
+                lambda_return(rewards, values[t:], gamma, lam) - q[s, a]
+            )
         yield q
 
 
-def replay(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> Iterator[Agent]:
+def replay(
+    trace: str, steps: Sequence[tuple], world: Any, **settings: Any
+) -> Iterator[Agent]:
     """A new agent that learns from recorded steps of one episode, by the library's own update; yields it after each.
 
     trace: ``accumulating``, ``replacing`` (both SARSA(λ)) or ``dutch`` (true online SARSA(λ))

@@ -23,22 +23,67 @@ IDLE = [-0.02] * 8
 HITS = [-0.02, -2.0, -0.02, -2.0, -0.02, -0.02, -0.02, -0.02]
 # (temperature, states, rewards, default); s is the last of the states
 SITUATIONS = (
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], HITS, 0.5),  # a loop; from here on all classic mistakes differ
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        HITS,
+        0.5,
+    ),  # a loop; from here on all classic mistakes differ
     (1.0, [0, 1, 2, 3, 4, 5, 6, 7], [10.0] * 8, 1.0),  # on its way
     (1.0, [4, 6, 4, 6, 4, 6, 4, 6], IDLE, 1.0),
-    (2.0, [4, 6, 9, 4, 6, 9, 4], IDLE[:7], 1.0),  # three states, and a redundancy of little more than 2
+    (
+        2.0,
+        [4, 6, 9, 4, 6, 9, 4],
+        IDLE[:7],
+        1.0,
+    ),  # three states, and a redundancy of little more than 2
     (5.0, [0, 1, 2, 3, 4, 5, 6, 0], IDLE, 1.0),  # once round a large circle
     (5.0, [6, 4, 6, 4, 6, 1, 2, 1], IDLE, 1.0),  # redundancy of exactly 2
-    (2.0, [4, 4, 4, 6, 6, 6, 9, 9], IDLE, 0.5),  # s twice in it, and a redundancy that is no whole number
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0], 1.0),  # a loop that pays
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-2.0] * 7 + [10.0], 1.0),  # a loop that does not, though the last one is positive
+    (
+        2.0,
+        [4, 4, 4, 6, 6, 6, 9, 9],
+        IDLE,
+        0.5,
+    ),  # s twice in it, and a redundancy that is no whole number
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0],
+        1.0,
+    ),  # a loop that pays
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        [-2.0] * 7 + [10.0],
+        1.0,
+    ),  # a loop that does not, though the last one is positive
     (3.0, [3, 3, 3, 5, 5, 5, 3, 9], IDLE, 1.0),  # it has just left
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0] + [-2.0] * 7, 1.0),  # a loop that pays no more
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [15.0] + [-2.0] * 7, 1.0),  # it pays by its first step
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-1.0] * 7 + [10.0], 1.0),  # it pays by its last one
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        [10.0] + [-2.0] * 7,
+        1.0,
+    ),  # a loop that pays no more
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        [15.0] + [-2.0] * 7,
+        1.0,
+    ),  # it pays by its first step
+    (
+        3.0,
+        [4, 6, 4, 6, 4, 6, 4, 6],
+        [-1.0] * 7 + [10.0],
+        1.0,
+    ),  # it pays by its last one
     (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
     (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
-    (2.0, [*range(30), *range(30), 0], [-0.02] * 61, 1.0),  # a longer queue, and a redundancy of hardly more than 2
+    (
+        2.0,
+        [*range(30), *range(30), 0],
+        [-0.02] * 61,
+        1.0,
+    ),  # a longer queue, and a redundancy of hardly more than 2
     (7.0, [3, 5, 3, 5, 3, 5, 3, 5], [0.0] * 8, 1.0),  # zero is not negative
     (9.0, [0, 1, 2, 3, 4, 5, 6, 7], IDLE, 0.1),  # another default
     (0.1, [3, 3, 3, 3, 3, 3], IDLE[:6], 0.1),  # a shorter queue
@@ -50,10 +95,14 @@ SITUATIONS = (
 
 def another_situation(rng: np.random.Generator, case: Case) -> Case:
     """The same signs in other states, with other temperatures and rewards. A robot near the cap stays there."""
-    heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
+    heat, size, shift = (
+        *rng.uniform(0.5, 2.0, size=2).tolist(),
+        int(rng.integers(1, 50)),
+    )
     states = [s + shift for s in case["states"]]
     return {
-        "temperature": case["temperature"] * (heat if case["temperature"] < 40 else 1.0),
+        "temperature": case["temperature"]
+        * (heat if case["temperature"] < 40 else 1.0),
         "states": states,
         "rewards": [r * size for r in case["rewards"]],
         "s": states[-1],
@@ -76,11 +125,17 @@ LOOK = {
 def _about(letters: str) -> str:
     """The hint for an answer: its first wrong letter, and how many more there are."""
     wrong = [letter for letter in LOOK if (letter in letters) != (letter in heats)]
-    more = ("", " (And one more is not right.)", f" (And {len(wrong) - 1} more are not right.)")
+    more = (
+        "",
+        " (And one more is not right.)",
+        f" (And {len(wrong) - 1} more are not right.)",
+    )
     return LOOK[wrong[0]] + more[min(len(wrong) - 1, 2)]
 
 
-EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in range(1, 7))))
+EVERY = (
+    "".join(letters) for letters in chain(*(combinations(LOOK, n) for n in range(1, 7)))
+)
 
 check = with_pages(
     globals(),
@@ -88,13 +143,23 @@ check = with_pages(
         new_temperature,
         returns="temperature",
         tape=[
-            {"temperature": temperature, "states": states, "rewards": rewards, "s": states[-1], "default": default}
+            {
+                "temperature": temperature,
+                "states": states,
+                "rewards": rewards,
+                "s": states[-1],
+                "default": default,
+            }
             for temperature, states, rewards, default in SITUATIONS
         ],
         another=another_situation,
     ),
     heats=Question(
         heats,
-        mistakes={letters: Mistake(_about(letters), letters) for letters in EVERY if letters != heats},
+        mistakes={
+            letters: Mistake(_about(letters), letters)
+            for letters in EVERY
+            if letters != heats
+        },
     ),
 )

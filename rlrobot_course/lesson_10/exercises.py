@@ -9,7 +9,19 @@ from rlrobot_course.lesson_04.exercises import draw, softmax
 from rlrobot_course.lesson_05.exercises import bias
 from rlrobot_course.lesson_08.exercises import true_online_update
 from rlrobot_course.lesson_09.exercises import new_temperature
-from rlrobot_course.lesson_10.given import ENDS, OTHER, OTHERS, SHAPE, SMALL, USUAL, P, Q, drives, library, ring
+from rlrobot_course.lesson_10.given import (
+    ENDS,
+    OTHER,
+    OTHERS,
+    SHAPE,
+    SMALL,
+    USUAL,
+    P,
+    Q,
+    drives,
+    library,
+    ring,
+)
 from rlrobot_course.tapes import rows
 
 
@@ -22,7 +34,13 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
     return draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)
 
 
-def at_the_border(q: np.ndarray, shape: tuple[int, ...], temperature: float, r_max: float, gamma: float) -> list[Case]:
+def at_the_border(
+    q: np.ndarray,
+    shape: tuple[int, ...],
+    temperature: float,
+    r_max: float,
+    gamma: float,
+) -> list[Case]:
     """Cases in which u lies just below, or just above, the border between two actions.
 
     So whoever computes other probabilities takes another action in one of the two.
@@ -31,9 +49,19 @@ def at_the_border(q: np.ndarray, shape: tuple[int, ...], temperature: float, r_m
     for s in range(0, len(q), len(q) // 6):
         p = softmax(preferences(q, shape, s, r_max, gamma), temperature)
         border = min(np.cumsum(p)[:-1], key=lambda reached: abs(reached - 0.5))
-        about = {"q": q, "shape": shape, "s": s, "temperature": temperature, "r_max": r_max, "gamma": gamma}
+        about = {
+            "q": q,
+            "shape": shape,
+            "s": s,
+            "temperature": temperature,
+            "r_max": r_max,
+            "gamma": gamma,
+        }
         if 0.05 < border < 0.95:
-            cases += [about | {"u": round(float(border) + beside, 3)} for beside in (-0.02, 0.02)]
+            cases += [
+                about | {"u": round(float(border) + beside, 3)}
+                for beside in (-0.02, 0.02)
+            ]
     return cases
 
 
@@ -63,7 +91,9 @@ def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperatu
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
         a_next = act(s_next)
-        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        q_old = true_online_update(
+            q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
+        )
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0
@@ -72,7 +102,9 @@ def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperatu
     return q
 
 
-def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default):
+def learn_and_evade(
+    env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default
+):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
     length = max(4, min(21, len(q) // 4))
@@ -89,7 +121,9 @@ def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam,
         if len(states) == length:
             temperature = new_temperature(temperature, states, rewards, s_next, default)
         a_next = act(s_next)
-        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        q_old = true_online_update(
+            q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
+        )
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0

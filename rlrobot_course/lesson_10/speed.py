@@ -15,14 +15,25 @@ def of_learner(learner: Callable[..., np.ndarray], steps: int = 1000) -> float:
     """Microseconds a step of a `learn` as lesson 10 asks for it, with the robot of wander_1k."""
     world = RobotWorld("wander_1k", seed=0)
     start = time.perf_counter()
-    learner(world, world.shape, world.n_actions, world.r_max, steps, np.random.default_rng(0), **SETTINGS)
+    learner(
+        world,
+        world.shape,
+        world.n_actions,
+        world.r_max,
+        steps,
+        np.random.default_rng(0),
+        **SETTINGS,
+    )
     return (time.perf_counter() - start) / steps * 1e6
 
 
 def of_method(method: str | Method, traces: str, steps: int = 20_000) -> float:
     """Microseconds a step of an agent in the sample model of wander_1k, once its kernels are compiled."""
     maze = SampleModel.from_recording(read_recording("wander_1k"))
-    agent, env = Agent(maze, method, traces=traces, loop_evasion=False, seed=0, **SETTINGS), make_env(maze, seed=0)
+    agent, env = (
+        Agent(maze, method, traces=traces, loop_evasion=False, seed=0, **SETTINGS),
+        make_env(maze, seed=0),
+    )
     learn(agent, env, steps=10, progress=False)
     start = time.perf_counter()
     learn(agent, env, steps=steps, progress=False)

@@ -14,8 +14,19 @@ class Ring:
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
-    def __init__(self, n_states: int, ends: tuple[tuple[int, bool], ...], sticky: int = 1, r_max: float = 6.0) -> None:
-        self.n_states, self.ends, self.sticky, self.r_max = n_states, ends, sticky, r_max
+    def __init__(
+        self,
+        n_states: int,
+        ends: tuple[tuple[int, bool], ...],
+        sticky: int = 1,
+        r_max: float = 6.0,
+    ) -> None:
+        self.n_states, self.ends, self.sticky, self.r_max = (
+            n_states,
+            ends,
+            sticky,
+            r_max,
+        )
         self.episode, self.t, self.s = -1, 0, 0
 
     def __repr__(self) -> str:
@@ -52,4 +63,6 @@ class Dice:
 
     def random(self) -> float:
         """A number in [0, 1)."""
-        return float(np.random.default_rng([max(self.world.episode, 0), self.world.t]).random())
+        return float(
+            np.random.default_rng([max(self.world.episode, 0), self.world.t]).random()
+        )

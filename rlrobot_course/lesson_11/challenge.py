@@ -13,19 +13,34 @@ MOST = 64  # states
 def read(sensors: Any) -> Task:
     """wander_1k with the learner's sensors. Raises ValueError for what is no laser, or above 64 states."""
     if not isinstance(sensors, dict) or not sensors:
-        raise ValueError('a dict of sensors and cut points is expected, as {"laser_front": [0.5]}')
+        raise ValueError(
+            'a dict of sensors and cut points is expected, as {"laser_front": [0.5]}'
+        )
     if others := [name for name in sensors if name not in LASERS]:
-        raise ValueError(f"{others[0]} is none of the eight lasers: {', '.join(LASERS)}")
-    inputs = [InputVariable(name, cuts=cuts, unit="m") for name, cuts in sensors.items()]
+        raise ValueError(
+            f"{others[0]} is none of the eight lasers: {', '.join(LASERS)}"
+        )
+    inputs = [
+        InputVariable(name, cuts=cuts, unit="m") for name, cuts in sensors.items()
+    ]
     task = replace(load_task("wander_1k"), inputs=inputs)
     if task.states.n > MOST:
-        raise ValueError(f"these sensors make {task.states.n} states, and at most {MOST} are allowed")
+        raise ValueError(
+            f"these sensors make {task.states.n} states, and at most {MOST} are allowed"
+        )
     return task
 
 
 def earned(task: Task, seed: int) -> float:
     """Reward a step of a robot in its first 1,000 steps."""
-    return float(learn(Agent(task, seed=seed), make_env(task, seed=seed), steps=1000, progress=False).rewards.mean())
+    return float(
+        learn(
+            Agent(task, seed=seed),
+            make_env(task, seed=seed),
+            steps=1000,
+            progress=False,
+        ).rewards.mean()
+    )
 
 
 challenge = Challenge(

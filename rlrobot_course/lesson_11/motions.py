@@ -13,7 +13,9 @@ from rlrobot_edu.task.task import Task
 
 Motion = Callable[[float, float, float, float], tuple[float, float]]
 
-SECONDS = 4.0  # of driving that an arrow shows; of one second there would be little to see
+SECONDS = (
+    4.0  # of driving that an arrow shows; of one second there would be little to see
+)
 STILL = 1e-9  # speeds below it are none
 FRONT = 0.23  # where the arrows begin, before the axle [m]
 SPIN = 0.36  # radius of an arrow for turning on the spot [m]
@@ -32,15 +34,26 @@ def path_of(v: float, turn: float, seconds: float = SECONDS) -> np.ndarray:
     t, omega = np.linspace(0, seconds, 40), math.radians(turn)
     if abs(omega) < STILL:
         return np.column_stack([v * t, 0 * t])
-    path: np.ndarray = v / omega * np.column_stack([np.sin(omega * t), 1 - np.cos(omega * t)])
+    path: np.ndarray = (
+        v / omega * np.column_stack([np.sin(omega * t), 1 - np.cos(omega * t)])
+    )
     return path
 
 
 def draw_robot(ax: Axes) -> None:
     """The robot's outline from above, its axle at (0, 0), its front along x."""
     hull = [(x - PIONEER.axle, y) for x, y in PIONEER.hull]
-    ax.add_patch(Polygon(hull, facecolor="#a8a8a8", edgecolor="#606060", linewidth=0.8, zorder=5))
-    ax.plot([0.06, 0.2], [0, 0], color="white", linewidth=3, solid_capstyle="round", zorder=6)
+    ax.add_patch(
+        Polygon(hull, facecolor="#a8a8a8", edgecolor="#606060", linewidth=0.8, zorder=5)
+    )
+    ax.plot(
+        [0.06, 0.2],
+        [0, 0],
+        color="white",
+        linewidth=3,
+        solid_capstyle="round",
+        zorder=6,
+    )
 
 
 def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
@@ -49,21 +62,36 @@ def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
     if word == "stays":
         ax.plot([0], [0], "s", color=BLACK, markersize=9, zorder=9)
         return
-    colour = BLUE if word in ("forward", "backward") else PURPLE if "curves" in word else VERMILION
+    colour = (
+        BLUE
+        if word in ("forward", "backward")
+        else PURPLE
+        if "curves" in word
+        else VERMILION
+    )
     way = np.array([FRONT, 0]) + scale * path_of(v, turn)
     if "spins" in word:
         angles = np.radians(np.linspace(0, SECONDS * turn, 40))
         way = SPIN * np.column_stack([np.cos(angles), np.sin(angles)])
     ax.plot(*way[:-2].T, color=colour, linewidth=2.8, zorder=9)
     x, y = way[-1] - way[-5]
-    head = (3, 0, math.degrees(math.atan2(y, x)) - 90)  # a triangle that points along the way
+    head = (
+        3,
+        0,
+        math.degrees(math.atan2(y, x)) - 90,
+    )  # a triangle that points along the way
     ax.plot(*way[-1], marker=head, color=colour, markersize=9, zorder=10)
 
 
 def motion_of(task: Task, a: int, motion: Motion) -> tuple[float, float]:
     """What action `a` makes of the robot by `motion`, the learner's function or ours: (m/s, degrees/s)."""
     wheels = task.command_for(a)
-    return motion(wheels["left_wheel"], wheels["right_wheel"], PIONEER.wheel_radius, PIONEER.wheel_separation)
+    return motion(
+        wheels["left_wheel"],
+        wheels["right_wheel"],
+        PIONEER.wheel_radius,
+        PIONEER.wheel_separation,
+    )
 
 
 def plot_motions(task: Task, motion: Motion, title: str) -> Picture:
@@ -74,11 +102,20 @@ def plot_motions(task: Task, motion: Motion, title: str) -> Picture:
         v, turn = motion_of(task, a, motion)
         draw_robot(ax)
         draw_motion(ax, v, turn)
-        ax.set(xlim=(-0.45, 1.15), ylim=(-0.5, 0.5), aspect="equal", xticks=[], yticks=[])
+        ax.set(
+            xlim=(-0.45, 1.15), ylim=(-0.5, 0.5), aspect="equal", xticks=[], yticks=[]
+        )
         left, right = task.actions.decode(a).values()
-        ax.set_title(f"{a}: left {left:g}, right {right:g}".replace("-", "−"), fontsize=9.5)
-        ax.set_xlabel(f"{v:.2f} m/s, {turn:+.0f} °/s".replace("-", "−").replace("+0 ", "0 "), fontsize=9)
-        told.append(f"action {a} {in_words(v, turn)}, {v:.2f} m/s and {turn:.0f} degrees a second")
+        ax.set_title(
+            f"{a}: left {left:g}, right {right:g}".replace("-", "−"), fontsize=9.5
+        )
+        ax.set_xlabel(
+            f"{v:.2f} m/s, {turn:+.0f} °/s".replace("-", "−").replace("+0 ", "0 "),
+            fontsize=9,
+        )
+        told.append(
+            f"action {a} {in_words(v, turn)}, {v:.2f} m/s and {turn:.0f} degrees a second"
+        )
     figure.suptitle(plain(title))
     figure.alt = f"Small robots with arrows, one an action: {'; '.join(told)}."
     return figure

@@ -8,7 +8,17 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Wedge
 
-from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, VERMILION, Picture, plain
+from rlrobot_course.plots import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    SKY,
+    VERMILION,
+    Picture,
+    plain,
+)
 from rlrobot_edu import InputVariable, Task
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene
@@ -44,7 +54,12 @@ def rings_of(variable: InputVariable) -> list[Ring]:
 
 
 def draw_sector(
-    ax: Axes, rings: Sequence[Ring], seen: int, centre: tuple[float, float], towards: float, name: str = ""
+    ax: Axes,
+    rings: Sequence[Ring],
+    seen: int,
+    centre: tuple[float, float],
+    towards: float,
+    name: str = "",
 ) -> None:
     """One laser: the bin that it is in filled and hatched, with its number further out; the others as empty rings.
 
@@ -55,9 +70,20 @@ def draw_sector(
     colour, hatch = style_of(seen, len(rings))
     for number, (low, high) in enumerate(rings):
         if number == seen:
-            look = {"facecolor": (colour, 0.4), "edgecolor": colour, "hatch": hatch, "linewidth": 1.4, "zorder": 4}
+            look = {
+                "facecolor": (colour, 0.4),
+                "edgecolor": colour,
+                "hatch": hatch,
+                "linewidth": 1.4,
+                "zorder": 4,
+            }
         else:
-            look = {"facecolor": "none", "edgecolor": GREY, "linewidth": 0.7, "zorder": 3}
+            look = {
+                "facecolor": "none",
+                "edgecolor": GREY,
+                "linewidth": 0.7,
+                "zorder": 3,
+            }
         if name or number == seen:
             ax.add_patch(Wedge(centre, high, *span, width=high - low, **look))
     rim = rings[-1 if name else seen][1] + (0.27 if name else 0.13)
@@ -72,12 +98,28 @@ def legend_of(laser: InputVariable) -> list[Artist]:
     handles: list[Artist] = []
     for number, (low, high) in enumerate(rings_of(laser)):
         colour, hatch = style_of(number, laser.n_bins)
-        upto = f"{low:g} to {high:g} m" if number < laser.n_bins - 1 else f"beyond {low:g} m"
-        handles.append(Patch(facecolor=(colour, 0.4), edgecolor=colour, hatch=hatch, label=f"bin {number}: {upto}"))
+        upto = (
+            f"{low:g} to {high:g} m"
+            if number < laser.n_bins - 1
+            else f"beyond {low:g} m"
+        )
+        handles.append(
+            Patch(
+                facecolor=(colour, 0.4),
+                edgecolor=colour,
+                hatch=hatch,
+                label=f"bin {number}: {upto}",
+            )
+        )
     return handles
 
 
-def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = (), still: bool = False) -> Picture:
+def plot_rings(
+    moments: Sequence[Moment],
+    task: Task,
+    titles: Sequence[str] = (),
+    still: bool = False,
+) -> Picture:
     """The robot from above at one instant or several: its beams, and the bins of each laser that counts.
 
     titles: one a moment; by default the number of the state
@@ -85,18 +127,28 @@ def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()
         each is centred on its robot
     """
     figure = Picture(figsize=(0.6 + 3.3 * max(len(moments), 2), 4.5))
-    names = titles or [f"state {task.states.encode(moment.readings)}" for moment in moments]
+    names = titles or [
+        f"state {task.states.encode(moment.readings)}" for moment in moments
+    ]
     axes, told = figure.subplots(1, len(moments), squeeze=False)[0], []
     for name, moment, ax in zip(names, moments, axes, strict=True):
         told.append(f"{name}: {_draw(ax, moment, task)}")
         if still:
             x, y = (moments[0].readings[name] for name in "xy")
             ax.set(xlim=(x - CLOSE, x + CLOSE), ylim=(y - CLOSE, y + CLOSE))
-            ax.plot(x, y, "+", color=BLACK, markersize=16, markeredgewidth=1.6, zorder=12)
+            ax.plot(
+                x, y, "+", color=BLACK, markersize=16, markeredgewidth=1.6, zorder=12
+            )
         ax.set_title(plain(name), fontsize=11)
     first = task.states.inputs[0]
-    figure.legend(handles=legend_of(first), loc="outside lower center", ncols=2 if len(moments) < 3 else 4)
-    figure.alt = f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
+    figure.legend(
+        handles=legend_of(first),
+        loc="outside lower center",
+        ncols=2 if len(moments) < 3 else 4,
+    )
+    figure.alt = (
+        f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
+    )
     return figure
 
 
@@ -110,9 +162,14 @@ def _draw(ax: Axes, moment: Moment, task: Task) -> str:
     bins, told = task.states.bins(task.states.encode(moment.readings)), []
     for i, (variable, seen) in enumerate(zip(task.states.inputs, bins, strict=True)):
         place_x, place_y, angle = PIONEER.lasers[LASERS.index(variable.name)]
-        centre, towards = (x + c * place_x - s * place_y, y + s * place_x + c * place_y), heading + angle
+        centre, towards = (
+            (x + c * place_x - s * place_y, y + s * place_x + c * place_y),
+            heading + angle,
+        )
         name = variable.name.removeprefix("laser_")
-        draw_sector(ax, rings_of(variable), seen, centre, towards, name.replace("_", "\n"))
+        draw_sector(
+            ax, rings_of(variable), seen, centre, towards, name.replace("_", "\n")
+        )
         for cut in () if i else variable.cuts or ():
             edge = towards + math.radians(HALF)
             ax.text(centre[0] + cut * math.cos(edge), centre[1] + cut * math.sin(edge), f"{cut:g}", fontsize=8.5,

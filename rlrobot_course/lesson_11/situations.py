@@ -6,7 +6,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from rlrobot_course.lesson_11.motions import Motion, draw_motion, draw_robot, in_words, motion_of
+from rlrobot_course.lesson_11.motions import (
+    Motion,
+    draw_motion,
+    draw_robot,
+    in_words,
+    motion_of,
+)
 from rlrobot_course.lesson_11.rings import draw_sector, legend_of
 from rlrobot_course.plots import BLACK, Picture, plain
 from rlrobot_edu.robots.mobile_base import PIONEER
@@ -15,7 +21,10 @@ from rlrobot_edu.task.task import Task
 
 COLUMNS = 4
 FAST = 0.15  # forward above it is fast [m/s]
-INNERMOST, OUTERMOST = 0.48, 1.12  # where the rings begin and end; they are equally wide here, and not to scale
+INNERMOST, OUTERMOST = (
+    0.48,
+    1.12,
+)  # where the rings begin and end; they are equally wide here, and not to scale
 
 
 def most_visited(visits: np.ndarray, most: int) -> list[int]:
@@ -25,7 +34,14 @@ def most_visited(visits: np.ndarray, most: int) -> list[int]:
     return [int(s) for s in order if in_state[s]]
 
 
-def plot_policy(task: Task, q: np.ndarray, visits: np.ndarray, motion: Motion, title: str, most: int = 12) -> Picture:
+def plot_policy(
+    task: Task,
+    q: np.ndarray,
+    visits: np.ndarray,
+    motion: Motion,
+    title: str,
+    most: int = 12,
+) -> Picture:
     """One small robot for each of the most visited states: its lasers' bins, and an arrow for its best action.
 
     q, visits: arrays (S, A); motion: from wheel speeds to (m/s, degrees/s)
@@ -43,9 +59,13 @@ def plot_policy(task: Task, q: np.ndarray, visits: np.ndarray, motion: Motion, t
         ax.set_visible(False)
     laser = task.states.inputs[0]
     arrow = Line2D([], [], color=BLACK, marker=">", label="best action")
-    figure.legend(handles=[*legend_of(laser), arrow], loc="outside lower center", ncols=3)
+    figure.legend(
+        handles=[*legend_of(laser), arrow], loc="outside lower center", ncols=3
+    )
     figure.suptitle(plain(title))
-    figure.alt = f"{len(states)} situations, the most frequent first: {'; '.join(told)}."
+    figure.alt = (
+        f"{len(states)} situations, the most frequent first: {'; '.join(told)}."
+    )
     return figure
 
 
@@ -54,7 +74,9 @@ def _draw(ax: Axes, task: Task, s: int, q_s: np.ndarray, motion: Motion) -> str:
     for variable, seen in zip(task.states.inputs, task.states.bins(s), strict=True):
         limits = np.linspace(INNERMOST, OUTERMOST, variable.n_bins + 1)
         rings = list(pairwise(limits))
-        draw_sector(ax, rings, seen, (0, 0), PIONEER.lasers[LASERS.index(variable.name)][2])
+        draw_sector(
+            ax, rings, seen, (0, 0), PIONEER.lasers[LASERS.index(variable.name)][2]
+        )
     draw_robot(ax)
     best = int(q_s.argmax())
     v, turn = motion_of(task, best, motion)
@@ -66,5 +88,8 @@ def _draw(ax: Axes, task: Task, s: int, q_s: np.ndarray, motion: Motion) -> str:
     word = in_words(v, turn)
     if word == "forward":
         word += ", fast" if v > FAST else ", slow"
-    ax.set_xlabel(f"{word}\nQ {q_s[best]:.1f}, next best {second:.1f}".replace("-", "−"), fontsize=9)
+    ax.set_xlabel(
+        f"{word}\nQ {q_s[best]:.1f}, next best {second:.1f}".replace("-", "−"),
+        fontsize=9,
+    )
     return word

@@ -26,7 +26,9 @@ class Episode(NamedTuple):
         return len(self.rewards)
 
 
-def drive_episodes(agent: Agent, env: Env, n: int, most: int = 100_000) -> list[Episode]:
+def drive_episodes(
+    agent: Agent, env: Env, n: int, most: int = 100_000
+) -> list[Episode]:
     """Let the agent learn for `n` episodes, or for `most` steps if that is sooner; an unfinished one is left out."""
     robot, episodes = robot_of(env), list[Episode]()
     rewards, scenes, path = list[float](), list[Scene](), list[tuple[float, float]]()
@@ -38,7 +40,9 @@ def drive_episodes(agent: Agent, env: Env, n: int, most: int = 100_000) -> list[
         scenes.append(robot.scene())
         if step.terminated or step.truncated:
             way = np.array([(start["x"], start["y"]), *path])
-            episodes.append(Episode(way, np.array(rewards), step.terminated, scenes[-200:]))
+            episodes.append(
+                Episode(way, np.array(rewards), step.terminated, scenes[-200:])
+            )
             rewards, scenes, path = [], [], []
         if len(episodes) == n:
             break

@@ -5,7 +5,9 @@ import numpy as np
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
-TO_AND_FRO = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
+TO_AND_FRO = Formula(
+    "a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back"
+)
 
 
 def shaping(phi, phi_next, terminated, gamma):

@@ -20,7 +20,16 @@ from rlrobot_edu.show.display import Displayed
 from rlrobot_edu.show.scenes import robot_of
 from rlrobot_edu.task.task import Task
 
-HEADINGS = "east →", "north-east ↗", "north ↑", "north-west ↖", "west ←", "south-west ↙", "south ↓", "south-east ↘"
+HEADINGS = (
+    "east →",
+    "north-east ↗",
+    "north ↑",
+    "north-west ↖",
+    "west ←",
+    "south-west ↙",
+    "south ↓",
+    "south-east ↘",
+)
 
 
 def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
@@ -33,14 +42,19 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
     return np.where(np.isinf(best), np.nan, best)
 
 
-def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, title: str) -> Picture:
+def plot_values(
+    task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, title: str
+) -> Picture:
     """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown.
 
     way: array (n, 2), places of a robot that drives forward; each step is drawn into the map of its direction, and
         each piece of two steps or more in one direction has its number at its end
     """
     values, arena = place_values(task, q, visits), arena_of(task.scene)
-    shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
+    shades, cividis = (
+        Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))),
+        "cividis",
+    )
     edges = [[low, *(variable.cuts or ()), high] for variable, low, high in
              zip(task.inputs[:2], arena.bounds[:2], arena.bounds[2:], strict=True)]  # fmt: skip
     figure, mappable = Picture(figsize=(9.2, 5.4)), ScalarMappable(shades, cividis)
@@ -48,13 +62,33 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, 
     moves = np.diff(way, axis=0)
     sectors = np.round(np.arctan2(moves[:, 1], moves[:, 0]) / (math.pi / 4)) % 8
     driven = np.flatnonzero(np.hypot(*moves.T) > 0.03)  # the others turn
-    pieces = [p for p in np.split(driven, np.flatnonzero(np.diff(sectors[driven])) + 1) if len(p) > 1]
+    pieces = [
+        p
+        for p in np.split(driven, np.flatnonzero(np.diff(sectors[driven])) + 1)
+        if len(p) > 1
+    ]
     for heading, ax in enumerate(axes):
         for (i, j), value in np.ndenumerate(values[:, :, heading]):
-            corner, (x, y) = (edges[0][i], edges[1][j]), (edges[0][i + 1], edges[1][j + 1])
+            corner, (x, y) = (
+                (edges[0][i], edges[1][j]),
+                (edges[0][i + 1], edges[1][j + 1]),
+            )
             unknown = math.isnan(value)
-            look = {"facecolor": "white", "hatch": "///"} if unknown else {"facecolor": mappable.to_rgba(value)}
-            ax.add_patch(Rectangle(corner, x - corner[0], y - corner[1], linewidth=0.5, edgecolor=GREY, **look))
+            look = (
+                {"facecolor": "white", "hatch": "///"}
+                if unknown
+                else {"facecolor": mappable.to_rgba(value)}
+            )
+            ax.add_patch(
+                Rectangle(
+                    corner,
+                    x - corner[0],
+                    y - corner[1],
+                    linewidth=0.5,
+                    edgecolor=GREY,
+                    **look,
+                )
+            )
             if not unknown:
                 ink = "white" if shades(value) < 0.5 else "black"
                 ax.text((corner[0] + x) / 2, (corner[1] + y) / 2, f"{value:z.0f}".replace("-", "−"), color=ink,
@@ -69,7 +103,16 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, 
                             weight="bold", bbox={"facecolor": "white", "edgecolor": VERMILION, "pad": 1})  # fmt: skip
         if arena.goal:
             x, y, radius = arena.goal
-            ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=ROLE["goal"], linewidth=2.2, zorder=5))
+            ax.add_patch(
+                Circle(
+                    (x, y),
+                    radius,
+                    fill=False,
+                    edgecolor=ROLE["goal"],
+                    linewidth=2.2,
+                    zorder=5,
+                )
+            )
         ax.set(xlim=arena.bounds[::2], ylim=arena.bounds[1::2], aspect="equal")
         ax.set_title(f"heading {HEADINGS[heading]}", fontsize=10.5)
     figure.supxlabel("x (m)")
@@ -81,19 +124,29 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, 
         known = values[:, :, heading]
         told.append(f"heading {HEADINGS[heading][:-2]}: {np.isfinite(known).sum()} of {known.size} "
                     f"places known, the best worth {np.nanmax(known, initial=0):.0f}")  # fmt: skip
-    figure.alt = f"Maps of the arena, one a heading, coloured by value. {'; '.join(told)}."
+    figure.alt = (
+        f"Maps of the arena, one a heading, coloured by value. {'; '.join(told)}."
+    )
     return figure
 
 
-def plot_ways(scene: Scene, episodes: Sequence[Episode], numbers: Sequence[int], title: str) -> Picture:
+def plot_ways(
+    scene: Scene, episodes: Sequence[Episode], numbers: Sequence[int], title: str
+) -> Picture:
     """The way of some episodes, each in a room of its own. numbers: of the episodes, counted from 1"""
     figure = Picture(figsize=(3.4 * len(numbers), 3.9))
-    for number, ax in zip(numbers, figure.subplots(1, len(numbers), squeeze=False)[0], strict=True):
+    for number, ax in zip(
+        numbers, figure.subplots(1, len(numbers), squeeze=False)[0], strict=True
+    ):
         episode = episodes[number - 1]
-        plot_paths(scene, {"way": episode.path}, f"episode {number}: {len(episode)} steps", ax)
+        plot_paths(
+            scene, {"way": episode.path}, f"episode {number}: {len(episode)} steps", ax
+        )
         ax.get_legend().remove()
     figure.suptitle(plain(title))
-    told = "; ".join(f"episode {number} took {len(episodes[number - 1])} steps" for number in numbers)
+    told = "; ".join(
+        f"episode {number} took {len(episodes[number - 1])} steps" for number in numbers
+    )
     figure.alt = f"Ways of a robot through the arena from above: {told}."
     return figure
 
@@ -102,15 +155,40 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
     """What to do in each cell of a corridor, and what it is worth. tables: label -> Q, array (cells + 1, 2)"""
     n = len(next(iter(tables.values()))) - 1
     figure, told = Picture(figsize=(7.2, 0.9 + 1.25 * len(tables))), []
-    for (label, q), ax in zip(tables.items(), figure.subplots(len(tables), 1, squeeze=False)[:, 0], strict=True):
+    for (label, q), ax in zip(
+        tables.items(),
+        figure.subplots(len(tables), 1, squeeze=False)[:, 0],
+        strict=True,
+    ):
         for cell in range(n):
             ax.add_patch(Rectangle((cell, 0), 1, 1, facecolor="white", edgecolor=GREY))
             nearer = q[cell].argmax() == NEARER
             tail, head = ((0.2, 0.8), (0.8, 0.2))[not nearer]
-            look = {"arrowstyle": "-|>", "linewidth": 2.4, "color": GREEN if nearer else VERMILION}
+            look = {
+                "arrowstyle": "-|>",
+                "linewidth": 2.4,
+                "color": GREEN if nearer else VERMILION,
+            }
             ax.annotate("", (cell + head, 0.68), (cell + tail, 0.68), arrowprops=look)
-            ax.text(cell + 0.5, 0.26, f"{q[cell].max():.1f}".replace("-", "−"), ha="center", va="center", fontsize=10)
-        ax.add_patch(Rectangle((n, 0), 1, 1, facecolor=ROLE["goal"], alpha=0.35, hatch="//", edgecolor=GREY))
+            ax.text(
+                cell + 0.5,
+                0.26,
+                f"{q[cell].max():.1f}".replace("-", "−"),
+                ha="center",
+                va="center",
+                fontsize=10,
+            )
+        ax.add_patch(
+            Rectangle(
+                (n, 0),
+                1,
+                1,
+                facecolor=ROLE["goal"],
+                alpha=0.35,
+                hatch="//",
+                edgecolor=GREY,
+            )
+        )
         ax.text(n + 0.5, 0.5, "goal", ha="center", va="center", fontsize=10)
         ax.set(xlim=(0, n + 1), ylim=(0, 1), xticks=[], yticks=[], aspect="equal")
         ax.set_title(plain(label), fontsize=10, loc="left")

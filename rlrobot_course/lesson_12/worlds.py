@@ -10,7 +10,11 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 CorridorPay = Callable[[int, int, bool], float]
 
 AWAY, NEARER = 0, 1  # actions in the corridor
-LANE_START, LANE_CELLS, STEP = -1.5, 7, 0.195  # where the robot in its lane begins, cells, way of a step [m]
+LANE_START, LANE_CELLS, STEP = (
+    -1.5,
+    7,
+    0.195,
+)  # where the robot in its lane begins, cells, way of a step [m]
 LANE_GOAL = LANE_START + STEP * (LANE_CELLS - 1.5)  # x from which on it has arrived [m]
 
 
@@ -47,11 +51,24 @@ def lane() -> Task:
     return Task(
         robot="mobile_base",
         scene="maze_4x4_goal",
-        inputs=[InputVariable("x", cuts=[LANE_START + STEP * (i - 0.5) for i in range(LANE_CELLS)], unit="m")],
-        outputs=[OutputVariable("drive", values=[-2, 2], unit="rad/s", words=["back", "forward"])],
+        inputs=[
+            InputVariable(
+                "x",
+                cuts=[LANE_START + STEP * (i - 0.5) for i in range(LANE_CELLS)],
+                unit="m",
+            )
+        ],
+        outputs=[
+            OutputVariable(
+                "drive", values=[-2, 2], unit="rad/s", words=["back", "forward"]
+            )
+        ],
         rewards=[-0.1, 10],
         reward=lambda before, after: 10.0 if after["x"] > LANE_GOAL else -0.1,
-        command=lambda told: {"left_wheel": told["drive"], "right_wheel": told["drive"]},
+        command=lambda told: {
+            "left_wheel": told["drive"],
+            "right_wheel": told["drive"],
+        },
         episode_steps=400,
         goal=lambda readings: readings["x"] > LANE_GOAL,
         name="lane",
@@ -62,4 +79,6 @@ def lane_scene(scene: Scene) -> Scene:
     """A scene of the lane with its own goal in it, where the arena's is drawn otherwise."""
     x, y = LANE_GOAL, scene.bounds[1]
     goal = Solid("goal", "box", (0.3, 1.0, 0.01), pose(x + 0.4, y + 0.5, 0.005), "goal")
-    return scene._replace(solids=(*(solid for solid in scene.solids if solid.role != "goal"), goal))
+    return scene._replace(
+        solids=(*(solid for solid in scene.solids if solid.role != "goal"), goal)
+    )

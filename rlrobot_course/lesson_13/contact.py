@@ -15,4 +15,9 @@ def _touch(before, after) -> float:
 
 def contact_alone(task: Task) -> Task:
     """The arm's task with a reward for contact alone: to and fro before the object pays nothing any more."""
-    return dataclasses.replace(task, reward=_touch, rewards=[NOT_TOUCHED, TOUCHED], name=f"{task.name}, contact alone")
+    return dataclasses.replace(
+        task,
+        reward=_touch,
+        rewards=[NOT_TOUCHED, TOUCHED],
+        name=f"{task.name}, contact alone",
+    )

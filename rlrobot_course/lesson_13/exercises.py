@@ -19,11 +19,20 @@ def arm_reward(before, after):
     return 100 * (before - after)
 
 
-ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1), (0.0, 0.7, 0.4), (0.14, 0.9, 0.39)]
+ANGLES = [
+    (-0.42, 0.9, 0.26),
+    (0.3, 0.5, 0.6),
+    (0.7, 1.0, 0.0),
+    (-0.7, 0.4, 0.1),
+    (0.0, 0.7, 0.4),
+    (0.14, 0.9, 0.39),
+]
 
 check = with_pages(
     globals(),
-    gripper=Exercise(gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)),
+    gripper=Exercise(
+        gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)
+    ),
     pays=Question(Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)),
     arm_reward=RewardExercise(
         arm_reward,

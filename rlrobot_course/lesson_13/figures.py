@@ -7,9 +7,28 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
 from rlrobot_course.arm_world import Places
-from rlrobot_course.plots import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, VERMILION, Picture, chart, plain
+from rlrobot_course.plots import (
+    BLACK,
+    BLUE,
+    CURVES,
+    GREEN,
+    GREY,
+    ORANGE,
+    VERMILION,
+    Picture,
+    chart,
+    plain,
+)
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
+from rlrobot_edu.robots.arm.arm_body import (
+    FIELD,
+    HOME,
+    OBJECT,
+    OBJECT_PLACE,
+    Angles,
+    link_poses,
+    solids_of,
+)
 from rlrobot_edu.show.top_down import footprint
 from rlrobot_edu.task.task import Task
 
@@ -36,25 +55,57 @@ def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
 def _from_the_side(ax: Axes, angles: Angles) -> None:
     """Seen across the vertical plane of the arm: how far out, and how high."""
     there = link_poses(angles._replace(arm=0.0))
-    points = np.array([there[name][[0, 2], 3] for name in ("shoulder", "upper_arm", "lower_arm", "gripper")])
+    points = np.array(
+        [
+            there[name][[0, 2], 3]
+            for name in ("shoulder", "upper_arm", "lower_arm", "gripper")
+        ]
+    )
     foot, shoulder, elbow, tip = points
     ax.axhline(0, color=GREY, linewidth=3)
     ax.add_patch(Rectangle((-0.06, 0), 0.12, 0.06, color=BLUE))
-    ax.plot(*points.T, color=BLUE, linewidth=7, solid_capstyle="round", solid_joinstyle="round")
+    ax.plot(
+        *points.T,
+        color=BLUE,
+        linewidth=7,
+        solid_capstyle="round",
+        solid_joinstyle="round",
+    )
     ax.plot(*points[:3].T, "o", color=BLACK, markersize=9)
     ax.plot(*tip, "D", color=VERMILION, markersize=8)
-    ax.plot(*np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1)
+    ax.plot(
+        *np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1
+    )
     lean = np.degrees(angles[1])
     ax.add_patch(Arc(shoulder, 0.2, 0.2, theta1=90 - lean, theta2=90, linewidth=1.5))
-    level = np.array([elbow, elbow + 0.14 * np.array([np.cos(-angles[1]), np.sin(-angles[1])])])
+    level = np.array(
+        [elbow, elbow + 0.14 * np.array([np.cos(-angles[1]), np.sin(-angles[1])])]
+    )
     ax.plot(*level.T, ":", color=BLACK, linewidth=1)
-    ax.add_patch(Arc(elbow, 0.2, 0.2, theta1=-lean - np.degrees(angles[2]), theta2=-lean, linewidth=1.5))
+    ax.add_patch(
+        Arc(
+            elbow,
+            0.2,
+            0.2,
+            theta1=-lean - np.degrees(angles[2]),
+            theta2=-lean,
+            linewidth=1.5,
+        )
+    )
     for text, at, place in (
         ("joint arm\nturns it all", foot, (-0.185, 0.04)), ("joint biceps\n0.12 m high", shoulder, (-0.185, 0.14)),
         ("joint forearm", elbow, (0.13, 0.32)), ("gripper", tip, (0.32, -0.055)),
         ("biceps", shoulder + (0.045, 0.1), (0.03, 0.27)), ("forearm", elbow + (0.065, -0.085), (0.3, 0.2)),
     ):  # fmt: skip
-        ax.annotate(text, at, place, arrowprops={"arrowstyle": "-", "color": GREY}, ha="left", va="center", fontsize=9)
+        ax.annotate(
+            text,
+            at,
+            place,
+            arrowprops={"arrowstyle": "-", "color": GREY},
+            ha="left",
+            va="center",
+            fontsize=9,
+        )
     for text, (one, other), shift in (
         ("upper arm\n0.23 m", (shoulder, elbow), (0.01, -0.085)), ("lower arm\n0.25 m", (elbow, tip), (0.03, -0.04)),
     ):  # fmt: skip
@@ -73,7 +124,11 @@ def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
         ax.plot([x, x], [y_min, y_max], color=GREY, linewidth=1)
     for y in y_cuts:
         ax.plot([x_min, x_max], [y, y], color=GREY, linewidth=1)
-    ax.add_patch(Rectangle((x_min, y_min), x_max - x_min, y_max - y_min, fill=False, edgecolor=BLACK))
+    ax.add_patch(
+        Rectangle(
+            (x_min, y_min), x_max - x_min, y_max - y_min, fill=False, edgecolor=BLACK
+        )
+    )
     for i, x in enumerate(_middles(x_cuts, x_min, x_max)):
         ax.text(x, y_max + 0.008, str(i), ha="center", fontsize=9)
     for i, y in enumerate(_middles(y_cuts, y_min, y_max)):
@@ -81,19 +136,50 @@ def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
     ax.text((x_min + x_max) / 2, y_max + 0.03, "bins of x", ha="center", fontsize=9)
     ax.text(x_max + 0.03, 0, "bins of y", va="center", rotation=90, fontsize=9)
     ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, zorder=3))
-    ax.add_patch(Circle(OBJECT_PLACE[:2], CONTACT, fill=False, edgecolor=VERMILION, linestyle="--", zorder=3))
+    ax.add_patch(
+        Circle(
+            OBJECT_PLACE[:2],
+            CONTACT,
+            fill=False,
+            edgecolor=VERMILION,
+            linestyle="--",
+            zorder=3,
+        )
+    )
     line = {"arrowstyle": "-", "color": GREY}
-    ax.annotate("object, and 5 cm\naround it", (0.24, 0.12), (0.03, 0.15), arrowprops=line, fontsize=9)
+    ax.annotate(
+        "object, and 5 cm\naround it",
+        (0.24, 0.12),
+        (0.03, 0.15),
+        arrowprops=line,
+        fontsize=9,
+    )
     x, y, _ = link_poses(angles)["gripper"][:3, 3]
     ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
     ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
     out = np.array([x, y]) / np.hypot(x, y)
-    ways = ((np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)), (-out, "forearm +", (-0.03, -0.034)))
+    ways = (
+        (np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)),
+        (-out, "forearm +", (-0.03, -0.034)),
+    )
     for way, text, shift in ways:
         end = np.array([x, y]) + 0.045 * way
-        ax.annotate("", end, (x, y), arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2}, zorder=5)
+        ax.annotate(
+            "",
+            end,
+            (x, y),
+            arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2},
+            zorder=5,
+        )
         ax.text(*(end + shift), text, color=BLACK, fontsize=9, ha="center", zorder=5)
-    ax.set(xlim=(-0.08, 0.38), ylim=(-0.2, 0.21), aspect="equal", xlabel="x (m)", ylabel="y (m)", title="from above")
+    ax.set(
+        xlim=(-0.08, 0.38),
+        ylim=(-0.2, 0.21),
+        aspect="equal",
+        xlabel="x (m)",
+        ylabel="y (m)",
+        title="from above",
+    )
 
 
 def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:
@@ -105,16 +191,53 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     """Every place that the gripper can reach, from above, coloured by its height; path: numbers of places, in order."""
     figure = Picture(figsize=(6.6, 5.8))
     ax = figure.subplots()
-    x, y, z = np.array([[seen[f"gripper_{axis}"] for axis in "xyz"] for seen in places.readings]).T
-    touches, look = places.distance <= CONTACT, {"cmap": "cividis", "vmin": z.min(), "vmax": z.max(), "zorder": 3}
-    for these, sign, name in ((~touches, "o", "out of contact"), (touches, "s", "in contact")):
-        dots = ax.scatter(x[these], y[these], c=z[these], marker=sign, s=40, edgecolors=BLACK, label=name, **look)
+    x, y, z = np.array(
+        [[seen[f"gripper_{axis}"] for axis in "xyz"] for seen in places.readings]
+    ).T
+    touches, look = (
+        places.distance <= CONTACT,
+        {"cmap": "cividis", "vmin": z.min(), "vmax": z.max(), "zorder": 3},
+    )
+    for these, sign, name in (
+        (~touches, "o", "out of contact"),
+        (touches, "s", "in contact"),
+    ):
+        dots = ax.scatter(
+            x[these],
+            y[these],
+            c=z[these],
+            marker=sign,
+            s=40,
+            edgecolors=BLACK,
+            label=name,
+            **look,
+        )
     ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, alpha=0.6, zorder=1))
     ax.add_patch(Circle((0, 0), 0.06, color=BLUE, alpha=0.6))
     ax.text(0, 0, "foot", ha="center", va="center", color="white")
-    ax.plot(x[path], y[path], color=VERMILION, linewidth=1.6, label="way of the arm", zorder=4)
-    ax.plot(x[path[-2:]], y[path[-2:]], "D", color=VERMILION, markersize=8, label="its last two places", zorder=5)
-    ax.set(xlabel="x (m), away from the foot", ylabel="y (m), to the left", aspect="equal", title=plain(title))
+    ax.plot(
+        x[path],
+        y[path],
+        color=VERMILION,
+        linewidth=1.6,
+        label="way of the arm",
+        zorder=4,
+    )
+    ax.plot(
+        x[path[-2:]],
+        y[path[-2:]],
+        "D",
+        color=VERMILION,
+        markersize=8,
+        label="its last two places",
+        zorder=5,
+    )
+    ax.set(
+        xlabel="x (m), away from the foot",
+        ylabel="y (m), to the left",
+        aspect="equal",
+        title=plain(title),
+    )
     ax.set_xlim(-0.08, 0.36)
     figure.colorbar(dots, ax=ax, label="height (m)")
     figure.legend(loc="outside lower center", ncols=2)
@@ -125,16 +248,26 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     return figure
 
 
-def plot_means(groups: Mapping[str, Mapping[str, np.ndarray]], ylabel: str, title: str) -> Picture:
+def plot_means(
+    groups: Mapping[str, Mapping[str, np.ndarray]], ylabel: str, title: str
+) -> Picture:
     """Means with their 95 % intervals. groups: values by the name of a method, by the name of a group"""
     figure, ax = chart((8, 3.4), "", ylabel, title, grid="y")
     told = []
-    for k, (method, (colour, _), sign) in enumerate(zip(next(iter(groups.values())), CURVES, "os^", strict=False)):
-        means, halves = zip(*(mean_and_half(group[method]) for group in groups.values()), strict=True)
+    for k, (method, (colour, _), sign) in enumerate(
+        zip(next(iter(groups.values())), CURVES, "os^", strict=False)
+    ):
+        means, halves = zip(
+            *(mean_and_half(group[method]) for group in groups.values()), strict=True
+        )
         x = np.arange(len(groups)) + 0.15 * (k - 1)
-        ax.errorbar(x, means, halves, fmt=sign, color=colour, capsize=3, label=plain(method))
+        ax.errorbar(
+            x, means, halves, fmt=sign, color=colour, capsize=3, label=plain(method)
+        )
         pairs = zip(groups, means, halves, strict=True)
-        told.append(f"{method}: {', '.join(f'{name} {mean:.2f} ± {half:.2f}' for name, mean, half in pairs)}")
+        told.append(
+            f"{method}: {', '.join(f'{name} {mean:.2f} ± {half:.2f}' for name, mean, half in pairs)}"
+        )
     ax.set_xticks(range(len(groups)), list(groups))
     ax.margins(x=0.2)
     figure.legend(loc="outside lower center", ncols=3)
@@ -142,15 +275,31 @@ def plot_means(groups: Mapping[str, Mapping[str, np.ndarray]], ylabel: str, titl
     return figure
 
 
-def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str, told: int = 24) -> Picture:
+def plot_episode(
+    distances: np.ndarray, rewards: np.ndarray, title: str, told: int = 24
+) -> Picture:
     """The distance to the object before and after each step of an episode [m]; the first rewards as numbers."""
-    figure, ax = chart((9, 3.2), "step of the episode (1 s each)", "distance (cm)", title)
-    ax.plot(distances * 100, color=BLUE, marker=".", label="distance of the gripper to the object")
+    figure, ax = chart(
+        (9, 3.2), "step of the episode (1 s each)", "distance (cm)", title
+    )
+    ax.plot(
+        distances * 100,
+        color=BLUE,
+        marker=".",
+        label="distance of the gripper to the object",
+    )
     ax.axhline(100 * CONTACT, color=VERMILION, linestyle="--", label="5 cm: contact")
     for t, r in enumerate(rewards[:told], start=1):
         shift = -13 if distances[t] < distances[t - 1] else 6
         at = (t, distances[t] * 100)
-        ax.annotate(f"{r:g}", at, (0, shift), textcoords="offset points", ha="center", fontsize=8)
+        ax.annotate(
+            f"{r:g}",
+            at,
+            (0, shift),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8,
+        )
     ax.set_ylim(0, 100 * distances.max() + 3)
     figure.legend(loc="outside lower center", ncols=2)
     half = len(rewards) // 2
@@ -165,8 +314,12 @@ def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str, told: i
 
 def heaps(values: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A dot for each value, in heaps: the middle of its bin, and its height in the heap from 1 on; arrays (n,)."""
-    where = np.clip(np.searchsorted(edges, np.sort(values), side="right") - 1, 0, len(edges) - 2)
-    height = np.array([i - np.searchsorted(where, where[i]) + 1 for i in range(len(where))], dtype=int)
+    where = np.clip(
+        np.searchsorted(edges, np.sort(values), side="right") - 1, 0, len(edges) - 2
+    )
+    height = np.array(
+        [i - np.searchsorted(where, where[i]) + 1 for i in range(len(where))], dtype=int
+    )
     return (edges[where] + edges[where + 1]) / 2, height
 
 
@@ -182,7 +335,9 @@ def plot_many(
     groups: a value for each arm by the group's name; edges: of the heaps; marks: lines to compare with, and their names
     """
     figure = Picture(figsize=(8, 0.7 + 1.15 * len(groups)))
-    rows = figure.subplots(len(groups), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
+    rows = figure.subplots(len(groups), 1, sharex=True, sharey=True, squeeze=False)[
+        :, 0
+    ]
     told, highest = [], 0
     for ax, (name, values) in zip(rows, groups.items(), strict=True):
         x, height = heaps(np.asarray(values), edges)
@@ -193,8 +348,12 @@ def plot_many(
         highest = max(highest, height.max())
         ax.set_ylabel("arms")
         ax.grid(alpha=0.3, axis="y")
-        near = "; ".join(f"{np.sum(np.abs(values - m) < 0.25)} near {m:g}" for m in marks or {})
-        told.append(f"{name}: {len(values)} arms from {min(values):.2f} to {max(values):.2f}{', ' * bool(near)}{near}")
+        near = "; ".join(
+            f"{np.sum(np.abs(values - m) < 0.25)} near {m:g}" for m in marks or {}
+        )
+        told.append(
+            f"{name}: {len(values)} arms from {min(values):.2f} to {max(values):.2f}{', ' * bool(near)}{near}"
+        )
     for mark, text in (marks or {}).items():
         rows[0].text(mark, 1.0, plain(text), ha="center", va="bottom", fontsize=9,
                      transform=rows[0].get_xaxis_transform())  # fmt: skip

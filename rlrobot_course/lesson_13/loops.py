@@ -26,7 +26,11 @@ def best_loop(following: np.ndarray, rewards: np.ndarray, allowed: np.ndarray) -
     n, number = len(inside), np.full(len(allowed), -1)
     number[inside] = np.arange(n)
     start, action = np.nonzero(allowed[following] & allowed[:, None])
-    source, target, pay = number[start], number[following[start, action]], rewards[start, action]
+    source, target, pay = (
+        number[start],
+        number[following[start, action]],
+        rewards[start, action],
+    )
     most = np.full((n + 1, n), -np.inf)  # of a path of k steps that ends here
     most[0], last = 0.0, np.zeros((n + 1, n), dtype=int)
     for k in range(1, n + 1):
@@ -35,15 +39,25 @@ def best_loop(following: np.ndarray, rewards: np.ndarray, allowed: np.ndarray) -
                 most[k, j], last[k, j] = value, i
     ends = np.isfinite(most[n])  # where no path of n steps ends, no loop is looked for
     mean = np.where(
-        ends, ((np.where(ends, most[n], 0.0) - most[:n]) / (n - np.arange(n))[:, None]).min(axis=0), -np.inf
+        ends,
+        ((np.where(ends, most[n], 0.0) - most[:n]) / (n - np.arange(n))[:, None]).min(
+            axis=0
+        ),
+        -np.inf,
     )
-    path = [int(mean.argmax())]  # backward: a path of n steps through n places passes one of them twice
+    path = [
+        int(mean.argmax())
+    ]  # backward: a path of n steps through n places passes one of them twice
     for k in range(n, 0, -1):
         path.append(int(last[k, path[-1]]))
-    return max(_cycles(path[::-1], inside, following, rewards), key=lambda loop: loop.pays)
+    return max(
+        _cycles(path[::-1], inside, following, rewards), key=lambda loop: loop.pays
+    )
 
 
-def _cycles(path: list[int], inside: np.ndarray, following: np.ndarray, rewards: np.ndarray) -> list[Loop]:
+def _cycles(
+    path: list[int], inside: np.ndarray, following: np.ndarray, rewards: np.ndarray
+) -> list[Loop]:
     """The closed paths that a path consists of: each is cut out as soon as it closes."""
     found, way = [], []
     for place in (int(inside[i]) for i in path):

@@ -19,7 +19,11 @@ from rlrobot_course.grading.verdict import Verdict
 from rlrobot_course.lesson_13.loops import Loop, best_loop
 from rlrobot_edu.task.task_file import load_task
 
-CONTACT, NEARER, NOTHING = 0.05, 0.02, 1e-9  # [m], [m], and what rounding may leave of a sum that is 0
+CONTACT, NEARER, NOTHING = (
+    0.05,
+    0.02,
+    1e-9,
+)  # [m], [m], and what rounding may leave of a sum that is 0
 
 
 class Broken(NamedTuple):
@@ -42,9 +46,15 @@ class RewardExercise(Exercise):
         got = self.outcomes(answer)
         if odd := [i for i, outcome in enumerate(got) if not _is_number(outcome)]:
             return self._no_number(answer, got, odd)
-        rewards, failure, _ = attempt(_in_all_steps, answer, endless=issubclass(type(answer), Elsewhere))
+        rewards, failure, _ = attempt(
+            _in_all_steps, answer, endless=issubclass(type(answer), Elsewhere)
+        )
         if failure or not np.isfinite(rewards).all():
-            return Verdict("wrong", "For some steps of the arm this is no number.", hint="try many distances.")
+            return Verdict(
+                "wrong",
+                "For some steps of the arm this is no number.",
+                hint="try many distances.",
+            )
         broken = first_broken(rewards)
         if not broken:
             n = f"{len(_arm().angles)} places"
@@ -53,13 +63,16 @@ class RewardExercise(Exercise):
         hint = known_mistake(Evidence(self, answer, got)) or Hint("rule", broken.hint)
         return Verdict("wrong", broken.text, hint=hint.text, id=hint.id)
 
-    def _no_number(self, answer: Callable[..., Any], got: Sequence[Outcome], odd: Sequence[int]) -> Verdict:
+    def _no_number(
+        self, answer: Callable[..., Any], got: Sequence[Outcome], odd: Sequence[int]
+    ) -> Verdict:
         """The verdict on a function that fails in the cases `odd`, or returns no number there."""
         if safely(False, is_unfinished, answer):
             return self._waits()
         verdict = self._wrong(answer, got, odd[0], len(odd))
         rows = tuple(
-            (name, "a number", mine) if name == "reward" else (name, right, mine) for name, right, mine in verdict.rows
+            (name, "a number", mine) if name == "reward" else (name, right, mine)
+            for name, right, mine in verdict.rows
         )
         if not got[odd[0]].failure and got[odd[0]].values["reward"] is None:
             told = "your function returns nothing here. Does every way through it end with return?"
@@ -76,19 +89,31 @@ def _is_number(outcome: Outcome) -> bool:
     value = outcome.values.get("reward")
     if type(value) is np.ndarray and value.ndim == 0:
         value = value[()]  # such an array is its number, as for all checks
-    return not outcome.failure and isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    return (
+        not outcome.failure
+        and isinstance(value, int | float | np.number)
+        and not isinstance(value, bool)
+    )
 
 
 def _in_all_steps(answer: Callable[[float, float], float]) -> np.ndarray:
     """The reward of every action at every place, array (places, actions)."""
     distance = _arm().distance.tolist()
-    return np.array([[float(answer(distance[i], distance[j])) for j in row] for i, row in enumerate(_arm().next)])
+    return np.array(
+        [
+            [float(answer(distance[i], distance[j])) for j in row]
+            for i, row in enumerate(_arm().next)
+        ]
+    )
 
 
 def first_broken(rewards: np.ndarray) -> Broken | None:
     """The first rule that is broken by what each step pays, array (places, actions)."""
     arm = _arm()
-    before, after = np.broadcast_to(arm.distance[:, None], rewards.shape), arm.distance[arm.next]
+    before, after = (
+        np.broadcast_to(arm.distance[:, None], rewards.shape),
+        arm.distance[arm.next],
+    )
     contact, nearer = after <= CONTACT, before - after > NEARER
     for wrong, rule, hint in (
         (contact & (rewards != 10), "it must pay 10, as before",
@@ -108,10 +133,16 @@ def first_broken(rewards: np.ndarray) -> Broken | None:
 
 def _milked(loop: Loop) -> Broken:
     """What a loop that pays says of the reward."""
-    way = [f"{100 * _arm().distance[place]:.1f}" for place in (*loop.places, loop.places[0])]
+    way = [
+        f"{100 * _arm().distance[place]:.1f}"
+        for place in (*loop.places, loop.places[0])
+    ]
     paid = ", ".join(f"{r:+.3g}" for r in loop.rewards)
     if len(loop.rewards) == 1:
         told = f"Standing still at {way[0]} cm pays {loop.rewards[0]:.3g} a step."
         return Broken(told, "whoever gets no nearer should get no reward.")
     told = f"This loop pays {loop.pays:.3g} a step: distances {' → '.join(way)} cm, rewards {paid}."
-    return Broken(told, "the rewards of a closed path must sum to 0 or less. What could each centimetre be worth?")
+    return Broken(
+        told,
+        "the rewards of a closed path must sum to 0 or less. What could each centimetre be worth?",
+    )

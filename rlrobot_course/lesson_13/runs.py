@@ -34,7 +34,12 @@ def last_episodes(
     seed: the first agent's; the next ones have the next numbers; settings: further ones of each agent
     """
     world = ArmWorld(task)
-    n, contact, rewards, touched = world.episode_steps, world.places.distance <= 0.05, [], []
+    n, contact, rewards, touched = (
+        world.episode_steps,
+        world.places.distance <= 0.05,
+        [],
+        [],
+    )
     for i in range(arms):
         agent = Agent(world, method, seed=seed + i, **settings)
         history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
@@ -55,7 +60,9 @@ def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[list[int], np.ndarr
     return where, np.array(paid)
 
 
-def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") -> dict[str, np.ndarray]:
+def stored_means(
+    experiment: str = "robot_arm_1k", length: str = "10 episodes"
+) -> dict[str, np.ndarray]:
     """The final average rewards in the report of the reproduction, arrays (repetitions,) by method.
 
     They come from arms in PyBullet, and took many minutes.

@@ -9,7 +9,10 @@ def estimate(rows, s, a):
         if (s_row, a_row) == (s, a):
             rewards.setdefault(s_next, []).append(r)
     n = sum(len(seen) for seen in rewards.values())
-    return {s_next: (len(seen) / n, sum(seen) / len(seen)) for s_next, seen in rewards.items()}
+    return {
+        s_next: (len(seen) / n, sum(seen) / len(seen))
+        for s_next, seen in rewards.items()
+    }
 
 
 # (s, a, r, s'): the pair (0, 1) leads to state 1 four times, to 2 twice and to 0 once; (2, 0) was seen only once
@@ -38,7 +41,9 @@ class OfRows(Exercise):
     """The whole table is long; what counts of it is shown, the rows of the pair."""
 
     def _called(self, case: Case) -> str:
-        rows = ", ".join(str(row) for row in case["rows"] if row[:2] == (case["s"], case["a"]))
+        rows = ", ".join(
+            str(row) for row in case["rows"] if row[:2] == (case["s"], case["a"])
+        )
         return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
 
 
@@ -72,7 +77,11 @@ SECOND_LOOK = Formula(
 
 check = with_pages(
     globals(),
-    estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
+    estimate=OfRows(
+        estimate,
+        returns="estimate",
+        tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED],
+    ),
     second_look=Question(SECOND_LOOK),
     sample=Exercise(
         sample,

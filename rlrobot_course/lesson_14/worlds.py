@@ -30,8 +30,14 @@ class RowWorld:
 
     def __init__(self, recording: Recording, sample: Sample, seed: int = 0) -> None:
         self.rows, self.sample, self.s = rows_of(recording), sample, int(recording.s[0])
-        self.shape, self.n_actions = recording.source.states.shape, recording.source.actions.n
-        self.r_max, self.r_min = max(recording.source.rewards), min(recording.source.rewards)
+        self.shape, self.n_actions = (
+            recording.source.states.shape,
+            recording.source.actions.n,
+        )
+        self.r_max, self.r_min = (
+            max(recording.source.rewards),
+            min(recording.source.rewards),
+        )
         self._start, self._rng = self.s, np.random.default_rng(seed)
 
     def reset(self) -> int:
@@ -78,7 +84,9 @@ class Gap(NamedTuple):
         return mean_and_half(self.model - self.robot)[1]
 
 
-def measure_gap(models: Sequence[SampleModel], task: str, *, lesson: int, exam: int) -> Gap:
+def measure_gap(
+    models: Sequence[SampleModel], task: str, *, lesson: int, exam: int
+) -> Gap:
     """Let one agent learn in each model, and see what it earns there and on the robot, when it learns no more.
 
     models: of `task`; lesson: steps in which it learns; exam: steps in which it is measured, on the robot (in the
@@ -91,5 +99,10 @@ def measure_gap(models: Sequence[SampleModel], task: str, *, lesson: int, exam: 
         still = agent.frozen()
         with make_env(task, seed=seed) as robot:
             exams = ((make_env(model, seed=1000 + seed), 50 * exam), (robot, exam))
-            earned.append([learn(still, env, n, progress=False).rewards.mean() for env, n in exams])
+            earned.append(
+                [
+                    learn(still, env, n, progress=False).rewards.mean()
+                    for env, n in exams
+                ]
+            )
     return Gap(*np.array(earned).T)

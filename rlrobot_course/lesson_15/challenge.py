@@ -21,7 +21,9 @@ def cost(verdict: Watched, seed: int) -> float:
     """The agents that one comparison took; a wrong verdict, or none, counts as 100 more."""
     rng = np.random.default_rng(seed)
     better, apart = "ab"[int(rng.integers(2))], rng.choice([0.3, 0.6, 1.2])
-    ends = {name: 5 + apart * (name == better) + rng.standard_normal(MOST) for name in "ab"}
+    ends = {
+        name: 5 + apart * (name == better) + rng.standard_normal(MOST) for name in "ab"
+    }
     for n in range(2, MOST + 1):
         told = verdict(ends["a"][:n].copy(), ends["b"][:n].copy())
         if told != "more":

@@ -5,7 +5,9 @@ import numpy as np
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
-AGENTS_NEEDED = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
+AGENTS_NEEDED = Formula(
+    "2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3"
+)
 
 
 def f_ratio(groups):
@@ -18,8 +20,15 @@ def f_ratio(groups):
 _draw = np.random.default_rng(14)
 GROUPS = [
     [np.array([1.0, 2.0, 4.5]), np.array([5.0, 8.0, 5.5])],
-    [np.array([3.0, 4.0]), np.array([4.2, 6.0, 5.0, 7.7, 6.1]), np.array([2.5, 3.5, 3.1])],
-    [_draw.normal(mean, 1.0, n).round(1) for mean, n in ((4, 6), (5, 4), (5.5, 8), (4.4, 5))],
+    [
+        np.array([3.0, 4.0]),
+        np.array([4.2, 6.0, 5.0, 7.7, 6.1]),
+        np.array([2.5, 3.5, 3.1]),
+    ],
+    [
+        _draw.normal(mean, 1.0, n).round(1)
+        for mean, n in ((4, 6), (5, 4), (5.5, 8), (4.4, 5))
+    ],
     [np.array([2.0, 3.0, 5.0]), np.array([4.0, 4.5, 1.5])],
 ]
 F = "(between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))"
@@ -32,7 +41,9 @@ def p_value(observed, shuffled):
 check = with_pages(
     globals(),
     agents_needed=Question(AGENTS_NEEDED),
-    f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),
+    f_ratio=Exercise(
+        f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]
+    ),
     p_value=Exercise(
         p_value,
         returns="p",

@@ -8,7 +8,18 @@ from matplotlib.ticker import PercentFormatter
 from scipy import stats
 
 from rlrobot_course.challenge import Score
-from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, name_rows, plain
+from rlrobot_course.plots import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    VERMILION,
+    Picture,
+    chart,
+    name_rows,
+    plain,
+)
 from rlrobot_course.report import averages
 from rlrobot_edu.experiments.statistics import Anova, Tukey
 
@@ -26,24 +37,45 @@ PAPER = {
 }
 
 
-def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0) -> np.ndarray:
+def shuffled_f(
+    groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0
+) -> np.ndarray:
     """F of these groups after their numbers were dealt anew at random, array (times,).
 
     groups: numbers of each method, by its name. Source: Fisher's permutation test.
     """
     rng, sizes = np.random.default_rng(seed), [len(group) for group in groups.values()]
     everything, ends = np.concatenate(list(groups.values())), np.cumsum(sizes)[:-1]
-    return np.array([Anova.of(np.split(rng.permutation(everything), ends)).f for _ in range(times)])
+    return np.array(
+        [Anova.of(np.split(rng.permutation(everything), ends)).f for _ in range(times)]
+    )
 
 
-def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0) -> Picture:
+def plot_shuffled(
+    groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0
+) -> Picture:
     """Histogram of `shuffled_f`, and the F that was observed as a line."""
-    shuffled, observed = shuffled_f(groups, times, seed), Anova.of(list(groups.values())).f
+    shuffled, observed = (
+        shuffled_f(groups, times, seed),
+        Anova.of(list(groups.values())).f,
+    )
     x = "F, spread between the methods / spread within them"
     figure, ax = chart((6.5, 3.2), x, "share of the shuffles", title, grid=None)
     bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
-    ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")
-    ax.axvline(observed, color=VERMILION, linestyle="--", linewidth=2, label=f"as found: F = {observed:.1f}")
+    ax.hist(
+        shuffled,
+        bins,
+        weights=np.full(times, 1 / times),
+        color=BLUE,
+        label=f"labels shuffled, {times} times",
+    )
+    ax.axvline(
+        observed,
+        color=VERMILION,
+        linestyle="--",
+        linewidth=2,
+        label=f"as found: F = {observed:.1f}",
+    )
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
     ax.legend()
     figure.alt = (
@@ -61,19 +93,35 @@ def draws_of_few(
     return rng.choice(a, (times, n)), rng.choice(b, (times, n))
 
 
-def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[str, str], title: str) -> Picture:
+def plot_few(
+    a: np.ndarray,
+    b: np.ndarray,
+    sizes: Sequence[int],
+    names: tuple[str, str],
+    title: str,
+) -> Picture:
     """Histograms of differences of means, by the numbers of agents in `sizes` that are drawn; names: of the methods."""
     draws = {n: draws_of_few(a, b, n) for n in sizes}
     found = {n: x.mean(axis=1) - y.mean(axis=1) for n, (x, y) in draws.items()}
     first, second = map(plain, names)
     x = f"{first} − {second}, difference of the means (reward a step)"
     figure, ax = chart((6.5, 3.5), x, "share of 2000 draws", title, grid=None)
-    bins = np.linspace(min(map(np.min, found.values())), max(map(np.max, found.values())), 51)
+    bins = np.linspace(
+        min(map(np.min, found.values())), max(map(np.max, found.values())), 51
+    )
     looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (VERMILION, "..")]
     for i, (n, differences) in enumerate(found.items()):
         colour, hatch = looks[i % len(looks)]
         share = np.full(len(differences), 1 / len(differences))
-        ax.hist(differences, bins, weights=share, alpha=0.6, color=colour, hatch=hatch, label=f"{n} agents a method")
+        ax.hist(
+            differences,
+            bins,
+            weights=share,
+            alpha=0.6,
+            color=colour,
+            hatch=hatch,
+            label=f"{n} agents a method",
+        )
     ax.axvline(0, color="black", linewidth=1)
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
     ax.legend()
@@ -105,7 +153,10 @@ def set_ups() -> dict[str, tuple[str, dict[str, np.ndarray]]]:
     for (experiment, length), its in averages().items():
         task = experiment.removeprefix("robot_")
         if task in PAPER:
-            found[f"{task}, {length}"] = task, {method: its[method] for method in METHODS}
+            found[f"{task}, {length}"] = (
+                task,
+                {method: its[method] for method in METHODS},
+            )
         if experiment == "cause_walls_wander_1k":
             found[f"wander_1k, walls hold, {length}"] = "wander_1k", its
     return dict(sorted(found.items(), key=lambda one: list(PAPER).index(one[1][0])))
@@ -119,12 +170,27 @@ def plot_report() -> Picture:
     opposite, alike, shown = 0, 0, list[str]()
     for row, (name, (task, groups)) in enumerate(rows.items()):
         within, n = Anova.of(list(groups.values())), len(groups[METHODS[0]])
-        half = stats.studentized_range.ppf(0.95, 3, within.df_within) * np.sqrt(within.ms_within / n)
-        for ax, pair, theirs in zip(axes, Tukey.of(groups).pairs, PAPER[task], strict=True):
+        half = stats.studentized_range.ppf(0.95, 3, within.df_within) * np.sqrt(
+            within.ms_within / n
+        )
+        for ax, pair, theirs in zip(
+            axes, Tukey.of(groups).pairs, PAPER[task], strict=True
+        ):
             turned = pair.difference * theirs < 0
-            look = {"fmt": "s", "color": VERMILION} if turned else {"fmt": "o", "color": BLUE}
+            look = (
+                {"fmt": "s", "color": VERMILION}
+                if turned
+                else {"fmt": "o", "color": BLUE}
+            )
             face = look["color"] if pair.p < 0.05 else "white"
-            ax.errorbar(pair.difference, row, xerr=half, markersize=5, markerfacecolor=face, **look)
+            ax.errorbar(
+                pair.difference,
+                row,
+                xerr=half,
+                markersize=5,
+                markerfacecolor=face,
+                **look,
+            )
             ax.plot(theirs, row, "D", color=BLACK, markerfacecolor="none", markersize=7)
             opposite += turned
             alike += not turned and pair.p < 0.05
@@ -136,8 +202,17 @@ def plot_report() -> Picture:
         ax.set_xlabel("reward a step")
         ax.grid(alpha=0.3)
     name_rows(axes[0], list(rows))
-    axes[0].errorbar([], [], xerr=[], fmt="o", color=BLUE, label="ours, 95 % interval (Tukey); hollow: not significant")
-    axes[0].errorbar([], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper")
+    axes[0].errorbar(
+        [],
+        [],
+        xerr=[],
+        fmt="o",
+        color=BLUE,
+        label="ours, 95 % interval (Tukey); hollow: not significant",
+    )
+    axes[0].errorbar(
+        [], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper"
+    )
     axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
     figure.legend(loc="outside lower center", ncols=3)
     total = 3 * len(rows)

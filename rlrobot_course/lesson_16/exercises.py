@@ -2,7 +2,14 @@
 
 from math import hypot
 
-from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages, wrong_choices
+from rlrobot_course.grading.parts import (
+    Design,
+    Formula,
+    Mistake,
+    Question,
+    with_pages,
+    wrong_choices,
+)
 from rlrobot_course.lesson_16.situations import PAIRS, words
 from rlrobot_course.tapes import rows
 
@@ -25,8 +32,18 @@ CLUES = (
     "in file C, two actions do the same. Where is it said what the wheels are told?",
 )
 FAULTS = (1, 2, 3, 4)
-STILL_SAFE = Formula("margin + way", margin=0.05, radius=0.0975, speed=2, single_speed=1, way="speed * radius")
-EXAMPLE = Mistake("that was only to show how it is written. Read the three reports, one after the other.", [2, 2, 2])
+STILL_SAFE = Formula(
+    "margin + way",
+    margin=0.05,
+    radius=0.0975,
+    speed=2,
+    single_speed=1,
+    way="speed * radius",
+)
+EXAMPLE = Mistake(
+    "that was only to show how it is written. Read the three reports, one after the other.",
+    [2, 2, 2],
+)
 
 check = with_pages(
     globals(),
@@ -36,7 +53,9 @@ check = with_pages(
         words=words,
         tape=rows("wanted unwanted", *PAIRS),
     ),
-    size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
+    size=Question(
+        Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")
+    ),
     still_safe=Question(STILL_SAFE),
     faults=Question(faults, mistakes=wrong_choices(faults, FAULTS, CLUES, EXAMPLE)),
 )

@@ -16,24 +16,41 @@ FOUND = {
     },
     "states met": {HELD: ((96.2, 6.5293), (190.2, 8.6185), (329.0667, 8.8075))},
 }
-LOOKS = {HELD: {"fmt": "o", "color": BLUE}, IDEAL: {"fmt": "s", "color": GREY, "markerfacecolor": "none"}}
+LOOKS = {
+    HELD: {"fmt": "o", "color": BLUE},
+    IDEAL: {"fmt": "s", "color": GREY, "markerfacecolor": "none"},
+}
 
 
 def plot_cuts() -> Picture:
     """What robots with each set of cuts earn, how often they bump, and how many states they meet."""
     figure = Picture(figsize=(9.0, 2.8))
     said = []
-    for ax, (what, worlds), digits in zip(figure.subplots(1, 3, sharey=True), FOUND.items(), (2, 1, 0), strict=True):
+    for ax, (what, worlds), digits in zip(
+        figure.subplots(1, 3, sharey=True), FOUND.items(), (2, 1, 0), strict=True
+    ):
         for world, numbers in worlds.items():
             for row, (mean, half) in enumerate(numbers):
-                ax.errorbar(mean, row, xerr=half, label=world if row == 0 else None, **LOOKS[world])
-                said.append(f"{what}, cuts at {CUTS[row]}, {world}: {mean:.{digits}f} ± {half:.{digits}f}")
+                ax.errorbar(
+                    mean,
+                    row,
+                    xerr=half,
+                    label=world if row == 0 else None,
+                    **LOOKS[world],
+                )
+                said.append(
+                    f"{what}, cuts at {CUTS[row]}, {world}: {mean:.{digits}f} ± {half:.{digits}f}"
+                )
         ax.set_xlabel(what)
         ax.grid(alpha=0.3)
         ax.margins(y=0.2)
     first = figure.axes[0]
     name_rows(first, CUTS)
-    figure.legend(*first.get_legend_handles_labels(), loc="outside lower center", ncols=2)
-    figure.suptitle("The latest cuts earn most; where walls hold, the middle ones bump least")
+    figure.legend(
+        *first.get_legend_handles_labels(), loc="outside lower center", ncols=2
+    )
+    figure.suptitle(
+        "The latest cuts earn most; where walls hold, the middle ones bump least"
+    )
     figure.alt = f"Thirty robots with each set of cuts, means with 95 % intervals. {'; '.join(said)}."
     return figure

@@ -28,7 +28,9 @@ def edit(path: Path, changes: Mapping[str, str], to: str = "") -> Path:
     text = path.read_text(encoding="utf-8")
     for old, new in changes.items():
         if text.count(old) != 1:
-            raise ValueError(f"{old!r:.100} occurs {text.count(old)} times in {path.name}, not once")
+            raise ValueError(
+                f"{old!r:.100} occurs {text.count(old)} times in {path.name}, not once"
+            )
         text = text.replace(old, new)
     changed = path.with_name(to) if to else path
     changed.write_text(text, encoding="utf-8")
@@ -63,6 +65,10 @@ def faulty_files(folder: Path) -> dict[str, Path]:
     command = "def command(wheels):\n    return {**wheels, 'left_wheel': 0.0}\n\n\ntask = Task(\n    command=command,"
     return {
         "A": edit(template, {"0.07 else": "7 else"}, to="a.py"),
-        "B": edit(template, {'"laser_front_left", cuts=[0.20]': '"laser_front_left", cuts=[4.5]'}, to="b.py"),
+        "B": edit(
+            template,
+            {'"laser_front_left", cuts=[0.20]': '"laser_front_left", cuts=[4.5]'},
+            to="b.py",
+        ),
         "C": edit(template, {"task = Task(": command}, to="c.py"),
     }

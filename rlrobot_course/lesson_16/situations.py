@@ -34,10 +34,18 @@ def situation(
 
 ALONG = situation("follows the wall", (0.095, 0.0))
 STANDS = situation("stands beside the wall")
-TURNS = situation("turns on the spot beside the wall", (0.02, 0.01), right=0.30, before=0.22)
-FREE = situation("drives far from any wall", (0.095, 0.0), right=0.9, front_right=1.2, left=0.9)
-LEFT = situation("follows a wall on its left", (0.095, 0.0), right=1.3, front_right=1.6, left=0.25)
-STANDS_FREE = situation("stands far from any wall", right=0.9, front_right=1.2, left=0.9)
+TURNS = situation(
+    "turns on the spot beside the wall", (0.02, 0.01), right=0.30, before=0.22
+)
+FREE = situation(
+    "drives far from any wall", (0.095, 0.0), right=0.9, front_right=1.2, left=0.9
+)
+LEFT = situation(
+    "follows a wall on its left", (0.095, 0.0), right=1.3, front_right=1.6, left=0.25
+)
+STANDS_FREE = situation(
+    "stands far from any wall", right=0.9, front_right=1.2, left=0.9
+)
 SCRAPES = situation("scrapes along the wall", (0.095, 0.0), right=0.04, front_right=0.2)
 LEANS = situation("leans on a wall in front", front=0.04, right=0.25)
 
@@ -50,22 +58,77 @@ PAIRS = (
     (situation("follows an oblique wall", (0.065, 0.065)), TURNS),
     (ALONG, FREE),
     (ALONG, LEFT),
-    (ALONG, situation("drives 0.9 m away from the wall", (0.095, 0.0), right=0.9, front_right=1.2)),
-    (ALONG, situation("has just left the wall", (0.095, 0.0), right=0.55, front_right=0.9, before=0.30)),
-    (situation("has just reached the wall", (0.0, -0.095), right=0.35, before=0.60), FREE),
-    (situation("follows the wall at 0.12 m", (0.095, 0.0), right=0.12, front_right=0.3), FREE),
-    (situation("follows the wall at 0.39 m", (0.095, 0.0), right=0.39, front_right=0.7), FREE),
-    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.07 m", (0.095, 0.0), right=0.07)),
-    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.45 m", (0.095, 0.0), right=0.45)),
-    (situation("follows the wall at 0.40 m", (0.095, 0.0), right=0.40, front_right=0.7), FREE),
-    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.10 m", (0.095, 0.0), right=0.10)),
+    (
+        ALONG,
+        situation(
+            "drives 0.9 m away from the wall", (0.095, 0.0), right=0.9, front_right=1.2
+        ),
+    ),
+    (
+        ALONG,
+        situation(
+            "has just left the wall",
+            (0.095, 0.0),
+            right=0.55,
+            front_right=0.9,
+            before=0.30,
+        ),
+    ),
+    (
+        situation("has just reached the wall", (0.0, -0.095), right=0.35, before=0.60),
+        FREE,
+    ),
+    (
+        situation(
+            "follows the wall at 0.12 m", (0.095, 0.0), right=0.12, front_right=0.3
+        ),
+        FREE,
+    ),
+    (
+        situation(
+            "follows the wall at 0.39 m", (0.095, 0.0), right=0.39, front_right=0.7
+        ),
+        FREE,
+    ),
+    (
+        situation("follows the wall at 0.25 m", (0.095, 0.0)),
+        situation("at 0.07 m", (0.095, 0.0), right=0.07),
+    ),
+    (
+        situation("follows the wall at 0.25 m", (0.095, 0.0)),
+        situation("at 0.45 m", (0.095, 0.0), right=0.45),
+    ),
+    (
+        situation(
+            "follows the wall at 0.40 m", (0.095, 0.0), right=0.40, front_right=0.7
+        ),
+        FREE,
+    ),
+    (
+        situation("follows the wall at 0.25 m", (0.095, 0.0)),
+        situation("at 0.10 m", (0.095, 0.0), right=0.10),
+    ),
     (ALONG, situation("curves beside the wall, by 0.06 m", (0.06, 0.0))),
-    (situation("follows the wall past a box on its left", (0.095, 0.0), left=0.1), STANDS),
+    (
+        situation("follows the wall past a box on its left", (0.095, 0.0), left=0.1),
+        STANDS,
+    ),
     (STANDS, SCRAPES),
     (FREE, SCRAPES),
     (STANDS, LEANS),
-    (STANDS_FREE, situation("bumps into a corner", (0.01, 0.0), front=0.3, front_right=0.03, right=0.3)),
-    (TURNS, situation("bumps into a wall in front", (0.03, 0.0), front=0.02, right=0.25)),
+    (
+        STANDS_FREE,
+        situation(
+            "bumps into a corner", (0.01, 0.0), front=0.3, front_right=0.03, right=0.3
+        ),
+    ),
+    (
+        TURNS,
+        situation("bumps into a wall in front", (0.03, 0.0), front=0.02, right=0.25),
+    ),
     (situation("comes free of the wall", (0.02, 0.01), right=0.15, before=0.03), LEANS),
-    (ALONG, situation("bumps into the wall ahead", (0.09, 0.0), front=0.03, right=0.25)),
+    (
+        ALONG,
+        situation("bumps into the wall ahead", (0.09, 0.0), front=0.03, right=0.25),
+    ),
 )

@@ -41,7 +41,9 @@ class Cells(gymnasium.Env[np.ndarray, np.int64]):
         self.action_space = Discrete(len(MOVES))
         self.cell = START
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict]:
         """Put the robot on the start."""
         super().reset(seed=seed)
         self.cell = START
@@ -77,7 +79,11 @@ def steps_needed(seed: int, most: int = 20_000, **planner: Any) -> tuple[int, in
     agent = Agent(env, "Q+EG", seed=seed, **planner)
     for step in walk(agent, env, most):
         arrived = arrived or (step.t + 1) * step.terminated
-        if arrived and len(way := best_way(agent.q)) - 1 == SHORTEST and way[-1] == GOAL:
+        if (
+            arrived
+            and len(way := best_way(agent.q)) - 1 == SHORTEST
+            and way[-1] == GOAL
+        ):
             return arrived, step.t + 1
     return arrived or most, most
 
@@ -89,7 +95,10 @@ def again(seed: int) -> dict[str, History]:
     thinker = deepcopy(robot)
     thinker.change(planning_steps=50)
     agents = {"learns once from a step": robot, "thinks between its steps": thinker}
-    return {name: learn(agent, Cells(), 1000, keep=True, progress=False) for name, agent in agents.items()}
+    return {
+        name: learn(agent, Cells(), 1000, keep=True, progress=False)
+        for name, agent in agents.items()
+    }
 
 
 def first_episode(seed: int) -> list[Step]:
@@ -112,6 +121,8 @@ def thoughts(episode: list[Step], planner: str | Planner, n: int) -> np.ndarray:
         agent = Agent(Cells(), "Q+EG", planner=planner, planning_steps=0, seed=0)
         for step in episode:
             agent.change(planning_steps=i * step.terminated)
-            agent.update(step.s, step.a, step.r, step.s_next, step.a_next or 0, step.terminated)
+            agent.update(
+                step.s, step.a, step.r, step.s_next, step.a_next or 0, step.terminated
+            )
         first[(agent.q.max(axis=1) > 0) & (first < 0)] = i
     return first

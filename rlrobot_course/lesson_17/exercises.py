@@ -41,7 +41,9 @@ class Picker:
 
 check = with_pages(
     globals(),
-    planned_by_hand=Question(Formula("α * γ * Q_B", α=0.5, γ=0.9, Q_C=0.5, Q_B="α * γ * Q_C")),
+    planned_by_hand=Question(
+        Formula("α * γ * Q_B", α=0.5, γ=0.9, Q_C=0.5, Q_B="α * γ * Q_C")
+    ),
     dyna=Exercise(
         dyna,
         memory={"env": TapeWorld(), "q": Q_START, "seen": {}},

@@ -26,7 +26,10 @@ def sink(n, i):
     pair, size = n.heap[i], n.waiting[0]
     while 2 * i + 1 < size:
         below = 2 * i + 1
-        if below + 1 < size and n.priority[n.heap[below + 1]] > n.priority[n.heap[below]]:
+        if (
+            below + 1 < size
+            and n.priority[n.heap[below + 1]] > n.priority[n.heap[below]]
+        ):
             below += 1
         if n.priority[n.heap[below]] <= n.priority[pair]:
             break

@@ -34,7 +34,11 @@ class Notes(NamedTuple):
 def new_notes(n_states: int, n_actions: int) -> Notes:
     """The notes of who has met nothing yet."""
     pairs = n_states * n_actions
-    heap, place, waiting = np.zeros(pairs, np.int64), np.full(pairs, -1), np.zeros(1, np.int64)
+    heap, place, waiting = (
+        np.zeros(pairs, np.int64),
+        np.full(pairs, -1),
+        np.zeros(1, np.int64),
+    )
     return Notes(np.zeros(pairs), np.zeros(n_states), heap, place, waiting)
 
 

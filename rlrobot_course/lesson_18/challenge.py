@@ -21,12 +21,18 @@ class Guarded(Paid):
     def step(self, action: int) -> Any:
         done = self.guard(dict(self._readings), int(action))
         if done not in {action, *STOPS_OR_TURNS}:
-            raise ValueError(f"a guard lets {action} pass, stops (1, 3, 4) or turns (2, 6); yours returns {done:g}")
+            raise ValueError(
+                f"a guard lets {action} pass, stops (1, 3, 4) or turns (2, 6); yours returns {done:g}"
+            )
         return super().step(int(done))
 
-    def _measure(self, before: Readings, after: Readings, r: float, terminated: bool) -> float:
+    def _measure(
+        self, before: Readings, after: Readings, r: float, terminated: bool
+    ) -> float:
         way = distance_moved(before, after)
-        touches = min(after[laser] for laser in after if laser.startswith("laser")) < 0.05
+        touches = (
+            min(after[laser] for laser in after if laser.startswith("laser")) < 0.05
+        )
         self.metres.append(-0.1 if touches else way * (way > 0.07))
         return r
 
@@ -34,7 +40,12 @@ class Guarded(Paid):
 def metres(guard: Watched, seed: int) -> float:
     """The way in 100 steps after 800 steps of learning in the ideal simulator, 0.1 m less a touch [m]."""
     agent = Agent("wander_1k", seed=seed)
-    learn(agent, Guarded(make_env("wander_1k", seed=seed), guard), steps=800, progress=False)
+    learn(
+        agent,
+        Guarded(make_env("wander_1k", seed=seed), guard),
+        steps=800,
+        progress=False,
+    )
     real = Guarded(make_env("wander_1k", seed=seed, realism=REALITY), guard)
     learn(agent, real, steps=100, progress=False)
     return float(sum(real.metres))

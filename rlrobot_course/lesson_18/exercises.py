@@ -61,17 +61,33 @@ check = with_pages(
         returns="nearest",
         tape=rows(
             "ranges angle_min increment",
-            ([2.0, 1.5, 0.4, 0.9, 0.3, 0.7, 0.5, 1.1], 0.0, EIGHTH),  # the last ray but one step looks ahead, too
-            ([0.9, 1.2, 0.8, 2.0, 0.6], -math.pi / 2, EIGHTH),  # half a circle, from the right to the left
+            (
+                [2.0, 1.5, 0.4, 0.9, 0.3, 0.7, 0.5, 1.1],
+                0.0,
+                EIGHTH,
+            ),  # the last ray but one step looks ahead, too
+            (
+                [0.9, 1.2, 0.8, 2.0, 0.6],
+                -math.pi / 2,
+                EIGHTH,
+            ),  # half a circle, from the right to the left
             ([INF, 1.4, 0.5, 0.6, 0.7, 0.4, 0.8, 2.2], 0.0, EIGHTH),
             ([0.0, 1.4, 0.5, 0.6, 0.7, 0.4, 0.8, 2.2], 0.0, EIGHTH),
             ([NAN, 1.4, 0.5, 0.6, 0.7, 0.4, 0.8, 2.2], 0.0, EIGHTH),
-            ([INF, INF, 0.5, 0.6, 0.7, 0.4, 0.8, INF], 0.0, EIGHTH),  # free ahead: infinity
+            (
+                [INF, INF, 0.5, 0.6, 0.7, 0.4, 0.8, INF],
+                0.0,
+                EIGHTH,
+            ),  # free ahead: infinity
             ([0.0] * 8, 0.0, EIGHTH),  # covered, or broken
             ([NAN] * 4, -0.5, 0.3),
             ([INF] * 6, -1.5, 0.6),
             ([3.0, 2.5, 2.0, 0.35, 1.8, 1.6, 0.45, 2.9, 3.1, 0.6], -math.pi, TENTH),
-            ([1.5, 0.55, 1.2, 0.75, 1.3], -1.2, 0.6),  # rays at 69, 34, 0, 34 and 69 degrees
+            (
+                [1.5, 0.55, 1.2, 0.75, 1.3],
+                -1.2,
+                0.6,
+            ),  # rays at 69, 34, 0, 34 and 69 degrees
             ([2.4, 0.9, 1.0, 0.2, 0.1, 0.6, 0.3, 1.7], 0.0, EIGHTH),
             ([0.8, 0.7, 0.9, 1.2], 1.03, 0.0035),  # rays at 59.0 to 59.6 degrees
             ([0.8, 0.7, 0.9, 1.2, INF], 1.05, 0.004),  # from 60.2 degrees on

@@ -14,10 +14,23 @@ def plot_rehearsals(earned: Mapping[str, Sequence[float]], title: str) -> Pictur
     n, told = len(next(iter(earned.values()))), []
     x = f"mean reward a step; diamond: mean of {n} robots with its 95 % interval"
     figure, ax = chart((7.4, 1.7 + 0.6 * len(earned)), x, "", title, grid="x")
-    for i, ((name, values), (colour, _)) in enumerate(zip(earned.items(), CURVES, strict=False)):
+    for i, ((name, values), (colour, _)) in enumerate(
+        zip(earned.items(), CURVES, strict=False)
+    ):
         mean, half = mean_and_half(values)
-        ax.plot(values, [i + 0.2] * len(values), "o", color=colour, alpha=0.4, markersize=5)
-        ax.errorbar(mean, i - 0.08, xerr=half, fmt="D", color=colour, capsize=6, linewidth=2, markersize=7)
+        ax.plot(
+            values, [i + 0.2] * len(values), "o", color=colour, alpha=0.4, markersize=5
+        )
+        ax.errorbar(
+            mean,
+            i - 0.08,
+            xerr=half,
+            fmt="D",
+            color=colour,
+            capsize=6,
+            linewidth=2,
+            markersize=7,
+        )
         told.append(f"{name}: {mean:.1f} ± {half:.1f}")
     name_rows(ax, list(earned))
     ax.set_ylim(len(earned) - 0.4, -0.5)

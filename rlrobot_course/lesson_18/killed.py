@@ -20,8 +20,12 @@ def kill_a_driver(where: dict[str, Any]) -> tuple[float, float]:
     said: queue.SimpleQueue[float] = queue.SimpleQueue()
     connection = connect("rosbridge", **where)
     try:
-        connection.hear("cmd_vel", TWIST, lambda message: said.put(velocity_of(message)[0]))
-        with subprocess.Popen([sys.executable, "-m", __name__, where["address"]]) as driver:
+        connection.hear(
+            "cmd_vel", TWIST, lambda message: said.put(velocity_of(message)[0])
+        )
+        with subprocess.Popen(
+            [sys.executable, "-m", __name__, where["address"]]
+        ) as driver:
             try:
                 before = said.get(timeout=PATIENCE)
             finally:
@@ -36,7 +40,9 @@ def kill_a_driver(where: dict[str, Any]) -> tuple[float, float]:
 
 def drive(address: str) -> None:
     """Drive the robot of wander_1k on and on: this is the process that is killed."""
-    env = make_env("wander_1k", link=RobotLink("rosbridge", address=address, confirmed=True))
+    env = make_env(
+        "wander_1k", link=RobotLink("rosbridge", address=address, confirmed=True)
+    )
     env.reset()
     while True:
         env.step(8)  # both wheels forward

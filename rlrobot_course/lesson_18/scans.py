@@ -25,7 +25,10 @@ def listen(where: dict[str, Any]) -> tuple[Any, Any]:
     """
     connection = connect("rosbridge", **where)
     try:
-        heard: tuple[queue.SimpleQueue[Any], queue.SimpleQueue[Any]] = queue.SimpleQueue(), queue.SimpleQueue()
+        heard: tuple[queue.SimpleQueue[Any], queue.SimpleQueue[Any]] = (
+            queue.SimpleQueue(),
+            queue.SimpleQueue(),
+        )
         connection.hear("odom", ODOMETRY, heard[0].put)
         connection.hear("laser_scan", LASER_SCAN, heard[1].put)
         return heard[0].get(timeout=PATIENCE), heard[1].get(timeout=PATIENCE)
@@ -44,11 +47,22 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     ax = figure.subplots(subplot_kw={"projection": "polar"})
     ax.set_theta_zero_location("N")
     far = 1.2 * ranges[np.isfinite(ranges)].max(initial=0.1)
-    free = np.append(angles, angles[0] + 2 * np.pi), np.minimum(np.append(ranges, ranges[0]), far)
+    free = (
+        np.append(angles, angles[0] + 2 * np.pi),
+        np.minimum(np.append(ranges, ranges[0]), far),
+    )
     ax.fill(*free, color=SKY, alpha=0.25, linewidth=0, label="seen to be free")
     for side, label in ((-AHEAD, None), (AHEAD, "between these two lines: ahead")):
         ax.plot([side, side], [0, far], ":", color=BLACK, linewidth=1.5, label=label)
-    ax.plot(angles, ranges, ".", color=GREY, markersize=4, zorder=12, label=f"{len(ranges)} rays: what each met")
+    ax.plot(
+        angles,
+        ranges,
+        ".",
+        color=GREY,
+        markersize=4,
+        zorder=12,
+        label=f"{len(ranges)} rays: what each met",
+    )
     told = []
     for laser, reading in laser_readings(scan, chassis, Mounting()).items():
         x, y, towards = chassis.lasers[LASERS.index(laser)]
@@ -61,10 +75,29 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         )  # fmt: skip
         told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
         label = (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far)
-        box = {"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.15"}
-        ax.annotate(f"{reading:.2f} m", label, color=BLACK, ha="center", va="center", bbox=box, zorder=9)
+        box = {
+            "facecolor": "white",
+            "edgecolor": VERMILION,
+            "boxstyle": "round,pad=0.15",
+        }
+        ax.annotate(
+            f"{reading:.2f} m",
+            label,
+            color=BLACK,
+            ha="center",
+            va="center",
+            bbox=box,
+            zorder=9,
+        )
     rim = chassis.radius * np.exp(1j * np.linspace(0, 2 * np.pi, 60)) - chassis.axle
-    ax.plot(np.angle(rim), np.abs(rim), color=BLUE, linewidth=2, linestyle="--", label="circle around the robot")
+    ax.plot(
+        np.angle(rim),
+        np.abs(rim),
+        color=BLUE,
+        linewidth=2,
+        linestyle="--",
+        label="circle around the robot",
+    )
     ax.set(rmax=far, title="A laser ends where the scanner can see no further")
     ax.set_rlabel_position(22)
     ax.yaxis.set_major_locator(MaxNLocator(4))

@@ -17,11 +17,20 @@ def paid_by(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray
     agent = Agent(world, "SL+SR", lam=lam)
     for step in steps:
         a_next = 0 if step.a_next is None else step.a_next
-        agent.update(step.s, step.a, step.r if step.t + 1 == t else 0.0, step.s_next, a_next, step.terminated)
+        agent.update(
+            step.s,
+            step.a,
+            step.r if step.t + 1 == t else 0.0,
+            step.s_next,
+            a_next,
+            step.terminated,
+        )
     return agent.q.copy()
 
 
-def plot_paid(steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]) -> Picture:
+def plot_paid(
+    steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]
+) -> Picture:
     """Maps of what step `t` has paid by SARSA(λ), a panel for each λ: rows are the states that it reached.
 
     steps: of one episode, from `rl.steps`; t: from 1
@@ -34,18 +43,36 @@ def plot_paid(steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float
     picture.suptitle(f"Step {t} was paid {r}: its share in each value Q(s, a)")
     told = (f"λ = {lam:g}: {np.count_nonzero(paid)} values, the largest share {paid.flat[np.abs(paid).argmax()]:.2f}"
             for lam, paid in maps.items())  # fmt: skip
-    picture.alt = f"What step {t}, which paid {r}, has paid of each value. {'; '.join(told)}.".replace("-", "−")
+    picture.alt = f"What step {t}, which paid {r}, has paid of each value. {'; '.join(told)}.".replace(
+        "-", "−"
+    )
     for ax, (lam, paid) in zip(
-        picture.subplots(1, len(maps), sharey=True, squeeze=False)[0], maps.items(), strict=True
+        picture.subplots(1, len(maps), sharey=True, squeeze=False)[0],
+        maps.items(),
+        strict=True,
     ):
         for (row, a), share in np.ndenumerate(paid[states]):
-            colour, opacity = (BLUE if share > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(share) / most)
+            colour, opacity = (
+                (BLUE if share > 0 else VERMILION),
+                0.1 + 0.6 * np.sqrt(abs(share) / most),
+            )
             if share:
-                ax.add_patch(Rectangle((a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity))
+                ax.add_patch(
+                    Rectangle(
+                        (a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity
+                    )
+                )
             text = f"{share:.2g}".replace("-", "−") if share else "·"
             ax.text(a, row, text, ha="center", va="center", fontsize=8)
-        ax.set(title=f"λ = {lam:g}", xlabel="action", xlim=(-0.5, paid.shape[1] - 0.5), ylim=(len(states) - 0.5, -0.5))
-        ax.set(xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states)
+        ax.set(
+            title=f"λ = {lam:g}",
+            xlabel="action",
+            xlim=(-0.5, paid.shape[1] - 0.5),
+            ylim=(len(states) - 0.5, -0.5),
+        )
+        ax.set(
+            xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states
+        )
     picture.axes[0].set_ylabel("state")
     told_by = {BLUE: "it raised the value", VERMILION: "it lowered the value"}
     seen = [BLUE] * any((paid > 0).any() for paid in maps.values())

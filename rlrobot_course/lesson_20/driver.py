@@ -22,7 +22,14 @@ def careful(lasers: Mapping[str, float], rng: np.random.Generator) -> int:
         return int(rng.integers(N_ACTIONS))
     left = lasers["laser_front_left"] + lasers["laser_left"]
     right = lasers["laser_front_right"] + lasers["laser_right"]
-    if min(lasers["laser_front"], lasers["laser_front_left"], lasers["laser_front_right"]) < NEAR:
+    if (
+        min(
+            lasers["laser_front"],
+            lasers["laser_front_left"],
+            lasers["laser_front_right"],
+        )
+        < NEAR
+    ):
         return RIGHT if left < right else LEFT
     return AHEAD
 
@@ -31,9 +38,19 @@ def clumsy(lasers: Mapping[str, float], rng: np.random.Generator) -> int:
     """The same eyes, and wrong hands: turns towards the nearer wall, and then pushes on. Slips as often."""
     if rng.random() < SLIP:
         return int(rng.integers(N_ACTIONS))
-    if min(lasers["laser_front"], lasers["laser_front_left"], lasers["laser_front_right"]) < NEAR:
+    if (
+        min(
+            lasers["laser_front"],
+            lasers["laser_front_left"],
+            lasers["laser_front_right"],
+        )
+        < NEAR
+    ):
         return AHEAD
-    if min(lasers["laser_left"], lasers["laser_right"]) < 2 * NEAR and rng.random() < 0.5:
+    if (
+        min(lasers["laser_left"], lasers["laser_right"]) < 2 * NEAR
+        and rng.random() < 0.5
+    ):
         return LEFT if lasers["laser_left"] < lasers["laser_right"] else RIGHT
     return AHEAD
 
@@ -74,7 +91,9 @@ def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recordin
     if len(pad) >= ENOUGH:
         pad.recording.save(folder)
         return "you", pad.recording, pad
-    too_few = f" (you drove {len(pad)} steps; a lesson takes {ENOUGH})" if len(pad) else ""
+    too_few = (
+        f" (you drove {len(pad)} steps; a lesson takes {ENOUGH})" if len(pad) else ""
+    )
     if Path(folder, "datapackage.json").exists():
         kept = Recording.load(folder, task="wander_1k")
         return f"you, before{too_few}", kept, drive_again(kept)

@@ -25,5 +25,7 @@ check = with_pages(
             gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9),
         ),
     ),
-    two_targets=Question(Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)),
+    two_targets=Question(
+        Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)
+    ),
 )

@@ -37,7 +37,9 @@ def _once(recording: Recording | None, method: str, steps: int, seed: Any) -> Hi
         return learn(agent, env, steps=steps, progress=False, keep=True)
 
 
-def copies(recording: Recording, *, steps: int, repetitions: int = 20, seed: int = 0) -> Runs:
+def copies(
+    recording: Recording, *, steps: int, repetitions: int = 20, seed: int = 0
+) -> Runs:
     """The results of robots that only copy: in a state that was shown they do the same action, elsewhere any action.
 
     An action that was done in a state twice as often as another is taken twice as often. They learn nothing.
@@ -54,6 +56,12 @@ def copies(recording: Recording, *, steps: int, repetitions: int = 20, seed: int
             world = ShortWorld(env, agent_seed)
             s = world.reset()
             for _ in range(steps):
-                s = world.step(int(np.searchsorted(ladders[s], world.u, side="right").clip(max=counts.shape[1] - 1)))[0]
+                s = world.step(
+                    int(
+                        np.searchsorted(ladders[s], world.u, side="right").clip(
+                            max=counts.shape[1] - 1
+                        )
+                    )
+                )[0]
             runs.append(world.history(counts * 0, "copy"))
     return runs

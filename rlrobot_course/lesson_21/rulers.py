@@ -12,7 +12,10 @@ FAR = 1.0  # where the drawing of rulers ends [m]
 
 
 def plot_rulers(
-    target: Sequence[float], source: Sequence[float], shares: Sequence[Sequence[float]], labels: tuple[str, str]
+    target: Sequence[float],
+    source: Sequence[float],
+    shares: Sequence[Sequence[float]],
+    labels: tuple[str, str],
 ) -> Picture:
     """Two rulers, the target's above, and lines from its bins to those of the source that have a share in them.
 
@@ -26,23 +29,52 @@ def plot_rulers(
         ends = np.minimum(edges, FAR)
         for i, (left, right) in enumerate(pairwise(ends)):
             colour = CURVES[i][0]
-            ax.barh(y, right - left, left=left, height=0.22, color=colour, alpha=0.35, edgecolor=BLACK)
-            ax.text((left + right) / 2, y, str(i), ha="center", va="center", color=BLACK)
+            ax.barh(
+                y,
+                right - left,
+                left=left,
+                height=0.22,
+                color=colour,
+                alpha=0.35,
+                edgecolor=BLACK,
+            )
+            ax.text(
+                (left + right) / 2, y, str(i), ha="center", va="center", color=BLACK
+            )
         middles.append((ends[:-1] + ends[1:]) / 2)
         for edge in edges[1:-1]:
-            ax.text(edge, y + (0.2 if y else -0.2), f"{edge:g}", ha="center", va="center", color=BLACK)
+            ax.text(
+                edge,
+                y + (0.2 if y else -0.2),
+                f"{edge:g}",
+                ha="center",
+                va="center",
+                color=BLACK,
+            )
     for i, row in enumerate(shares):
         for k, share in enumerate(row):
             if share > 0:
                 ends = [middles[0][i], middles[1][k]]
-                ax.plot(ends, [0.88, 0.12], color=CURVES[i][0], linewidth=0.6 + 5 * share, alpha=0.7)
+                ax.plot(
+                    ends,
+                    [0.88, 0.12],
+                    color=CURVES[i][0],
+                    linewidth=0.6 + 5 * share,
+                    alpha=0.7,
+                )
                 at = 0.62 if share > 0.5 else 0.42
                 x = ends[1] + (ends[0] - ends[1]) * (at - 0.12) / 0.76
                 ax.text(x, at, f"{share:.2f}".rstrip("0").rstrip("."), ha="center", va="center", color=BLACK,
                         bbox={"facecolor": "white", "edgecolor": GREY, "pad": 1.5, "linewidth": 0.5})  # fmt: skip
-        told.append(f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}")
+        told.append(
+            f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}"
+        )
     ax.set_yticks([1.0, 0.0], [plain(label) for label in labels])
-    ax.set(xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)", ylim=(-0.35, 1.35), xlim=(0, FAR))
+    ax.set(
+        xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)",
+        ylim=(-0.35, 1.35),
+        xlim=(0, FAR),
+    )
     ax.set_title("Where the bins above lie in the bins below")
     for side in ("top", "right", "left"):
         ax.spines[side].set_visible(False)

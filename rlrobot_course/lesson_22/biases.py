@@ -34,11 +34,21 @@ def softmax_biased_by_others(m, s):
     n, stride, rest = m.shape.shape[0], m.q.shape[0], s
     for i in range(n):
         stride, way, rest = next_input(stride, rest, m.shape[i])
-        add_others(m.q, s, s - way, stride, m.shape[i], 1.0 / (max(m.shape[i] - 1, 1) * n), m.bias)
+        add_others(
+            m.q,
+            s,
+            s - way,
+            stride,
+            m.shape[i],
+            1.0 / (max(m.shape[i] - 1, 1) * n),
+            m.bias,
+        )
     softmax_with_bias(m, s)
 
 
-OBIASSR = Selection(name="OBIASSR", weigh=softmax_biased_by_others, is_softmax=True, is_biased=True)
+OBIASSR = Selection(
+    name="OBIASSR", weigh=softmax_biased_by_others, is_softmax=True, is_biased=True
+)
 
 
 @compiled
@@ -58,7 +68,9 @@ def softmax_with_fading_bias(m, s):
     softmax_with_bias(m, s)
 
 
-FBIASSR = Selection(name="FBIASSR", weigh=softmax_with_fading_bias, is_softmax=True, is_biased=True)
+FBIASSR = Selection(
+    name="FBIASSR", weigh=softmax_with_fading_bias, is_softmax=True, is_biased=True
+)
 
 
 @compiled
@@ -79,10 +91,23 @@ def softmax_biased_at_its_temperature(m, s):
     stride, rest = m.q.shape[0], s
     for i in range(n):
         stride, way, rest = next_input(stride, rest, m.shape[i])
-        add_others(m.q, s, s - way, stride, m.shape[i], 1.0 / (m.shape[i] * n * (1.0 + share)), m.bias)
+        add_others(
+            m.q,
+            s,
+            s - way,
+            stride,
+            m.shape[i],
+            1.0 / (m.shape[i] * n * (1.0 + share)),
+            m.bias,
+        )
     softmax_with_bias(m, s)
 
 
-TBIASSR = Selection(name="TBIASSR", weigh=softmax_biased_at_its_temperature, is_softmax=True, is_biased=True)
+TBIASSR = Selection(
+    name="TBIASSR",
+    weigh=softmax_biased_at_its_temperature,
+    is_softmax=True,
+    is_biased=True,
+)
 
 BIASES = (VBIASSR, OBIASSR, FBIASSR, TBIASSR)

@@ -10,5 +10,7 @@ TWO_BIASES = Formula(
 check = with_pages(
     globals(),
     two_biases=Question(TWO_BIASES),
-    how_far=Question(Formula("(radius * (0.5 + 1) / 2, radius * (0 + 1) / 2)", radius=0.0975)),
+    how_far=Question(
+        Formula("(radius * (0.5 + 1) / 2, radius * (0 + 1) / 2)", radius=0.0975)
+    ),
 )

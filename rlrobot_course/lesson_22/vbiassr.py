@@ -52,4 +52,6 @@ def softmax_biased_by_visits(m, s):
     softmax_with_bias(m, s)
 
 
-VBIASSR = Selection(name="VBIASSR", weigh=softmax_biased_by_visits, is_softmax=True, is_biased=True)
+VBIASSR = Selection(
+    name="VBIASSR", weigh=softmax_biased_by_visits, is_softmax=True, is_biased=True
+)

@@ -26,7 +26,9 @@ class SecretBody(ServedBody, LinkedRobot):
     Raises ValueError for a task with episodes, or whose robot is not one on two wheels.
     """
 
-    def __init__(self, task: str | Task, secret: Secret, seed: int | None = None) -> None:
+    def __init__(
+        self, task: str | Task, secret: Secret, seed: int | None = None
+    ) -> None:
         super().__init__(task, secret.realism, seed)
         if self.task.episode_steps is not None:
             raise ValueError(
@@ -34,7 +36,10 @@ class SecretBody(ServedBody, LinkedRobot):
             )
         self._base.arena = secret.with_wall(self._base.arena, self.chassis.radius)
         self._robot.reset(self._rng)
-        motions = [self.chassis.twist(self.task.command_for(a)) for a in range(self.task.actions.n)]
+        motions = [
+            self.chassis.twist(self.task.command_for(a))
+            for a in range(self.task.actions.n)
+        ]
         self._fastest = np.abs(motions).max(axis=0).tolist()
         self._ticks = round(self.task.step_time / TICK)
         self._past = deque([self._base.readings], maxlen=self._ticks + 1)
@@ -72,10 +77,15 @@ class SecretBody(ServedBody, LinkedRobot):
         """Nothing is to be ended."""
 
 
-def rewards_of(log: Sequence[float] | NDArray[np.float64], ticks: int) -> NDArray[np.float64]:
+def rewards_of(
+    log: Sequence[float] | NDArray[np.float64], ticks: int
+) -> NDArray[np.float64]:
     """The rewards of whole steps of so many ticks, from the beginning at which they are worth most.
 
     A robot is not told when its driver's steps begin.
     """
     whole = len(log) // ticks - 1
-    return max((np.array(log[i::ticks][:whole]) for i in range(ticks)), key=lambda rewards: float(rewards.mean()))
+    return max(
+        (np.array(log[i::ticks][:whole]) for i in range(ticks)),
+        key=lambda rewards: float(rewards.mean()),
+    )

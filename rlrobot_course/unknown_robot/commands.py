@@ -36,7 +36,9 @@ def serve(task: str, secret: str, **arguments: Any) -> None:
     Raises ValueError for a task or secret that cannot be, OSError if the log of an earlier drive is still here.
     """
     if secret and LOG.exists():
-        raise FileExistsError(f"{LOG}: here is the log of an earlier drive; keep it under another name, or remove it")
+        raise FileExistsError(
+            f"{LOG}: here is the log of an earlier drive; keep it under another name, or remove it"
+        )
     serve_robot(_Logging(task, unlock(secret)) if secret else task, **arguments)
 
 
@@ -44,5 +46,9 @@ def tell_score(log: str, secret: str) -> None:
     """Print what a drive is worth."""
     result = score(log, unlock(secret))
     print(f"mean reward a step in the second half hour: {result.earned:.2f}")
-    print(f"random actions {result.random:.2f}, the best that we found {result.found:.2f}")
-    print(f"score: {result.points:.0f}  (0 is chance, 100 the best found; it is not clipped)")
+    print(
+        f"random actions {result.random:.2f}, the best that we found {result.found:.2f}"
+    )
+    print(
+        f"score: {result.points:.0f}  (0 is chance, 100 the best found; it is not clipped)"
+    )

@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
 from rlrobot_course.unknown_robot.secret import Secret
-from rlrobot_edu import Agent, Recording, SampleModel, Task, load_task, make_env, record, value_iteration
+from rlrobot_edu import (
+    Agent,
+    Recording,
+    SampleModel,
+    Task,
+    load_task,
+    make_env,
+    record,
+    value_iteration,
+)
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.ros.live.served_body import TICK
@@ -38,7 +47,10 @@ class Score(NamedTuple):
 def save_log(path: Path, body: SecretBody, secret: Secret) -> None:
     """Write the first hour of the robot's log, signed with the secret."""
     rewards = np.array(body.log[: round(HOUR / TICK)])
-    about = {"task": body.task.name, "signature": _signature(secret, body.task.name, rewards)}
+    about = {
+        "task": body.task.name,
+        "signature": _signature(secret, body.task.name, rewards),
+    }
     save_arrays(path, "drive", about, {"rewards": rewards})
 
 
@@ -48,14 +60,20 @@ def score(log: str | Path, secret: Secret) -> Score:
     Raises ValueError for a log that another secret has signed, that was changed, or that is too short.
     """
 
-    def make(about: dict[str, Any], arrays: dict[str, NDArray[np.float64]]) -> tuple[str, str, NDArray[np.float64]]:
+    def make(
+        about: dict[str, Any], arrays: dict[str, NDArray[np.float64]]
+    ) -> tuple[str, str, NDArray[np.float64]]:
         return str(about["task"]), str(about["signature"]), arrays["rewards"]
 
     name, signature, rewards = load_arrays(log, "drive", make)
     if not hmac.compare_digest(signature, _signature(secret, name, rewards)):
-        raise ValueError(f"{log}: this secret has not signed this log: another robot's, or it was changed since")
+        raise ValueError(
+            f"{log}: this secret has not signed this log: another robot's, or it was changed since"
+        )
     if len(rewards) < round(HOUR / TICK):
-        raise ValueError(f"{log}: the robot has driven {len(rewards) * TICK:.0f} s of its {HOUR:.0f} s; drive on")
+        raise ValueError(
+            f"{log}: the robot has driven {len(rewards) * TICK:.0f} s of its {HOUR:.0f} s; drive on"
+        )
     task = load_task(name)
     half = rewards[len(rewards) // 2 :]
     return Score(_mean(half, task), *rulers(task, secret))
@@ -69,22 +87,30 @@ def rulers(task: Task, secret: Secret, seconds: float = HOUR) -> tuple[float, fl
     """
     steps = round(seconds / task.step_time)
     random, _ = _drive(task, secret, Agent(task, "Q+RANDOM", seed=0), 0, steps)
-    pupils = workers()(delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS))
+    pupils = workers()(
+        delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS)
+    )
     best, recording = max(pupils, key=lambda pupil: float(pupil[0]))
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = Agent(task, "Q+GREEDY", seed=0, alpha=WARY)
-    planner.q[:] = np.where(model.pair_count >= ENOUGH, value_iteration(model).q, -np.inf)
+    planner.q[:] = np.where(
+        model.pair_count >= ENOUGH, value_iteration(model).q, -np.inf
+    )
     return random, max(best, _drive(task, secret, planner, 0, steps)[0])
 
 
-def _pupil(task: Task, secret: Secret, seed: int, steps: int) -> tuple[float, Recording]:
+def _pupil(
+    task: Task, secret: Secret, seed: int, steps: int
+) -> tuple[float, Recording]:
     """What one pupil earns after its lessons, and what was recorded in these."""
     pupil = Agent(task, "TOSL+QBIASSR", seed=seed)
     _, recording = _drive(task, secret, pupil, seed, LESSONS * steps)
     return _drive(task, secret, pupil, 0, steps)[0], recording
 
 
-def _drive(task: Task, secret: Secret, agent: Agent, seed: int, steps: int) -> tuple[float, Recording]:
+def _drive(
+    task: Task, secret: Secret, agent: Agent, seed: int, steps: int
+) -> tuple[float, Recording]:
     """What an agent earns a step, and the recording."""
     body = SecretBody(task, secret, seed)
     recording = record(agent, make_env(task, link=body), steps=steps)

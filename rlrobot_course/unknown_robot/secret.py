@@ -12,7 +12,10 @@ from rlrobot_edu.robots.arenas import Arena, Wall
 from rlrobot_edu.robots.realism import Realism
 
 ROUNDS = 300_000  # of hashing: whoever tries secrets one by one waits a part of a second for each
-LENGTH, ROOM = 0.25, 0.12  # of the wall, as part of the arena's shorter side; between it and the robot's start [m]
+LENGTH, ROOM = (
+    0.25,
+    0.12,
+)  # of the wall, as part of the arena's shorter side; between it and the robot's start [m]
 
 
 class Secret(NamedTuple):
@@ -44,7 +47,10 @@ class Secret(NamedTuple):
         while True:
             x, y = rng.uniform((low_x, low_y), (high_x, high_y)).tolist()
             wall = Wall(x, y, length, angle=rng.uniform(0.0, pi))
-            if hypot(x - arena.start[0], y - arena.start[1]) > radius + length / 2 + ROOM:
+            if (
+                hypot(x - arena.start[0], y - arena.start[1])
+                > radius + length / 2 + ROOM
+            ):
                 return arena._replace(walls=(*arena.walls, wall))
 
 
@@ -57,5 +63,7 @@ def unlock(where: str) -> Secret:
     said = os.environ.get(name, "") if kind == "env" else where
     plain = Path(name).read_bytes() if kind == "file" else said.encode()
     if not plain.strip():
-        raise ValueError(f"{where}: no secret is there; write one of 16 letters or more that nobody can guess")
+        raise ValueError(
+            f"{where}: no secret is there; write one of 16 letters or more that nobody can guess"
+        )
     return Secret(hashlib.pbkdf2_hmac("sha256", plain.strip(), b"rlrobot_edu", ROUNDS))

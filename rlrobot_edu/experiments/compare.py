@@ -23,7 +23,10 @@ from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.version import __version__
 
-STEPS, EPISODE_STEPS = 3600, 10_000  # of a repetition; and on average of an episode that nothing cuts off
+STEPS, EPISODE_STEPS = (
+    3600,
+    10_000,
+)  # of a repetition; and on average of an episode that nothing cuts off
 
 
 def compare(
@@ -100,10 +103,18 @@ def compare(
         After Ctrl-C, in one line; it says whether the repetitions so far are kept.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
-    if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):
-        raise ValueError(f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}")
+    if not (
+        isinstance(share, tuple)
+        and [*map(type, share)] == [int, int]
+        and 1 <= share[0] <= share[1]
+    ):
+        raise ValueError(
+            f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}"
+        )
     if "method" in settings:
-        raise ValueError("the methods to compare are given all together, as methods; leave method out")
+        raise ValueError(
+            "the methods to compare are given all together, as methods; leave method out"
+        )
     length = {**_length(env, steps, episodes), "keep": keep}
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
@@ -111,18 +122,32 @@ def compare(
         agents[label] = learner(env, settings | its_own)
         one = partial(repetition, world, settings | its_own, length, **robot)
         root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
-        jobs |= {(label, i): partial(one, its_seed) for i, its_seed in enumerate(root.spawn(repetitions))}
+        jobs |= {
+            (label, i): partial(one, its_seed)
+            for i, its_seed in enumerate(root.spawn(repetitions))
+        }
     kept = None
     if store is not None:
-        facts: dict[str, Any] = {"methods": {label: agent.method.name for label, agent in agents.items()}}
+        facts: dict[str, Any] = {
+            "methods": {label: agent.method.name for label, agent in agents.items()}
+        }
         for label, agent in agents.items():
             parameters = dataclasses.asdict(agent.parameters) | made_of(agent.method)
             facts |= {f"{name} of {label}": value for name, value in parameters.items()}
         facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
-        kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
+        kept = Store(
+            store, {**facts, "realism": str(realism), "engine": robot["engine"]}
+        )
         kept.begin(world)
     bar = f"{len(agents)} methods" if progress else None
-    runs = run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, store=kept, bar=bar, share=share)
+    runs = run(
+        jobs,
+        threads=isinstance(world, SampleModel),
+        n_jobs=n_jobs,
+        store=kept,
+        bar=bar,
+        share=share,
+    )
     return Comparison(world, runs)
 
 
@@ -134,24 +159,48 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
     if longest is not None and episodes is None:
         episodes = (max(STEPS, longest) if steps is None else steps) // longest
         if not episodes:
-            raise ValueError(f"an episode may take {longest} steps, more than {steps}; give more steps")
+            raise ValueError(
+                f"an episode may take {longest} steps, more than {steps}; give more steps"
+            )
     if episodes is None:
         return {"steps": STEPS if steps is None else steps, "episodes": None}
     if longest is None and not can_end(env):
-        raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
-    return {"steps": min(episodes * (longest or EPISODE_STEPS), steps or MOST_STEPS), "episodes": episodes}
+        raise ValueError(
+            "this task goes on for ever and has no episodes; give steps= instead of episodes="
+        )
+    return {
+        "steps": min(episodes * (longest or EPISODE_STEPS), steps or MOST_STEPS),
+        "episodes": episodes,
+    }
 
 
-def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+def _by_label(
+    methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]],
+) -> dict[str, dict[str, Any]]:
     """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, Mapping):
         if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
-            raise ValueError("a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
-        given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
+            raise ValueError(
+                "a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
+            )
+        given = {
+            str(label): {"method": label, **parameters}
+            for label, parameters in methods.items()
+        }
     else:
-        several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]
-        names = [method.name if isinstance(method, Method) else str(method) for method in several]
-        given = {name: {"method": method} for name, method in zip(names, several, strict=True)}
+        several = (
+            [methods]
+            if isinstance(methods, str) or not isinstance(methods, Iterable)
+            else [*methods]
+        )
+        names = [
+            method.name if isinstance(method, Method) else str(method)
+            for method in several
+        ]
+        given = {
+            name: {"method": method}
+            for name, method in zip(names, several, strict=True)
+        }
         if len(given) < len(several):
             raise ValueError(f"each method must be named once, got {', '.join(names)}")
     if not given:

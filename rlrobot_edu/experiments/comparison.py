@@ -37,7 +37,9 @@ class Comparison(Tabled, UserDict[str, Runs]):
         self.groups = self.data
 
     @classmethod
-    def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
+    def load(
+        cls, path: str | Path, world: World | str | Path | None = None
+    ) -> "Comparison":
         """What has been finished in a store of `rlrobot_edu.compare`; nothing is run.
 
         Parameters
@@ -59,32 +61,48 @@ class Comparison(Tabled, UserDict[str, Runs]):
             something else, or if the store was made in another world.
         """
         store = Store.at(path)
-        groups = {label: runs for label in store.facts["methods"] if (runs := Runs(store.histories(label)))}
+        groups = {
+            label: runs
+            for label in store.facts["methods"]
+            if (runs := Runs(store.histories(label)))
+        }
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
         return cls(store.world(world), groups)
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
+        counts = ", ".join(
+            f"{len(runs)} × {label}" for label, runs in self.groups.items()
+        )
         return f"<Comparison in {self.name}: {counts}>"
 
     @property
     def name(self) -> str:
         """The name of the task, environment or function, or ``model``."""
-        return str(getattr(self.world, "name", getattr(self.world, "__name__", "model")))
+        return str(
+            getattr(self.world, "name", getattr(self.world, "__name__", "model"))
+        )
 
     @cached_property
     def final(self) -> dict[str, np.ndarray]:
         """Final average reward of each repetition, by label; in an episodic task, of the last episode."""
         # a sum of n rewards is rounded n times, up or down, which makes √n
-        size = max(abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs)
-        final = statistics.without_rounding([runs.final for runs in self.values()], size)
+        size = max(
+            abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs
+        )
+        final = statistics.without_rounding(
+            [runs.final for runs in self.values()], size
+        )
         return dict(zip(self, final, strict=True))
 
     @cached_property
     def optimum(self) -> float | None:
         """Best achievable average reward in a sample model; None for a robot, where it is unknown."""
-        return self.world.best_average_reward() if isinstance(self.world, SampleModel) else None
+        return (
+            self.world.best_average_reward()
+            if isinstance(self.world, SampleModel)
+            else None
+        )
 
     def anova(self) -> Anova:
         """One-way analysis of variance of the final average rewards.
@@ -128,12 +146,40 @@ class Comparison(Tabled, UserDict[str, Runs]):
         for label, runs in self.items():
             final = self.final[label]
             several = len(final) > 1
-            interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
-            spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
+            interval = (
+                "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final))
+                if several
+                else None
+            )
+            spread = (
+                (statistics.squares(final) / (len(final) - 1)) ** 0.5
+                if several
+                else None
+            )
             cost = np.median([h.seconds / len(h) for h in runs]) * 1e6
             mean = statistics.average(final)
-            rows.append([label, len(final), mean, interval, spread, final.min(), final.max(), cost])
-        columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
+            rows.append(
+                [
+                    label,
+                    len(final),
+                    mean,
+                    interval,
+                    spread,
+                    final.min(),
+                    final.max(),
+                    cost,
+                ]
+            )
+        columns = [
+            "method",
+            "repetitions",
+            "mean",
+            "95 % interval",
+            "SD",
+            "lowest",
+            "highest",
+            "µs a step",
+        ]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
     def plot(self, *, title: str | None = None) -> "Picture":
@@ -149,7 +195,10 @@ class Comparison(Tabled, UserDict[str, Runs]):
         Picture
             The figure; for axes of your own see `plot_learning`.
         """
-        from rlrobot_edu.show.curves import plot_curves, steps_of  # numbers alone need no matplotlib
+        from rlrobot_edu.show.curves import (
+            plot_curves,
+            steps_of,
+        )  # numbers alone need no matplotlib
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")

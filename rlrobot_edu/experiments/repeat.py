@@ -33,13 +33,22 @@ Seed = np.random.SeedSequence
 def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
     """A new agent for this environment. Raises ValueError for wrong settings."""
     if "seed" in settings:
-        raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
+        raise ValueError(
+            "each repetition has a seed of its own; leave seed out of an agent's settings"
+        )
     for name in settings:
-        known(name, ["method", "planner", *Parameters.__annotations__], "setting", "an agent")
+        known(
+            name,
+            ["method", "planner", *Parameters.__annotations__],
+            "setting",
+            "an agent",
+        )
     return Agent(env, **{**settings, "seed": seed})
 
 
-def repetition(world: World, settings: Settings, length: Settings, seed: Seed, **robot: Any) -> History:
+def repetition(
+    world: World, settings: Settings, length: Settings, seed: Seed, **robot: Any
+) -> History:
     """What a repetition of one method does: a function of its seed, and of nothing else.
 
     length: how long it learns, `steps` and more for `learn`; robot: its realism and engine
@@ -47,13 +56,19 @@ def repetition(world: World, settings: Settings, length: Settings, seed: Seed, *
     # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
     agent_seed, env_seed = copy(seed).spawn(2)
     with make_env(world, env_seed, **robot) as env:
-        history = learn(learner(env, settings, agent_seed), env, **length, progress=False)
+        history = learn(
+            learner(env, settings, agent_seed), env, **length, progress=False
+        )
     if (ended := len(history.returns)) < (length.get("episodes") or 0):
-        raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
+        raise ValueError(
+            f"in {len(history):,} steps only {ended} episodes have ended; give more steps"
+        )
     return history
 
 
-def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, Any]:
+def tried(
+    world: World | str | Path, seed: int, repetitions: int, **robot: Any
+) -> tuple[World, Env, Any]:
     """The world itself, an environment of it to look at, and the arguments of its robot, engine included.
 
     Raises ValueError for what cannot be: what `make_env` refuses is said here, not on another core.
@@ -85,9 +100,17 @@ def run(
     share: (k, n) runs, and returns, the k-th of n shares: each n-th repetition of all
     """
     keys = list(jobs)[share[0] - 1 :: share[1]]
-    done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
+    done = {
+        key: history
+        for key in keys
+        if store and (history := store.load(*key)) is not None
+    }
     to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
-    parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
+    parallel = workers(
+        n_jobs,
+        prefer="threads" if threads else "processes",
+        return_as="generator_unordered",
+    )
     about = {"initial": len(done), "unit": "repetition", "desc": bar}
     with progress_bar(len(keys), bar is not None, delay=0, **about) as shown:
         try:
@@ -97,10 +120,18 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            kept = f"kept in {store.folder}: the same call goes on" if store else "lost: there is no store"
-            raise Interrupted(f"Stopped at {len(done)} of {len(keys)} repetitions, {kept}.") from None
+            kept = (
+                f"kept in {store.folder}: the same call goes on"
+                if store
+                else "lost: there is no store"
+            )
+            raise Interrupted(
+                f"Stopped at {len(done)} of {len(keys)} repetitions, {kept}."
+            ) from None
     labels = dict.fromkeys(label for label, _ in jobs)
-    return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
+    return {
+        label: Runs(done[key] for key in keys if key[0] == label) for label in labels
+    }
 
 
 def _one(key: Key, job: Callable[[], History]) -> tuple[Key, History]:

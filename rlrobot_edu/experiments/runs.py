@@ -12,7 +12,12 @@ from rlrobot_edu.learning.history import History
 def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Curves as rows of one array, as long as the longest; NaN where a shorter one has ended."""
     longest = max(map(len, curves), default=0)
-    return np.array([np.pad(curve, (0, longest - len(curve)), constant_values=np.nan) for curve in curves])
+    return np.array(
+        [
+            np.pad(curve, (0, longest - len(curve)), constant_values=np.nan)
+            for curve in curves
+        ]
+    )
 
 
 class Runs(UserList[History]):  # whose slices and sums are Runs, too
@@ -25,7 +30,11 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
     """
 
     def __repr__(self) -> str:
-        return f"<{len(self)} repetitions of {self[0].method}>" if self else "<no repetitions>"
+        return (
+            f"<{len(self)} repetitions of {self[0].method}>"
+            if self
+            else "<no repetitions>"
+        )
 
     @property
     def curves(self) -> NDArray[np.float64]:
@@ -33,7 +42,12 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
 
         Where a repetition is shorter than the longest, its row ends in NaN.
         """
-        return padded([h.average_reward if h.size.episode_steps is None else h.last_episode for h in self])
+        return padded(
+            [
+                h.average_reward if h.size.episode_steps is None else h.last_episode
+                for h in self
+            ]
+        )
 
     @property
     def final(self) -> NDArray[np.float64]:

@@ -17,15 +17,21 @@ ROUNDING = 64 * float(np.finfo(float).eps)
 LARGE = 2500.0
 
 
-def without_rounding(groups: Sequence[np.ndarray], scale: float = 0.0) -> list[np.ndarray]:
+def without_rounding(
+    groups: Sequence[np.ndarray], scale: float = 0.0
+) -> list[np.ndarray]:
     """The same groups, arrays (n,), in which numbers that differ by rounding alone are equal.
 
     scale: the size of what was rounded, where that is larger than they are
     """
     ordered = np.sort(np.concatenate(groups))
-    is_equal = np.diff(ordered, prepend=np.nan) <= ROUNDING * max(scale, np.abs(ordered).max(initial=0))
+    is_equal = np.diff(ordered, prepend=np.nan) <= ROUNDING * max(
+        scale, np.abs(ordered).max(initial=0)
+    )
     distinct = ordered[~is_equal]  # to the number before it
-    return [distinct[np.searchsorted(distinct, group, side="right") - 1] for group in groups]
+    return [
+        distinct[np.searchsorted(distinct, group, side="right") - 1] for group in groups
+    ]
 
 
 def average(x: np.ndarray) -> np.float64:
@@ -75,12 +81,16 @@ class Anova(Tabled):
     def of(cls, groups: Sequence[np.ndarray]) -> "Anova":
         """The analysis of groups, arrays (n,). Raises ValueError unless there are two, of two each."""
         if len(groups) < 2 or min(map(len, groups)) < 2:
-            raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
+            raise ValueError(
+                "an analysis of variance needs at least two methods with two repetitions each"
+            )
         groups = without_rounding(groups)
         everything = np.concatenate(groups)
         between = sum(len(g) * (average(g) - average(everything)) ** 2 for g in groups)
         within = sum(map(squares, groups))
-        return cls(float(between), len(groups) - 1, within, len(everything) - len(groups))
+        return cls(
+            float(between), len(groups) - 1, within, len(everything) - len(groups)
+        )
 
     @property
     def ms_between(self) -> float:
@@ -110,16 +120,41 @@ class Anova(Tabled):
         total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
         # noncentralities, for which this F is at either end of the distribution
-        ends = scale * special.ncfdtrinc(self.df_between, self.df_within, [0.975, 0.025], self.f / scale)
+        ends = scale * special.ncfdtrinc(
+            self.df_between, self.df_within, [0.975, 0.025], self.f / scale
+        )
         low, high = ends / (ends + n)
-        return Interval(self.ss_between / total if total else math.nan, float(low), float(high))
+        return Interval(
+            self.ss_between / total if total else math.nan, float(low), float(high)
+        )
 
     def table(self) -> Table:
         """The table in the paper's layout."""
         rows: list[list[object]] = [
-            ["between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
-            ["within groups", self.ss_within, self.df_within, self.ms_within, None, None],
-            ["total", self.ss_between + self.ss_within, self.df_between + self.df_within, None, None, None],
+            [
+                "between groups",
+                self.ss_between,
+                self.df_between,
+                self.ms_between,
+                self.f,
+                exact(self.p),
+            ],
+            [
+                "within groups",
+                self.ss_within,
+                self.df_within,
+                self.ms_within,
+                None,
+                None,
+            ],
+            [
+                "total",
+                self.ss_between + self.ss_within,
+                self.df_between + self.df_within,
+                None,
+                None,
+                None,
+            ],
         ]
         columns = ["source", "sum of squares", "df", "mean square", "F", "p-value"]
         return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
@@ -160,7 +195,13 @@ class Tukey(Tabled):
         for (first, x), (second, y) in combinations(rounded, 2):
             difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
-            q = abs(difference) / error if error else math.inf if difference else math.nan
+            q = (
+                abs(difference) / error
+                if error
+                else math.inf
+                if difference
+                else math.nan
+            )
             p = float(stats.studentized_range.sf(q, len(groups), anova.df_within))
             pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
         return cls(tuple(pairs))
@@ -169,8 +210,24 @@ class Tukey(Tabled):
         """The table in the paper's layout, with the size of each difference."""
         rows = []
         for p in self.pairs:
-            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, p.g])
-        columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
+            rows.append(
+                [
+                    f"{p.first} vs {p.second}",
+                    p.q,
+                    exact(p.p),
+                    p.inference,
+                    p.difference,
+                    p.g,
+                ]
+            )
+        columns = [
+            "pair",
+            "HSD Q statistic",
+            "HSD p-value",
+            "HSD inference",
+            "difference",
+            "Hedges g [95 %]",
+        ]
         return Table("Post-hoc Tukey HSD test", columns, rows)
 
 
@@ -189,8 +246,13 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     sd = math.sqrt((squares(x) + squares(y)) / df)
     if sd == 0 or df < 2:
         return Interval(math.nan, math.nan, math.nan)
-    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2)
+    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(
+        df / 2
+    )
     t = float(average(x) - average(y)) / sd / unit
     scale = max(1.0, abs(t) / LARGE)
-    low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))
+    low, high = (
+        scale * float(special.nctdtrinc(df, level, t / scale))
+        for level in (0.975, 0.025)
+    )
     return Interval(*(correction * unit * value for value in (t, low, high)))

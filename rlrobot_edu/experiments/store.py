@@ -19,8 +19,14 @@ from rlrobot_edu.task.messages import difference
 from rlrobot_edu.task.task import Task
 
 DESCRIPTION, MODEL = "experiment.json", "model.npz"
-NEEDED = {"methods": dict, "seed": int, "world": str}  # by which a store is opened without the call
-METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's on every system
+NEEDED = {
+    "methods": dict,
+    "seed": int,
+    "world": str,
+}  # by which a store is opened without the call
+METHOD = re.compile(
+    r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}"
+)  # such a name is a folder's on every system
 
 
 class Store:
@@ -35,7 +41,9 @@ class Store:
     def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
         self.folder = Path(folder)
         # NumPy's numbers become Python's
-        self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))
+        self.facts: dict[str, Any] = json.loads(
+            json.dumps(facts, default=np.generic.item)
+        )
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
@@ -43,14 +51,18 @@ class Store:
         """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
         path = Path(folder) / DESCRIPTION
         if not path.is_file():
-            raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another")
+            raise ValueError(
+                f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another"
+            )
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
                 raise ValueError(f"it needs {', '.join(NEEDED)}")
             return cls(folder, facts)
         except Exception as error:  # of a damaged file anything may be the matter
-            raise ValueError(f"{path}: this file of the store is damaged ({error!s:.200})") from error
+            raise ValueError(
+                f"{path}: this file of the store is damaged ({error!s:.200})"
+            ) from error
 
     def begin(self, world: World) -> None:
         """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
@@ -59,7 +71,9 @@ class Store:
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
-                raise ValueError(f"{self.folder} has another experiment: {differ} in this call; take another")
+                raise ValueError(
+                    f"{self.folder} has another experiment: {differ} in this call; take another"
+                )
         else:
             text = json.dumps(self.facts, indent=1, ensure_ascii=False)
             write_whole(self.folder / DESCRIPTION, f"{text}\n")
@@ -70,7 +84,9 @@ class Store:
 
     def path(self, label: str, number: int) -> Path:
         """The file of one repetition."""
-        if not METHOD.fullmatch(label):  # a readable part, and what tells it from all other labels
+        if not METHOD.fullmatch(
+            label
+        ):  # a readable part, and what tells it from all other labels
             label = f"{re.sub(r'[^A-Za-z0-9+=-]+', '_', label)[:40]}_{sha256(label.encode())[:8]}"
         return self.folder / label / f"{number:04d}.npz"
 
@@ -79,7 +95,9 @@ class Store:
 
     def save(self, label: str, number: int, history: History) -> None:
         """Keep one repetition. It is on disk on return."""
-        replace(history, origin=self._origin(label, number)).save(self.path(label, number))
+        replace(history, origin=self._origin(label, number)).save(
+            self.path(label, number)
+        )
 
     def load(self, label: str, number: int) -> History | None:
         """One repetition; None if it has not been kept yet. Raises ValueError that names a damaged file."""
@@ -89,16 +107,24 @@ class Store:
         try:
             history = History.load(path)
             if history.origin != (due := self._origin(label, number)):
-                raise ValueError(f"{path}: it is {history.origin or 'of none'!r:.200}, expected {due!r:.200}")
+                raise ValueError(
+                    f"{path}: it is {history.origin or 'of none'!r:.200}, expected {due!r:.200}"
+                )
         except ValueError as error:
-            raise ValueError(f"{error}; delete this file, and the same call runs it again") from error
+            raise ValueError(
+                f"{error}; delete this file, and the same call runs it again"
+            ) from error
         return history
 
     def histories(self, label: str) -> list[History]:
         """The repetitions of one method that are kept, in order. Raises ValueError that names a damaged file."""
         stems = [path.stem for path in self.path(label, 0).parent.glob("*.npz")]
         numbers = sorted({int(stem) for stem in stems if stem.isdecimal()})
-        return [history for number in numbers if (history := self.load(label, number)) is not None]
+        return [
+            history
+            for number in numbers
+            if (history := self.load(label, number)) is not None
+        ]
 
     def world(self, world: World | str | Path | None = None) -> World:
         """Where the methods learned: what is given, or else the model kept here, or what the store names.
@@ -112,10 +138,16 @@ class Store:
             named = str(self.facts["world"])
             world = named.removeprefix("the task ").removeprefix("the environment ")
             if world == named:
-                raise ValueError(f"{self.folder}: it was made in {named}, which it lacks; give it as world=")
+                raise ValueError(
+                    f"{self.folder}: it was made in {named}, which it lacks; give it as world="
+                )
         world = as_world(world)
-        if differ := difference(self.facts, self.facts | Store("", facts_of(world)).facts, "store"):
-            raise ValueError(f"{self.folder} was made in another world: {differ} here; give it as world=")
+        if differ := difference(
+            self.facts, self.facts | Store("", facts_of(world)).facts, "store"
+        ):
+            raise ValueError(
+                f"{self.folder} was made in another world: {differ} here; give it as world="
+            )
         return world
 
 
@@ -124,14 +156,34 @@ def facts_of(world: World) -> dict[str, Any]:
     if isinstance(world, SampleModel):
         about = {name: getattr(world, name) for name in ABOUT}
         recorded = joblib.hash([getattr(world, name) for name in DTYPES])
-        return {"world": "a sample model", **about, "what the model has recorded": recorded}
+        return {
+            "world": "a sample model",
+            **about,
+            "what the model has recorded": recorded,
+        }
     if isinstance(world, EnvSpec):
         maker = code_of((str(world), world.entry_point))
-        return {"world": f"the environment {world.id}", "kwargs": str(world.kwargs), "what makes it": maker}
+        return {
+            "world": f"the environment {world.id}",
+            "kwargs": str(world.kwargs),
+            "what makes it": maker,
+        }
     if not isinstance(world, Task):
         return {"world": "what a function makes", "what makes it": code_of(world)}
-    parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
-    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
+    parts = (
+        "robot",
+        "scene",
+        "inputs",
+        "outputs",
+        "rewards",
+        "step_time",
+        "episode_steps",
+        "goal_steps",
+    )
+    facts = {
+        "world": f"the task {world.name}",
+        **{name: str(getattr(world, name)) for name in parts},
+    }
     facts["the content of the task's file"] = world.fingerprint[:16]
     for name in ("reward", "command", "goal"):
         facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)

@@ -30,7 +30,10 @@ class Table:
 
         def row(cells: Sequence[str], tag: str) -> str:
             both = zip(sides, cells, strict=True)
-            shown = (f'<{tag} style="text-align: {side}">{cell}</{tag}>' for side, cell in both)
+            shown = (
+                f'<{tag} style="text-align: {side}">{cell}</{tag}>'
+                for side, cell in both
+            )
             return f"<tr>{''.join(shown)}</tr>"
 
         title = f"<caption>{html.escape(self.caption)}</caption><thead>{row(head, 'th')}</thead>"
@@ -38,9 +41,17 @@ class Table:
 
     def lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
         """On which side each column is flush, numbers on the right (>); and cells as text, names first."""
-        columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
-        flush = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
-        return flush, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
+        columns = (
+            zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
+        )
+        flush = [
+            ">" if any(isinstance(cell, float | int) for cell in column) else "<"
+            for column in columns
+        ]
+        return flush, [
+            [escape(as_text(cell)) for cell in row]
+            for row in (self.columns, *self.rows)
+        ]
 
 
 def _in_a_line(text: str) -> str:
@@ -65,4 +76,10 @@ def as_text(cell: object) -> str:
         return "" if cell is None else str(cell)
     if cell != 0 and abs(cell) < 5e-4:
         return f"{cell:.2e}"
-    return f"{cell:.4f}" if abs(cell) < 0.1 else f"{cell:.2f}" if abs(cell) >= 1 else f"{cell:.3f}"
+    return (
+        f"{cell:.4f}"
+        if abs(cell) < 0.1
+        else f"{cell:.2f}"
+        if abs(cell) >= 1
+        else f"{cell:.3f}"
+    )

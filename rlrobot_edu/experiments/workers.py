@@ -15,7 +15,9 @@ from joblib import Parallel
 def workers(n_jobs: int = -1, **how: Any) -> Parallel:
     """joblib's way to work on several cores, with workers that end when this process does."""
     _open_streams()
-    return Parallel(n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1])
+    return Parallel(
+        n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1]
+    )
 
 
 def _open_streams() -> None:

@@ -14,7 +14,11 @@ from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
-from rlrobot_edu.learning.planning.experience import Experience, new_experience, with_room
+from rlrobot_edu.learning.planning.experience import (
+    Experience,
+    new_experience,
+    with_room,
+)
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
@@ -97,19 +101,41 @@ class Agent:
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)
-        if r_max is None:  # where all rewards are negative, only a softmax needs a scale
-            r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
-        given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
+        if (
+            r_max is None
+        ):  # where all rewards are negative, only a softmax needs a scale
+            r_max = (
+                size.r_max
+                if size.r_max > 0 or self.method.selection.is_softmax
+                else Parameters.r_max
+            )
+        given = (
+            alpha,
+            gamma,
+            lam,
+            temperature,
+            epsilon,
+            traces,
+            accumulating,
+            loop_evasion,
+            r_max,
+        )
         self.parameters = self._checked(Parameters(*given, planning_steps))
         if gamma == 1 and not can_end(world):
-            raise ValueError("gamma must be below 1 where no episode ends for good: values would be endless")
+            raise ValueError(
+                "gamma must be below 1 where no episode ends for good: values would be endless"
+            )
         self.seed = seed
         self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = None  # what a planner knows
         if self.method.planner:
-            self.experience = new_experience(size.n_states, size.n_actions, self.method.planner)
-        self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
+            self.experience = new_experience(
+                size.n_states, size.n_actions, self.method.planner
+            )
+        self.pending: tuple[int, int] | None = (
+            None  # state and chosen action of an episode that still runs
+        )
         self.left: Left | None = None  # where it can go on; None within a step, too
 
     def __repr__(self) -> str:
@@ -174,7 +200,9 @@ class Agent:
         begin_episode(self.memory)
         return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
-    def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
+    def learn_step(
+        self, s: int, a: int, r: float, s_next: int, terminated: bool
+    ) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
 
         Parameters
@@ -198,10 +226,14 @@ class Agent:
             a_next, delta = make_step(self.method).learn_step(self.memory, *real)
         else:
             self.experience = with_room(self.experience, 1)
-            a_next, delta = make_planned_step(self.method)(self.memory, self.experience, *real, self.rng)
+            a_next, delta = make_planned_step(self.method)(
+                self.memory, self.experience, *real, self.rng
+            )
         return (None if terminated else int(a_next)), float(delta)
 
-    def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
+    def update(
+        self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool
+    ) -> float:
         """Learn from one transition whose next action is given, the algorithm's update and a planner's part alone.
 
         Parameters
@@ -220,12 +252,16 @@ class Agent:
             As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
+        _, a_next = check_pair(
+            self.memory, s_next, 0 if terminated else a_next
+        )  # after the end nothing is chosen
         real = (s, a, r, s_next, a_next, bool(terminated))
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
             self.experience = with_room(self.experience, 1)
-            make_plan(self.method.planner)(self.memory, self.experience, *real, self.rng)
+            make_plan(self.method.planner)(
+                self.memory, self.experience, *real, self.rng
+            )
         return delta
 
     def frozen(self) -> "Agent":
@@ -239,7 +275,9 @@ class Agent:
             The copy.
         """
         still = deepcopy(self)
-        still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
+        still.method = Method(
+            self.method.algorithm._replace(update=no_update), self.method.selection
+        )
         still.experience = None
         return still
 
@@ -257,19 +295,29 @@ class Agent:
             For another parameter, or a value out of its domain.
         """
         if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
-            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
+            raise ValueError(
+                f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent"
+            )
         for name in parameters:
             known(name, Parameters.__annotations__, "parameter", "an agent")
-        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
+        self.parameters = self._checked(
+            dataclasses.replace(self.parameters, **parameters)
+        )
         set_parameters(self.memory, self.parameters)
-        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
+        if {"temperature", "loop_evasion"}.intersection(
+            parameters
+        ):  # a loop that goes on raises it again
             self.memory.now.temperature = self.parameters.temperature
 
     def _checked(self, parameters: Parameters) -> Parameters:
         if parameters.accumulating and self.method.algorithm.name != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}")
+            raise ValueError(
+                f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}"
+            )
         if parameters.gamma == 1 and self.method.selection.is_softmax:
-            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)")
+            raise ValueError(
+                "gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)"
+            )
         return parameters
 
     def save(self, path: str | Path) -> None:
@@ -291,7 +339,9 @@ class Agent:
             If the file cannot be written.
         """
         if not self._is_sound():
-            raise ValueError(f"{path}: q of this agent is out of range, so it could not be read again")
+            raise ValueError(
+                f"{path}: q of this agent is out of range, so it could not be read again"
+            )
         about = {
             "method": {"the method": self.method.name} | made_of(self.method),
             "settings": dataclasses.asdict(self.parameters),
@@ -327,14 +377,26 @@ class Agent:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
             name, planner, *own = about["method"].values()
             if own and method is None:
-                return "this agent has a method of its own; give it as method=rl.Method(…)"
+                return (
+                    "this agent has a method of its own; give it as method=rl.Method(…)"
+                )
             its_method = method or parse_method(name, planner)
             given = {"the method": its_method.name} | made_of(its_method)
             if differ := difference(about["method"], given, "file"):
                 return f"this agent's method is not the one that was given: {differ} in this call"
-            agent = cls(Size(about["shape"], about["n_actions"]), its_method, **about["settings"])
+            agent = cls(
+                Size(about["shape"], about["n_actions"]),
+                its_method,
+                **about["settings"],
+            )
             agent.rng.bit_generator.state = about["rng"]
-            expect("agent", [(name, arrays[name].shape == agent.q.shape) for name in ("q", "visits")])
+            expect(
+                "agent",
+                [
+                    (name, arrays[name].shape == agent.q.shape)
+                    for name in ("q", "visits")
+                ],
+            )
             np.copyto(agent.q, arrays["q"], casting="equiv")
             np.copyto(agent.visits, arrays["visits"], casting="equiv")
             expect("agent", [("q or visits", agent._is_sound())])

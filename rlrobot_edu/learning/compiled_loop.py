@@ -20,7 +20,9 @@ NEVER = 2**53  # steps after which an episode is cut off
 
 
 @cache
-def make_run(method: Method, begin: Callable[..., Any], outcome: Callable[..., Any]) -> Callable[..., Any]:
+def make_run(
+    method: Method, begin: Callable[..., Any], outcome: Callable[..., Any]
+) -> Callable[..., Any]:
     """The whole loop of learning in a world, compiled for this method and this kind of world alone.
 
     begin: (world, rng) -> state in which an episode begins
@@ -58,7 +60,9 @@ def make_run(method: Method, begin: Callable[..., Any], outcome: Callable[..., A
             if planned_step is None:
                 a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
             else:
-                a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
+                a_next, _ = planned_step(
+                    m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng
+                )
             episode_step += 1
             cut = episode_step >= limit and not end
             log.s[t] = s
@@ -80,18 +84,29 @@ def make_run(method: Method, begin: Callable[..., Any], outcome: Callable[..., A
 
 
 def run_slices(
-    env: Any, run: Callable[..., Any], world: Any, agent: Agent, log: Transitions, episodes: int | None
+    env: Any,
+    run: Callable[..., Any],
+    world: Any,
+    agent: Agent,
+    log: Transitions,
+    episodes: int | None,
 ) -> Iterator[int]:
     """Let `run` fill `log`, in slices: each yields its number of steps. It ends sooner where the world cannot tell.
 
     After each, `agent` is where it can go on, and the method ``arrive`` of `env` has been given the state there.
     """
     at = np.array([*(agent.pending or (0, -1)), env.episode_step, 0, episodes or 0])
-    size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.method.planner else SLICE
+    size = (
+        SLICE // (1 + agent.parameters.planning_steps) + 1
+        if agent.method.planner
+        else SLICE
+    )
     for first in range(0, len(log.r), size):
         part = log.part(slice(first, first + size))
         left = agent.left or Left()
-        agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
+        agent.experience = x = agent.experience and with_room(
+            agent.experience, len(part.r)
+        )
         agent.left = None
         at[3] = 0
         try:
@@ -102,7 +117,9 @@ def run_slices(
             agent.pending = None if a < 0 else (s, a)
             earlier = left.reward if env.episode_step > n else 0.0
             rewards = np.append(earlier, part.r[max(n - env.episode_step, 0) : n])
-            agent.left = Left(env.episode_step, float(rewards.cumsum()[-1]), place_of(env))
+            agent.left = Left(
+                env.episode_step, float(rewards.cumsum()[-1]), place_of(env)
+            )
         yield n
         if n < len(part.r) or (episodes and not episodes_left):
             return

@@ -23,7 +23,11 @@ _COUNTS = ("argcount", "posonlyargcount", "kwonlyargcount")
 OF_CODE = ("code", "names", "varnames", "freevars", *_COUNTS, "flags", "consts")
 # In what pickle cannot take apart
 WITHIN = ("__module__", "__name__", "__wrapped__", "__func__", "fget", "fset")
-READS_GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS")  # in Python's words
+READS_GLOBAL = (
+    "LOAD_GLOBAL",
+    "LOAD_NAME",
+    "LOAD_FROM_DICT_OR_GLOBALS",
+)  # in Python's words
 
 
 def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
@@ -32,13 +36,17 @@ def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
     What Python or an installed package brings goes by its name; so does the toolkit, unless `toolkit` is True. The code
     of functions in `file` is left out: who asks knows its text.
     """
-    seen: dict[int, tuple[int, Any]] = {}  # the things read so far, by their address, each held till the end
+    seen: dict[
+        int, tuple[int, Any]
+    ] = {}  # the things read so far, by their address, each held till the end
 
     def read(x: Any) -> Any:
         """What `x` is made of, as text in tuples; a thing that was read before goes by its number."""
         if getattr(x, "targetoptions", {}).get("fastmath"):
             return "fastmath", read(x.py_func)
-        x = getattr(x, "py_func", getattr(x, "_defn", x))  # what numba compiled, or is to generate
+        x = getattr(
+            x, "py_func", getattr(x, "_defn", x)
+        )  # what numba compiled, or is to generate
         if isinstance(x, bytes):
             return sha256(x)  # a table may be large
         if type(x) in ATOMS or isinstance(x, np.dtype):
@@ -62,12 +70,18 @@ def _parts(x: Any, toolkit: bool, file: str) -> tuple[Any, ...]:
     if isinstance(x, FunctionType):
         if goes_by_name(x.__globals__.get("__name__"), toolkit):
             return f"{x.__module__}.{x.__qualname__}", *enclosed(x)
-        text = x.__code__ if x.__code__.co_filename != file else (x.__qualname__, x.__code__.co_firstlineno)
+        text = (
+            x.__code__
+            if x.__code__.co_filename != file
+            else (x.__qualname__, x.__code__.co_firstlineno)
+        )
         return text, x.__defaults__, x.__kwdefaults__, vars(x), *references(x, toolkit)
     if isinstance(x, type):
         if goes_by_name(x.__module__, toolkit):
             return x.__module__, x.__qualname__
-        return x.__bases__, *((name, y) for name, y in vars(x).items() if name[:2] != "__" or callable(y))
+        return x.__bases__, *(
+            (name, y) for name, y in vars(x).items() if name[:2] != "__" or callable(y)
+        )
     try:
         parts = x.__reduce_ex__(4)  # as pickle takes it apart
     except Exception:
@@ -81,15 +95,27 @@ def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]
     """What a function refers to, by its name there: globals, what it takes from modules, and what encloses it."""
     steps = _steps(function.__code__)
     space = function.__globals__
-    found = [(name, space[name]) for op, name in steps if op in READS_GLOBAL and name in space]
-    found += [(name, import_module(name)) for op, name in steps if op == "IMPORT_NAME" and find_spec(name)]
+    found = [
+        (name, space[name])
+        for op, name in steps
+        if op in READS_GLOBAL and name in space
+    ]
+    found += [
+        (name, import_module(name))
+        for op, name in steps
+        if op == "IMPORT_NAME" and find_spec(name)
+    ]
     for name, value in found:
         if not isinstance(value, ModuleType):
             yield name, value
         elif goes_by_name(value.__name__, toolkit):
             yield name, value.__name__
         elif name.count(".") < 9:  # modules may contain one another
-            found += [(f"{name}.{part}", vars(value)[part]) for _, part in steps if part in vars(value)]
+            found += [
+                (f"{name}.{part}", vars(value)[part])
+                for _, part in steps
+                if part in vars(value)
+            ]
     yield from enclosed(function)
 
 
@@ -106,13 +132,23 @@ def _steps(code: CodeType) -> list[tuple[str, str]]:
     codes = [code]
     for one in codes:
         codes += [inner for inner in one.co_consts if isinstance(inner, CodeType)]
-    steps = {(step.opname, step.argval) for one in codes for step in dis.get_instructions(one)}
-    return sorted((step, name) for step, name in steps if isinstance(name, str) and name[:2] != "__")
+    steps = {
+        (step.opname, step.argval)
+        for one in codes
+        for step in dis.get_instructions(one)
+    }
+    return sorted(
+        (step, name)
+        for step, name in steps
+        if isinstance(name, str) and name[:2] != "__"
+    )
 
 
 def goes_by_name(module: str | None, toolkit: bool = False) -> bool:
     """Whether a module is Python's, an installed package's or the toolkit's: a version says what is in it."""
     root = str(module).partition(".")[0]  # None: made by hand
     path = getattr(sys.modules.get(root), "__file__", None) or ""
-    is_installed = root in sys.builtin_module_names or any(place in path for place in INSTALLED)
+    is_installed = root in sys.builtin_module_names or any(
+        place in path for place in INSTALLED
+    )
     return not toolkit if root == PACKAGE else is_installed and root != "__main__"

@@ -16,7 +16,12 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import all_exist, expect
 
 # All other columns are integers
-DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}
+DTYPES = {
+    "r": np.float64,
+    "q": np.float64,
+    "terminated": np.bool_,
+    "truncated": np.bool_,
+}
 
 
 class Learned(NamedTuple):
@@ -34,7 +39,11 @@ class Learned(NamedTuple):
     def of(cls, q: NDArray[np.float64], visits: NDArray[np.int64]) -> "Learned":
         """The same without the zeros; q, visits: arrays (n_states, n_actions)."""
         pair = np.flatnonzero((q != 0) | (visits != 0))
-        return cls(pair.astype(np.int32), q.ravel()[pair], visits.ravel()[pair].astype(np.int32))
+        return cls(
+            pair.astype(np.int32),
+            q.ravel()[pair],
+            visits.ravel()[pair].astype(np.int32),
+        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -148,7 +157,9 @@ class History:
         after, rest = self._rest()
         goal = np.repeat(after[last : last + 1], rest[last : last + 1])
         rewards = np.append(self.rewards[first : last + 1], goal)
-        return (before.reward + np.cumsum(rewards)) / (before.steps + np.arange(1, len(rewards) + 1))
+        return (before.reward + np.cumsum(rewards)) / (
+            before.steps + np.arange(1, len(rewards) + 1)
+        )
 
     @property
     def final_average_reward(self) -> float:
@@ -160,8 +171,16 @@ class History:
             If there are no steps.
         """
         if not len(self):
-            raise ValueError("a history without steps has no average reward; learn for at least 1 step")
-        return float((self.average_reward if self.size.episode_steps is None else self.last_episode)[-1])
+            raise ValueError(
+                "a history without steps has no average reward; learn for at least 1 step"
+            )
+        return float(
+            (
+                self.average_reward
+                if self.size.episode_steps is None
+                else self.last_episode
+            )[-1]
+        )
 
     @property
     def returns(self) -> np.ndarray:
@@ -187,7 +206,10 @@ class History:
         OSError
             If the file cannot be written.
         """
-        about = {name: getattr(self, name) for name in ("method", "seconds", "size", "origin", "before")}
+        about = {
+            name: getattr(self, name)
+            for name in ("method", "seconds", "size", "origin", "before")
+        }
         arrays = {**self.transitions._asdict(), **self.learned._asdict()}
         save_arrays(path, "history", about, arrays, packed=False)  # packing takes long
 
@@ -216,7 +238,9 @@ class History:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             about["size"] = Size.of(Size(*about["size"]))
             about["before"] = Left(*about["before"])
-            transitions = Transitions._make(arrays[name] for name in Transitions._fields)
+            transitions = Transitions._make(
+                arrays[name] for name in Transitions._fields
+            )
             learned = Learned._make(arrays[name] for name in Learned._fields)
             history = cls(transitions=transitions, learned=learned, **about)
             expect("history", history._parts())
@@ -230,13 +254,25 @@ class History:
         yield "before", np.isfinite(self.before.reward)
         n_states = self.size.n_states
         limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
-        limits |= {"pair": n_states * self.size.n_actions, "visits": np.iinfo(np.int64).max}
-        for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
+        limits |= {
+            "pair": n_states * self.size.n_actions,
+            "visits": np.iinfo(np.int64).max,
+        }
+        for name, column in (
+            self.transitions._asdict() | self.learned._asdict()
+        ).items():
             n = len(self.learned.pair if name in Learned._fields else self.rewards)
             is_left_out = name in ("s", "a", "s_next") and column.size == 0
             is_typed = column.dtype.kind == np.dtype(DTYPES.get(name, np.int64)).kind
-            is_right = is_typed and (is_left_out or column.shape == (n,)) and np.isfinite(column).all()
-            yield name, is_right and (name not in limits or all_exist(column, limits[name]))
+            is_right = (
+                is_typed
+                and (is_left_out or column.shape == (n,))
+                and np.isfinite(column).all()
+            )
+            yield (
+                name,
+                is_right and (name not in limits or all_exist(column, limits[name])),
+            )
 
     def _ends(self) -> np.ndarray:
         """Numbers of the steps that ended an episode."""
@@ -250,5 +286,7 @@ class History:
         ends = self._ends()
         done = np.diff(ends, prepend=-1 - self.before.steps)  # length of each episode
         rest = np.zeros(len(self), dtype=np.int64)
-        rest[ends] = np.maximum((self.size.episode_steps or 0) - done, 0) * self.terminated[ends]
+        rest[ends] = (
+            np.maximum((self.size.episode_steps or 0) - done, 0) * self.terminated[ends]
+        )
         return np.where(self.rewards > 0, self.size.r_max, self.rewards), rest

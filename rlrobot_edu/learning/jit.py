@@ -45,10 +45,19 @@ def compiled(kernel: Kernel) -> Kernel:
         return kernel
     # forceinline: one function in the end, however many it is written in; that alone more than halves a step
     njit = partial(numba.njit, nogil=True, error_model="numpy", forceinline=True)
-    dispatcher, inner = njit()(kernel), njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(kernel)
-    dispatcher._cache, inner._cache = KernelCache(dispatcher, FOLDER), KernelCache(inner, FOLDER)
+    dispatcher, inner = (
+        njit()(kernel),
+        njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(kernel),
+    )
+    dispatcher._cache, inner._cache = (
+        KernelCache(dispatcher, FOLDER),
+        KernelCache(inner, FOLDER),
+    )
     # for other kernels: without the way in from Python, which takes a third of the time of compiling
-    dispatcher.get_call_template, dispatcher.get_overload = inner.get_call_template, inner.get_overload
+    dispatcher.get_call_template, dispatcher.get_overload = (
+        inner.get_call_template,
+        inner.get_overload,
+    )
     dispatcher.inner = inner
     return cast(Kernel, dispatcher)
 
@@ -62,7 +71,9 @@ def _lend(context: Any, arrays: Any) -> Any:
             array.meminfo = array.meminfo.type(None)  # null: not counted
             array.parent = array.parent.type(None)
             return array._getvalue()
-        for i, inner in enumerate(kind.types if isinstance(kind, numba.types.BaseTuple) else ()):
+        for i, inner in enumerate(
+            kind.types if isinstance(kind, numba.types.BaseTuple) else ()
+        ):
             part = uncounted(context, builder, inner, builder.extract_value(value, i))
             value = builder.insert_value(value, part, i)
         return value

@@ -36,7 +36,12 @@ class KernelCache(NullCache):
 
     def _path(self, signature: Any, codegen: Any) -> Any:
         how = self._options, numba.__version__, sys.implementation.cache_tag
-        kind = code_of(self._kernel, toolkit=True), str(signature), codegen.magic_tuple(), *how
+        kind = (
+            code_of(self._kernel, toolkit=True),
+            str(signature),
+            codegen.magic_tuple(),
+            *how,
+        )
         name = f"{self._kernel.__module__.rpartition('.')[2]}.{self._kernel.__name__}"
         return self._folder / f"{name}-{sha256(repr(kind).encode())[:16]}.nbc"
 
@@ -45,7 +50,9 @@ class KernelCache(NullCache):
         target_context.refresh()
         with suppress(Exception):  # a file that was cut off may raise anything
             path = self._path(sig, target_context.codegen())
-            result = CompileResult._rebuild(target_context, *pickle.loads(path.read_bytes()))
+            result = CompileResult._rebuild(
+                target_context, *pickle.loads(path.read_bytes())
+            )
             with suppress(OSError):
                 path.touch()
             return result
@@ -57,10 +64,14 @@ class KernelCache(NullCache):
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep a kernel, if there is room."""
-        if self._folder is None or data.lifted or data.library.has_dynamic_globals:  # what numba cannot keep
+        if (
+            self._folder is None or data.lifted or data.library.has_dynamic_globals
+        ):  # what numba cannot keep
             return
         try:
-            remove_old(self._folder.glob("*.nbc"), UNUSED)  # of former versions and edits
+            remove_old(
+                self._folder.glob("*.nbc"), UNUSED
+            )  # of former versions and edits
             write_whole(self._path(sig, data.codegen), dumps(data._reduce()))
         except Exception as error:
             why = getattr(error, "strerror", error)

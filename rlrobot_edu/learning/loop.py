@@ -59,7 +59,9 @@ class Step(NamedTuple):
     temperature: float
 
 
-def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
+def steps(
+    agent: Agent, env: Env, steps: int, *, resume: bool = False
+) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
     The environment is reset first, and whenever an episode has ended.
@@ -102,14 +104,29 @@ def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[
         s, a = agent.pending
         # as it was when it chose a: copies
         selection = (
-            (agent.probabilities.copy(), copy(agent.bias), float(agent.memory.now.temperature))
+            (
+                agent.probabilities.copy(),
+                copy(agent.bias),
+                float(agent.memory.now.temperature),
+            )
             if looks
             else (agent.probabilities, None, np.nan)
         )
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
-        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *selection)
+        step = Step(
+            t,
+            s,
+            a,
+            float(r),
+            s_next,
+            bool(terminated),
+            bool(truncated),
+            a_next,
+            delta,
+            *selection,
+        )
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
         agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
         yield step
@@ -118,7 +135,9 @@ def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[
 def _answer(asked: str, answer: Any, n: int) -> Any:
     """The `n` values that an environment answered. Raises ValueError if it answers as those of the old Gym do."""
     if not (isinstance(answer, tuple) and len(answer) == n):
-        raise ValueError(f"{asked}() must return {n} values, as in Gymnasium, got {answer!r:.100}; {OLD_GYM}")
+        raise ValueError(
+            f"{asked}() must return {n} values, as in Gymnasium, got {answer!r:.100}; {OLD_GYM}"
+        )
     return answer
 
 
@@ -175,7 +194,9 @@ def learn(
     check_count("steps", steps, least=0)
     check_count("episodes", episodes, or_none=True)
     if steps > MOST_STEPS:
-        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True")
+        raise ValueError(
+            f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True"
+        )
     _prepare(agent, env, resume)
     before = (agent.pending and agent.left) or Left()
     log = Transitions.empty(int(steps))
@@ -187,13 +208,19 @@ def learn(
                 n += done
                 bar.update(done)
     except KeyboardInterrupt:
-        raise Interrupted(f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept.") from None
+        raise Interrupted(
+            f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept."
+        ) from None
     log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
     about = time.perf_counter() - start, Size.of(env)
-    return History(agent.method.name, log, Learned.of(agent.q, agent.visits), *about, before=before)
+    return History(
+        agent.method.name, log, Learned.of(agent.q, agent.visits), *about, before=before
+    )
 
 
-def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False) -> History:
+def evaluate(
+    agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False
+) -> History:
     """Let a copy of `agent` act in `env` without learning, and return what happened; the agent stays as it is.
 
     Parameters
@@ -216,10 +243,14 @@ def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, ke
         After Ctrl-C, in one line.
     """
     check_pair_of(agent, env)
-    return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
+    return learn(
+        agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False
+    )
 
 
-def _learn(agent: Agent, env: Env, log: Transitions, episodes: int | None) -> Iterator[int]:
+def _learn(
+    agent: Agent, env: Env, log: Transitions, episodes: int | None
+) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
     Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
@@ -248,15 +279,23 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
     found = "states {} and {} actions".format(*Size.of(env))
     if made_for != found:
-        raise ValueError(f"the agent was made for {made_for}, this world has {found}; make both of one task")
+        raise ValueError(
+            f"the agent was made for {made_for}, this world has {found}; make both of one task"
+        )
     if not resume:
         agent.left = None  # first, for Ctrl-C may come between these lines
         agent.pending = None
         agent.left = Left()
     elif agent.left is None or (agent.pending and agent.left.place != place_of(env)):
         gone = "its environment was reset or stepped by somebody else since then, or this is another one"
-        why = gone if agent.left else "it has begun no episode, or was interrupted within a step"
-        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to begin anew")
+        why = (
+            gone
+            if agent.left
+            else "it has begun no episode, or was interrupted within a step"
+        )
+        raise ValueError(
+            f"the agent has nothing to resume: {why}; call without resume=True to begin anew"
+        )
     if agent.pending is None:
         # by this an agent knows whether others have acted here since
         vars(env.unwrapped)[WALK] = uuid4().int
@@ -267,4 +306,6 @@ def check_pair_of(agent: object, env: object) -> None:
     """Raises ValueError unless these are an agent and an environment, in this order."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         given = f"got {type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
-        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; {given}")
+        raise ValueError(
+            f"this takes an Agent and an environment (see rl.make_env), in this order; {given}"
+        )

@@ -34,7 +34,12 @@ def watch_for_loops(m, s, r):
     for i in range(now.queue_size):
         total_reward += m.queue_rewards[i]
     redundancy = now.queue_size / now.queue_unique
-    if now.queue_size == length and m.queue_count[s] > 1 and total_reward < 0.0 and redundancy > 2.0:
+    if (
+        now.queue_size == length
+        and m.queue_count[s] > 1
+        and total_reward < 0.0
+        and redundancy > 2.0
+    ):
         now.temperature = min(MAX_TEMPERATURE, now.temperature + 0.25 * redundancy)
     else:
         now.temperature = m.parameters.temperature

@@ -17,10 +17,15 @@ from rlrobot_edu.learning.selections.qbiassr import QBIASSR
 from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.task.messages import did_you_mean, known
 
-ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
+ALGORITHMS = {
+    a.name: a
+    for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)
+}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
-NAMES = [f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS]
+NAMES = [
+    f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS
+]
 T = TypeVar("T")
 
 
@@ -50,13 +55,20 @@ class Method:
     _code: str = field(init=False, repr=False)
 
     def __init__(
-        self, algorithm: Algorithm | str, selection: Selection | str, planner: Planner | str | None = None
+        self,
+        algorithm: Algorithm | str,
+        selection: Selection | str,
+        planner: Planner | str | None = None,
     ) -> None:
         algorithm = _part(Algorithm, algorithm, ALGORITHMS)
         selection = _part(Selection, selection, SELECTIONS)
         planner = None if planner is None else _part(Planner, planner, PLANNERS)
-        code = code_of(tuple(tuple(part) for part in (algorithm, selection, planner or ())))
-        vars(self).update(algorithm=algorithm, selection=selection, planner=planner, _code=code)
+        code = code_of(
+            tuple(tuple(part) for part in (algorithm, selection, planner or ()))
+        )
+        vars(self).update(
+            algorithm=algorithm, selection=selection, planner=planner, _code=code
+        )
 
     @property
     def name(self) -> str:
@@ -77,7 +89,9 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
         if method not in NAMES:
             parts = f"{' or '.join(ALGORITHMS)}, and {' or '.join(SELECTIONS)}; or an rl.Method"
             hint = did_you_mean(str(method).upper(), NAMES)
-            raise ValueError(f"unknown method {method!r:.200}; {hint}Write ALGORITHM+SELECTION: {parts}")
+            raise ValueError(
+                f"unknown method {method!r:.200}; {hint}Write ALGORITHM+SELECTION: {parts}"
+            )
         method = Method(*method.split("+"))
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now
@@ -88,8 +102,14 @@ def made_of(method: Method) -> dict[str, str | None]:
 
     The code is that of all it refers to. By these and by its own name, a file knows a method again.
     """
-    toolkits = {code_of(tuple(part)) for kind in (ALGORITHMS, SELECTIONS, PLANNERS) for part in kind.values()}
-    parts = [part for part in (method.algorithm, method.selection, method.planner) if part]
+    toolkits = {
+        code_of(tuple(part))
+        for kind in (ALGORITHMS, SELECTIONS, PLANNERS)
+        for part in kind.values()
+    }
+    parts = [
+        part for part in (method.algorithm, method.selection, method.planner) if part
+    ]
     codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
     own = {name: code for name, code in codes.items() if code not in toolkits}
     return {"planner": method.planner and method.planner.name, **own}

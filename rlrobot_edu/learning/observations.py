@@ -52,6 +52,8 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
             return number(*np.ravel(observation).tolist())
         except (TypeError, ValueError) as error:
             showed = f"{env} showed {observation!r:.200}"
-            raise ValueError(f"{showed}, which is not in its {space}: {error}") from error
+            raise ValueError(
+                f"{showed}, which is not in its {space}: {error}"
+            ) from error
 
     return state_number

@@ -12,7 +12,9 @@ INFINITE = float("inf")
 Traces = Literal["reduced", "full"]
 TRACES = get_args(Traces)
 R_MAX = "at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)"
-TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
+TRACE_THRESHOLD = (
+    0.01  # traces below this share of a fresh one are dropped (paper section 3)
+)
 
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
@@ -40,14 +42,26 @@ class Parameters:
     alpha: float = _parameter(0.1, "in (0, 1]", lambda x: 0 < x <= 1)
     gamma: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
-    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < INFINITE)
+    temperature: float = _parameter(
+        1.0, "a finite number above 0", lambda x: 0 < x < INFINITE
+    )
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
-    traces: Traces = _parameter("reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES)
-    accumulating: bool = _parameter(False, "True or False", lambda x: isinstance(x, bool))
-    loop_evasion: bool = _parameter(True, "True or False", lambda x: isinstance(x, bool))
-    r_max: float = _parameter(1.0, f"a finite number of {R_MAX}", lambda x: 1e-100 <= x <= LARGEST_NUMBER)
+    traces: Traces = _parameter(
+        "reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES
+    )
+    accumulating: bool = _parameter(
+        False, "True or False", lambda x: isinstance(x, bool)
+    )
+    loop_evasion: bool = _parameter(
+        True, "True or False", lambda x: isinstance(x, bool)
+    )
+    r_max: float = _parameter(
+        1.0, f"a finite number of {R_MAX}", lambda x: 1e-100 <= x <= LARGEST_NUMBER
+    )
     planning_steps: int = _parameter(
-        10, "a whole number from 0 to 1,000,000", lambda x: type(x) is int and 0 <= x <= 1_000_000
+        10,
+        "a whole number from 0 to 1,000,000",
+        lambda x: type(x) is int and 0 <= x <= 1_000_000,
     )
 
     def __post_init__(self) -> None:
@@ -60,7 +74,9 @@ class Parameters:
             if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
             if not parameter.metadata["holds"](value):
-                raise ValueError(f"{name} must be {parameter.metadata['domain']}, got {value!r:.200}")
+                raise ValueError(
+                    f"{name} must be {parameter.metadata['domain']}, got {value!r:.200}"
+                )
 
     @property
     def smallest_trace(self) -> float:

@@ -4,7 +4,9 @@ import os
 import sys
 from typing import Any
 
-if sys.platform == "emscripten":  # in a browser tqdm does not see that it is in a notebook,
+if (
+    sys.platform == "emscripten"
+):  # in a browser tqdm does not see that it is in a notebook,
     from tqdm.notebook import tqdm
 
     tqdm.monitor_interval = 0  # and would warn that no thread watches its bars
@@ -29,4 +31,10 @@ def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any
 
     There is none where nobody is to look on.
     """
-    return tqdm(total=total, delay=delay, leave=False, disable=not (shown and watched()), **about)
+    return tqdm(
+        total=total,
+        delay=delay,
+        leave=False,
+        disable=not (shown and watched()),
+        **about,
+    )

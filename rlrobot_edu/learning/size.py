@@ -33,28 +33,48 @@ class Size(NamedTuple):
     def of(cls, world: Any) -> "Size":
         """Size of a task, an environment, or of a model, which has the same fields; else it raises ValueError."""
         if isinstance(world, Task):
-            return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
+            return cls(
+                world.states.shape,
+                world.actions.n,
+                max(world.rewards),
+                world.episode_steps,
+            )
         if isinstance(world, gymnasium.Env):
             space, actions = world.observation_space, world.action_space
             if not isinstance(space, Discrete | MultiDiscrete):
-                raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
+                raise ValueError(
+                    f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}"
+                )
             if not isinstance(actions, Discrete) or actions.start != 0:
-                raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
+                raise ValueError(
+                    f"a tabular agent needs Discrete actions that start at 0, not {actions}"
+                )
             bins = np.ravel(space.n if isinstance(space, Discrete) else space.nvec)
             r_max = getattr(world.unwrapped, "r_max", None)
             episode_steps = getattr(world.unwrapped, "episode_steps", None)
-            size = cls(tuple(bins.tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
+            size = cls(
+                tuple(bins.tolist()),
+                int(actions.n),
+                1.0 if r_max is None else r_max,
+                episode_steps,
+            )
         elif all(hasattr(world, name) for name in cls._fields):
-            size = cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))
+            size = cls(
+                tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:])
+            )
         else:
             kind = f"a {type(world).__name__}; {OLD_GYM}"
-            raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not {kind}")
+            raise ValueError(
+                f"a world is a Task, SampleModel or Gymnasium environment, not {kind}"
+            )
         for n in (*size.shape, size.n_actions):
             check_count("the number of bins of an input, or of actions,", n)
         check_table(size.n_states, size.n_actions)
         check_count("episode_steps of a world", size.episode_steps, or_none=True)
         if not (isinstance(size.r_max, Real) and math.isfinite(size.r_max)):
-            raise ValueError(f"r_max of a world must be a finite number, got {size.r_max!r:.200}")
+            raise ValueError(
+                f"r_max of a world must be a finite number, got {size.r_max!r:.200}"
+            )
         return size
 
     @property
@@ -74,5 +94,9 @@ def can_end(world: object) -> bool:
 
 def task_of(world: object) -> Task | None:
     """The task that `world` is, or that an environment runs; None for a world without one."""
-    task = world if isinstance(world, Task) else getattr(getattr(world, "unwrapped", world), "task", None)
+    task = (
+        world
+        if isinstance(world, Task)
+        else getattr(getattr(world, "unwrapped", world), "task", None)
+    )
     return task if isinstance(task, Task) else None

@@ -24,7 +24,14 @@ class Transitions(NamedTuple):
     def empty(cls, n: int) -> "Transitions":
         """Room for `n` steps."""
         s, a, s_next = np.zeros((3, n), dtype=np.int32)
-        return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=np.bool_), np.zeros(n, dtype=np.bool_))
+        return cls(
+            s,
+            a,
+            np.zeros(n),
+            s_next,
+            np.zeros(n, dtype=np.bool_),
+            np.zeros(n, dtype=np.bool_),
+        )
 
     def part(self, rows: slice) -> "Transitions":
         """These rows, the same numbers and not copies."""

@@ -14,7 +14,9 @@ def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
     return existing("state", s, n_states), existing("action", a, n_actions)
 
 
-def check_transition(memory: Memory, s: int, a: int, r: Any, s_next: int) -> tuple[int, int, float, int]:
+def check_transition(
+    memory: Memory, s: int, a: int, r: Any, s_next: int
+) -> tuple[int, int, float, int]:
     """The transition in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
     s, a = check_pair(memory, s, a)
     s_next = existing("state", s_next, len(memory.q))

@@ -40,21 +40,35 @@ Parts = tuple[Transitions, Source, Task | None]  # of a recording
 def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     """What the two files hold: the rows, and the data package that describes them."""
     csv = to_csv(transitions).encode()
-    package = json.loads(Path(__file__).with_name("datapackage_template.json").read_text(encoding="utf-8"))
+    package = json.loads(
+        Path(__file__)
+        .with_name("datapackage_template.json")
+        .read_text(encoding="utf-8")
+    )
     package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
-    package["title"] = f"Transitions of {source.task_name}, recorded with {source.method}"
+    package["title"] = (
+        f"Transitions of {source.task_name}, recorded with {source.method}"
+    )
     (resource,) = package["resources"]
     resource |= {"bytes": len(csv), "hash": f"sha256:{sha256(csv)}"}
-    limits = {field["name"]: field["constraints"] for field in resource["schema"]["fields"]}
+    limits = {
+        field["name"]: field["constraints"] for field in resource["schema"]["fields"]
+    }
     limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
     known = {**vars(source), "task": source.task_name, "rows": len(transitions.s)}
     known["inputs"] = list(map(_described, source.states.inputs))
     known["outputs"] = list(map(_described, source.actions.outputs))
-    section = {name: known[name] for name in SECTION} | {"initial_state": int(transitions.s[0])}
-    package["rlrobot"] = section | ({"time_limit": source.time_limit} if source.time_limit else {})
-    return csv, json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
+    section = {name: known[name] for name in SECTION} | {
+        "initial_state": int(transitions.s[0])
+    }
+    package["rlrobot"] = section | (
+        {"time_limit": source.time_limit} if source.time_limit else {}
+    )
+    return csv, json.dumps(
+        package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn
+    ) + "\n"
 
 
 def _drawn(scene: Drawing) -> Json:
@@ -67,7 +81,10 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
     fields = asdict(variable)
     order = ("name", "cuts", "sectors", "values", "unit", "words", "low", "high")
     given = {key: fields[key] for key in order if fields.get(key) is not None}
-    return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
+    return {
+        key: None if value in (-math.inf, math.inf) else value
+        for key, value in given.items()
+    }
 
 
 def read_folder(folder: Path, task: Task | None) -> Parts:
@@ -82,9 +99,13 @@ def read_folder(folder: Path, task: Task | None) -> Parts:
     # First of all, for a bad row says more than a wrong checksum.
     transitions = from_csv(text, source, str(csv))
     if (rows := len(transitions.s)) != rows_due:
-        raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
+        raise ValueError(
+            f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}"
+        )
     if (digits := sha256(text.encode())) != digits_due:
-        raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due:.80}; {CHANGED}")
+        raise ValueError(
+            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due:.80}; {CHANGED}"
+        )
     return transitions, source, recorded_task(source, task, package)
 
 
@@ -94,7 +115,9 @@ def _text(path: Path) -> str:
     Bytes that are no text become characters that no column can hold, so that their row is named.
     """
     if not path.is_file():
-        raise FileNotFoundError(f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+        raise FileNotFoundError(
+            f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together"
+        )
     return path.read_text(encoding="utf-8-sig", errors="replace")
 
 
@@ -108,14 +131,26 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         resource = (_get(package, "resources", list, "") or [{}])[0]
         digits = _get(resource, "hash", str, "resources.0.").removeprefix("sha256:")
         section = _get(package, "rlrobot", dict, "")
-        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        values = {
+            key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()
+        }
         values["time_limit"] = section.get("time_limit")
         if isinstance(scene := values["scene"], dict):
-            values["scene"] = Drawing("\n".join(scene.get("lines", "")), scene.get("cell", 0))
-        task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))
-        states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
-        actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
-        source = Source(task_name, states, actions, numbers("rlrobot.rewards", rewards), **values)
+            values["scene"] = Drawing(
+                "\n".join(scene.get("lines", "")), scene.get("cell", 0)
+            )
+        task_name, rows, rewards = (
+            values.pop(key) for key in ("task", "rows", "rewards")
+        )
+        states = StateSpace(
+            [_variable(InputVariable, fields) for fields in values.pop("inputs")]
+        )
+        actions = ActionSpace(
+            [_variable(OutputVariable, fields) for fields in values.pop("outputs")]
+        )
+        source = Source(
+            task_name, states, actions, numbers("rlrobot.rewards", rewards), **values
+        )
     except (json.JSONDecodeError, RecursionError) as error:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     except (ValueError, TypeError, OverflowError) as error:
@@ -128,7 +163,9 @@ def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
         raise ValueError(f"the field {prefix}{key} is missing")
     if not isinstance(fields[key], kind):
         kind_name = getattr(kind, "__name__", str(kind))
-        raise ValueError(f"the field {prefix}{key} must be of type {kind_name}, found {fields[key]!r:.80}")
+        raise ValueError(
+            f"the field {prefix}{key} must be of type {kind_name}, found {fields[key]!r:.80}"
+        )
     return fields[key]
 
 
@@ -140,11 +177,17 @@ def _variable(kind: type[Any], fields: Json) -> Any:
 
 def recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
-    known = task or (load_task(source.task_name) if source.task_name in available_tasks() else None)
+    known = task or (
+        load_task(source.task_name) if source.task_name in available_tasks() else None
+    )
     if known is None or not (difference := source.difference(known)):
         return known
     if task is not None:
-        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record it anew")
-    changed = f"task {known.name} has changed since: {difference}; recording.task is None"
+        raise ValueError(
+            f"{package}: not a recording of task {known.name}: {difference}; record it anew"
+        )
+    changed = (
+        f"task {known.name} has changed since: {difference}; recording.task is None"
+    )
     warnings.warn(f"{package}: {changed}", stacklevel=4)
     return None

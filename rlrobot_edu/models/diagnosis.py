@@ -68,12 +68,16 @@ def diagnose(model: "SampleModel") -> Diagnosis:
     lowest = np.minimum.reduceat(model.s_next, first)
     highest = np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
-    suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
+    suspect = (
+        (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
+    )
     suspect &= pair_count[seen] <= 3
     s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
 
     graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))
-    _, group = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
+    _, group = sparse.csgraph.connected_components(
+        graph, directed=True, connection="strong"
+    )
     is_inside = group[s] == group[target]
     # a pair that leads back to its own state is a loop by itself
     loop = np.where(s == target, np.arange(-len(s), 0), group[s])
@@ -83,7 +87,15 @@ def diagnose(model: "SampleModel") -> Diagnosis:
         samples = int(pair_count[members].sum())
         states = tuple(np.unique(members // n_actions).tolist())
         its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
-        loops.append(Loop(states, its_pairs, float(reward[members].sum() / samples), samples))
+        loops.append(
+            Loop(states, its_pairs, float(reward[members].sum() / samples), samples)
+        )
     states_seen = len(np.union1d(seen // n_actions, model.s_next))
-    coverage = (n_states, states_seen, pair_count.size, len(seen), int((pair_count == 1).sum()))
+    coverage = (
+        n_states,
+        states_seen,
+        pair_count.size,
+        len(seen),
+        int((pair_count == 1).sum()),
+    )
     return Diagnosis(*coverage, float(mean_reward), tuple(loops))

@@ -44,22 +44,33 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
     - Episode end: terminated where a recorded episode did; truncated after the model's `episode_steps` or `time_limit`
     """
 
-    def __init__(self, model: SampleModel, seed: int | np.random.SeedSequence | None = None):
+    def __init__(
+        self, model: SampleModel, seed: int | np.random.SeedSequence | None = None
+    ):
         self.model = model
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
         self._max_episode_steps = model.time_limit  # Gymnasium's word for it
-        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
+        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(
+            list(model.shape)
+        )
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
         self.np_random = generator(seed, ENVIRONMENT)
         self.state: int | None = None
         self.episode_step = 0
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
-        numbers = {"shape": np.array(model.shape, dtype=np.int64), "unseen": UNSEEN.index(model.unseen)}
+        numbers = {
+            "shape": np.array(model.shape, dtype=np.int64),
+            "unseen": UNSEEN.index(model.unseen),
+        }
         parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
-        self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
+        self._tables: Any = Tables(
+            **{name: part for name, part in parts.items() if name != "task"}
+        )
 
-    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[NDArray[np.int64], Info]:
+    def reset(
+        self, *, seed: int | None = None, options: Any = None
+    ) -> tuple[NDArray[np.int64], Info]:
         """Start an episode in one of the recorded starts.
 
         Parameters
@@ -103,13 +114,17 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
         s = existing("state", self.state, self.model.n_states)
         a = existing("action", action, self.model.n_actions)
-        s_next, r, terminated = draw_outcome(self._tables, s, a, *self.np_random.random(2))
+        s_next, r, terminated = draw_outcome(
+            self._tables, s, a, *self.np_random.random(2)
+        )
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self.arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
-    def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    def learn_compiled(
+        self, agent: Agent, log: Transitions, episodes: int | None
+    ) -> Iterator[int]:
         """Run the whole loop of learning compiled, in slices; `learn` calls it.
 
         Parameters
@@ -148,4 +163,6 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             The observation and the info there.
         """
         self.state = int(state)
-        return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64), {"state": self.state}
+        return np.array(
+            np.unravel_index(self.state, self.model.shape), dtype=np.int64
+        ), {"state": self.state}

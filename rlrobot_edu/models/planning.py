@@ -58,20 +58,32 @@ def expected_outcomes(model: "SampleModel") -> Expected:
     pairs = n_states * n_actions
     seen = model.sum_by_pair(1)
     rewards = model.sum_by_pair(model.r)
-    after = model.sum_by_pair(np.where(model.r > 0, model.r_max, model.r) * model.terminated)
+    after = model.sum_by_pair(
+        np.where(model.r > 0, model.r_max, model.r) * model.terminated
+    )
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
-    counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
+    counts = sparse.csr_array(
+        (model.count[goes_on].astype(float), where), shape=(pairs, n_states)
+    )
     if model.unseen == "siblings":
-        pool = sparse.kron(_sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr")
-        pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # for pairs that were never tried alone
-        counts, rewards, after, seen = (total + pool @ total for total in (counts, rewards, after, seen))
+        pool = sparse.kron(
+            _sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr"
+        )
+        pool = (
+            sparse.diags_array((seen == 0).astype(float)) @ pool
+        )  # for pairs that were never tried alone
+        counts, rewards, after, seen = (
+            total + pool @ total for total in (counts, rewards, after, seen)
+        )
 
     unseen = np.flatnonzero(seen == 0)
     anywhere = np.zeros(pairs)
     if model.unseen == "stay":
         where = (unseen, unseen // n_actions)
-        counts += sparse.csr_array((np.ones(len(unseen)), where), shape=(pairs, n_states))
+        counts += sparse.csr_array(
+            (np.ones(len(unseen)), where), shape=(pairs, n_states)
+        )
     else:
         anywhere[unseen] = 1.0
     rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
@@ -80,7 +92,9 @@ def expected_outcomes(model: "SampleModel") -> Expected:
     return Expected(transitions, anywhere, rewards / total, after / total)
 
 
-def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
+def value_iteration(
+    model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9
+) -> Plan:
     r"""Q*, V* and the greedy policy of a sample model.
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
@@ -117,15 +131,21 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
     expected = expected_outcomes(model)
     check_between("gamma", gamma, 0, 1)
     check_between("tolerance", tolerance, 1e-300, 1e300)
-    return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
+    return _solve(
+        expected, model.n_states, float(gamma), float(tolerance), patience=1000
+    )
 
 
-def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, patience: int) -> Plan:
+def _solve(
+    expected: Expected, n_states: int, gamma: float, tolerance: float, patience: int
+) -> Plan:
     """The solution, by sweeps; after each `patience` of them, a step of policy iteration."""
     v = np.zeros(n_states)
     rate = gamma / (1 - gamma) if gamma < 1 else math.inf
     for sweeps in range(1, MOST_SWEEPS + 1):
-        q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
+        q = expected.reward + gamma * (
+            expected.transitions @ v + expected.anywhere * v.mean()
+        )
         q = q.reshape(n_states, -1)
         before, v = v, q.max(axis=1)
         change = float(np.abs(v - before).max())
@@ -139,7 +159,9 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
     raise ValueError(f"with gamma={gamma}, tolerance={tolerance} {fault}; {advice}")
 
 
-def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
+def _for_ever(
+    expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers
+) -> Numbers:
     """What each state is worth if `policy` is followed for ever, earning r[s] in s, array (n_states,)."""
     n = len(policy)
     pairs = np.arange(n) * (len(expected.reward) // n) + policy
@@ -156,19 +178,29 @@ def best_average_reward(model: "SampleModel") -> float:
     expected = expected_outcomes(model)
     if steps := model.episode_steps:
         if steps > LONGEST:
-            raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}")
+            raise ValueError(
+                f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}"
+            )
         v = np.zeros(model.n_states)
-        for steps_left in range(steps):  # one sweep for each step of the episode, from the last to the first
+        for steps_left in range(
+            steps
+        ):  # one sweep for each step of the episode, from the last to the first
             ended = expected.reward + expected.after * steps_left
             q = ended + expected.transitions @ v + expected.anywhere * v.mean()
             v = q.reshape(model.n_states, -1).max(axis=1)
         return float(v[model.starts].mean() / steps)
-    scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
+    scale = (
+        np.abs(model.rewards).max() or 1.0
+    )  # the largest numbers there are could not be added up
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    starts = np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(model.starts)
+    starts = np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(
+        model.starts
+    )
     again = sparse.kron(ends[:, None], starts[None, :])
-    restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
+    restarting = expected._replace(
+        transitions=expected.transitions + again, reward=expected.reward / scale
+    )
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
     average = scale * (1 - FARSIGHTED) * v[model.starts].mean()
     return float(np.clip(average, model.rewards[0], model.rewards[-1]))
@@ -177,4 +209,6 @@ def best_average_reward(model: "SampleModel") -> float:
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many families two states are together, see `StateSpace.siblings`."""
     families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
-    return sparse.csr_array(reduce(lambda before, after: sparse.kronsum(after, before), families))
+    return sparse.csr_array(
+        reduce(lambda before, after: sparse.kronsum(after, before), families)
+    )

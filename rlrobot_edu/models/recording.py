@@ -11,14 +11,23 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import check_rows, count_episodes
-from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
+from rlrobot_edu.models.data_package import (
+    CSV_NAME,
+    PACKAGE_NAME,
+    read_folder,
+    to_files,
+)
 from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
 MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
-DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
+DTYPES = {
+    "r": np.float64,
+    "terminated": np.bool_,
+    "truncated": np.bool_,
+}  # all other columns are np.int64
 
 Known = str | Path | Task | None  # a task, its name or its path
 
@@ -57,19 +66,38 @@ class Recording:
     The file does not say whether the very last step was truncated: in a recording that was read it never is.
     """
 
-    def __init__(self, transitions: Transitions, source: Source, task: Task | None = None) -> None:
-        given = {name: np.asarray(column) for name, column in transitions._asdict().items()}
+    def __init__(
+        self, transitions: Transitions, source: Source, task: Task | None = None
+    ) -> None:
+        given = {
+            name: np.asarray(column) for name, column in transitions._asdict().items()
+        }
         lengths = {name: column.shape for name, column in given.items()}
-        if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
-            raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
-        if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
-            raise ValueError(f"the columns of a recording are real numbers, {', '.join(words)} are not")
+        if (
+            len(set(lengths.values())) > 1
+            or given["s"].ndim != 1
+            or not len(given["s"])
+        ):
+            raise ValueError(
+                f"a recording is made of columns of one length, at least 1, got {lengths}"
+            )
+        if words := [
+            name for name, column in given.items() if column.dtype.kind not in "biuf"
+        ]:
+            raise ValueError(
+                f"the columns of a recording are real numbers, {', '.join(words)} are not"
+            )
         check_rows(given, source, lambda row: f"row {row} of the recording")
-        copies: list[Any] = [np.array(column, DTYPES.get(name, np.int64)) for name, column in given.items()]
+        copies: list[Any] = [
+            np.array(column, DTYPES.get(name, np.int64))
+            for name, column in given.items()
+        ]
         self.transitions = Transitions(*copies)
         self.source = source
         self.task = task
-        self.s, self.a, self.r, self.s_next, self.terminated, self.truncated = self.transitions
+        self.s, self.a, self.r, self.s_next, self.terminated, self.truncated = (
+            self.transitions
+        )
         self.episode, self.step = count_episodes(self.transitions)
         for column in (*self.transitions, self.episode, self.step):
             column.flags.writeable = False
@@ -96,10 +124,14 @@ class Recording:
             If a file cannot be written.
         """
         if Path(folder).suffix in BEGINNINGS:
-            raise ValueError(f"{folder}: a recording is a folder, whose name does not end like this")
+            raise ValueError(
+                f"{folder}: a recording is a folder, whose name does not end like this"
+            )
         csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
-        write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
+        write_together(
+            {Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package}
+        )
 
     @classmethod
     def load(cls, path: str | Path, task: Known = None) -> "Recording":
@@ -156,7 +188,9 @@ class Recording:
         minari_dataset.write(self, dataset_id, root)
 
     @classmethod
-    def from_minari(cls, dataset_id: str, root: str | Path | None = None, task: Known = None) -> "Recording":
+    def from_minari(
+        cls, dataset_id: str, root: str | Path | None = None, task: Known = None
+    ) -> "Recording":
         """The recording in a Minari dataset on this computer; nothing is downloaded.
 
         Parameters
@@ -186,10 +220,16 @@ class Recording:
         """
         from rlrobot_edu.models.formats import minari_dataset
 
-        return cls(*minari_dataset.read(dataset_id, root, None if task is None else load_task(task)))
+        return cls(
+            *minari_dataset.read(
+                dataset_id, root, None if task is None else load_task(task)
+            )
+        )
 
 
-def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None) -> Recording:
+def record(
+    agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None
+) -> Recording:
     """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
 
     Parameters
@@ -222,14 +262,29 @@ def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | 
     check_count("episodes", episodes, or_none=True)
     loop.check_pair_of(agent, env)
     if episodes and not (Size.of(env).episode_steps or time_limit(env) or can_end(env)):
-        raise ValueError("this environment goes on for ever, it has no episodes; give steps")
+        raise ValueError(
+            "this environment goes on for ever, it has no episodes; give steps"
+        )
 
-    history = loop.learn(agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False)
+    history = loop.learn(
+        agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False
+    )
     if not steps and len(history) == MOST_STEPS:
-        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps")
+        raise ValueError(
+            f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps"
+        )
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    acting = {"method": agent.method.name, "seed": seed, "time_limit": time_limit(env), **THIS_COMPUTER}
+    acting = {
+        "method": agent.method.name,
+        "seed": seed,
+        "time_limit": time_limit(env),
+        **THIS_COMPUTER,
+    }
     task = task_of(env)
-    source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
+    source = (
+        Source.of_task(task, **acting)
+        if task
+        else Source.of_env(env, history.rewards, **acting)
+    )
     return Recording(history.transitions, source, task)

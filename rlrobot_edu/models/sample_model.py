@@ -20,9 +20,20 @@ if TYPE_CHECKING:
 
 Unseen = Literal["uniform", "stay", "siblings"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
-ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # what JSON can hold
+ABOUT = (
+    "shape",
+    "n_actions",
+    "unseen",
+    "episode_steps",
+    "time_limit",
+)  # what JSON can hold
 COUNTS = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
-DTYPES: dict[str, Any] = {**COUNTS, "r": np.float64, "terminated": np.bool_, "rewards": np.float64}
+DTYPES: dict[str, Any] = {
+    **COUNTS,
+    "r": np.float64,
+    "terminated": np.bool_,
+    "rewards": np.float64,
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,36 +93,66 @@ class SampleModel:
 
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
-            raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}")
+            raise ValueError(
+                f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}"
+            )
         vars(self)["shape"] = tuple(self.shape)  # a file holds it as a list
         limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
         numbers = (*self.shape, self.n_actions, *limits)
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
-        expect("sample model", [("shape, n_actions, episode_steps or time_limit", whole)])
+        expect(
+            "sample model", [("shape, n_actions, episode_steps or time_limit", whole)]
+        )
         check_table(self.n_states, self.n_actions)
         for name, dtype in DTYPES.items():
             array = np.asarray(getattr(self, name))
-            expect("sample model", [(name, array.ndim == 1 and np.can_cast(array.dtype, dtype, "same_kind"))])
-            vars(self)[name] = np.ascontiguousarray(array, dtype)  # one type for numba, compiled once
+            expect(
+                "sample model",
+                [
+                    (
+                        name,
+                        array.ndim == 1
+                        and np.can_cast(array.dtype, dtype, "same_kind"),
+                    )
+                ],
+            )
+            vars(self)[name] = np.ascontiguousarray(
+                array, dtype
+            )  # one type for numba, compiled once
         expect("sample model", self._contents())
 
     def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
         outcomes = len(self.s_next)
-        yield "rewards", len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all()
+        yield (
+            "rewards",
+            len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all(),
+        )
         yield "rewards", (np.diff(self.rewards) > 0).all()
         yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
         yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
-        yield "offsets", len(self.offsets) == self.n_states * self.n_actions + 1 and self.offsets[0] == 0
-        yield "offsets", self.offsets[-1] == outcomes and (np.diff(self.offsets) >= 0).all()
+        yield (
+            "offsets",
+            len(self.offsets) == self.n_states * self.n_actions + 1
+            and self.offsets[0] == 0,
+        )
+        yield (
+            "offsets",
+            self.offsets[-1] == outcomes and (np.diff(self.offsets) >= 0).all(),
+        )
         # floats add numbers below 2**53, too, and differences of larger ones turn round
-        yield "cumulative", len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53)
+        yield (
+            "cumulative",
+            len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53),
+        )
         yield "cumulative", (self.count >= 1).all()
 
     @classmethod
-    def from_recording(cls, recording: Recording, unseen: Unseen = "uniform") -> "SampleModel":
+    def from_recording(
+        cls, recording: Recording, unseen: Unseen = "uniform"
+    ) -> "SampleModel":
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
         Parameters
@@ -132,15 +173,24 @@ class SampleModel:
             If `recording` is not a Recording, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording, not from {recording!r:.200}")
+            raise ValueError(
+                f"a sample model is made from a Recording, not from {recording!r:.200}"
+            )
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)
-        columns = [recording.s * n_actions + recording.a, recording.s_next, recording.r, recording.terminated]
+        columns = [
+            recording.s * n_actions + recording.a,
+            recording.s_next,
+            recording.r,
+            recording.terminated,
+        ]
         order = np.lexsort(columns[::-1])  # by pair first
         columns = [column[order] for column in columns]
         is_new = np.any([column[1:] != column[:-1] for column in columns], axis=0)
-        first = np.append(0, np.flatnonzero(is_new) + 1)  # row of each outcome among the sorted ones
+        first = np.append(
+            0, np.flatnonzero(is_new) + 1
+        )  # row of each outcome among the sorted ones
         pair, s_next, r, terminated = (column[first] for column in columns)
         offsets = np.searchsorted(pair, np.arange(pairs + 1))
         total = np.append(first[1:], len(recording))
@@ -169,19 +219,26 @@ class SampleModel:
     def count(self) -> NDArray[np.int64]:
         """How often each outcome was seen, int array (outcomes,)."""
         count = np.diff(self.cumulative, prepend=np.int64(0))
-        first = self.offsets[:-1][np.diff(self.offsets) > 0]  # of each pair that was tried
+        first = self.offsets[:-1][
+            np.diff(self.offsets) > 0
+        ]  # of each pair that was tried
         count[first] = self.cumulative[first]
         return count
 
     @property
     def pair(self) -> NDArray[np.intp]:
         """The pair s * n_actions + a that each outcome belongs to, int array (outcomes,)."""
-        return np.repeat(np.arange(self.n_states * self.n_actions), np.diff(self.offsets).astype(np.intp))
+        return np.repeat(
+            np.arange(self.n_states * self.n_actions),
+            np.diff(self.offsets).astype(np.intp),
+        )
 
     @property
     def pair_count(self) -> NDArray[np.int64]:
         """How often each pair was tried, int array (n_states, n_actions)."""
-        return self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
+        return (
+            self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
+        )
 
     def sum_by_pair(self, x: float | NDArray[Any]) -> NDArray[Any]:
         """Sum a quantity over the samples of each pair.
@@ -196,7 +253,9 @@ class SampleModel:
         float array (n_states * n_actions,)
             The sums, 0 for a pair that was never tried.
         """
-        return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
+        return np.bincount(
+            self.pair, weights=self.count * x, minlength=len(self.offsets) - 1
+        )
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).
@@ -216,7 +275,10 @@ class SampleModel:
         ValueError
             If there is no such state or action.
         """
-        s, a = existing("state", s, self.n_states), existing("action", a, self.n_actions)
+        s, a = (
+            existing("state", s, self.n_states),
+            existing("action", a, self.n_actions),
+        )
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
         columns = (self.s_next, self.r, self.terminated, self.count)
         return list(zip(*(column[rows].tolist() for column in columns), strict=True))
@@ -281,7 +343,9 @@ class SampleModel:
             If the file cannot be written.
         """
         about = {name: getattr(self, name) for name in ABOUT}
-        save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
+        save_arrays(
+            path, "sample model", about, {name: getattr(self, name) for name in DTYPES}
+        )
 
     @classmethod
     def load(cls, path: str | Path) -> "SampleModel":
@@ -304,4 +368,6 @@ class SampleModel:
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
+        return load_arrays(
+            path, "sample model", lambda about, arrays: cls(**{**about, **arrays})
+        )

@@ -10,7 +10,9 @@ STAY, SIBLINGS = UNSEEN.index("stay"), UNSEEN.index("siblings")
 
 # A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its
 # word in UNSEEN, and `episode_steps` are those after which an episode is cut off.
-Tables = namedtuple("Tables", [field.name for field in fields(SampleModel) if field.name != "task"])
+Tables = namedtuple(
+    "Tables", [field.name for field in fields(SampleModel) if field.name != "task"]
+)
 
 
 @compiled
@@ -23,7 +25,9 @@ def draw_start(tables, u):
 def draw_from(tables, pair, number):
     """The outcome of `pair` with this number, counting each as often as it was seen: (s', r, terminated)."""
     low, high = tables.offsets[pair], tables.offsets[pair + 1] - 1
-    while low < high:  # bisection: the first outcome whose cumulative count exceeds the number
+    while (
+        low < high
+    ):  # bisection: the first outcome whose cumulative count exceeds the number
         middle = (low + high) // 2
         if number < tables.cumulative[middle]:
             high = middle
@@ -45,7 +49,9 @@ def draw_from_siblings(tables, s, a, u):
     """An outcome of `a` in the states that share all inputs but one with `s`: (known, s', r, terminated)."""
     shape, n_actions = tables.shape, tables.n_actions
     number = -1
-    for attempt in range(2):  # first count what there is, then walk to the outcome drawn
+    for attempt in range(
+        2
+    ):  # first count what there is, then walk to the outcome drawn
         seen = 0
         stride = (tables.offsets.shape[0] - 1) // n_actions
         for i in range(shape.shape[0]):

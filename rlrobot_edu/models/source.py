@@ -18,7 +18,10 @@ from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 from rlrobot_edu.version import __version__
 
 # Version of the toolkit and kind of computer, of a recording made now.
-THIS_COMPUTER = {"version": __version__, "platform": f"{platform.system()} {platform.machine()}"}
+THIS_COMPUTER = {
+    "version": __version__,
+    "platform": f"{platform.system()} {platform.machine()}",
+}
 
 
 @dataclass(frozen=True)
@@ -53,28 +56,50 @@ class Source:
     def __post_init__(self) -> None:
         numbers("the rewards of a recording", self.rewards, finite=True)
         if self.step_time is not None and not 0 < self.step_time < math.inf:
-            raise ValueError(f"the step_time of a recording must be None or above 0, got {self.step_time}")
+            raise ValueError(
+                f"the step_time of a recording must be None or above 0, got {self.step_time}"
+            )
         for name in ("episode_steps", "time_limit"):
             check_count(f"the {name} of a recording", getattr(self, name), or_none=True)
 
     @classmethod
     def of_task(cls, task: Task, **acting: Any) -> "Source":
         """The source for `task`; `acting` are method, seed, version, platform and time_limit."""
-        same = ("robot", "scene", "step_time", "episode_steps", "states", "actions", "rewards")
+        same = (
+            "robot",
+            "scene",
+            "step_time",
+            "episode_steps",
+            "states",
+            "actions",
+            "rewards",
+        )
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
     @classmethod
-    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: ArrayLike, **acting: Any) -> "Source":
+    def of_env(
+        cls, env: gymnasium.Env[Any, Any], rewards: ArrayLike, **acting: Any
+    ) -> "Source":
         """The source for any Gymnasium environment without a task; `rewards` are those that were seen.
 
         Raises ValueError if its states or actions cannot be counted.
         """
         size = Size.of(env)
-        inputs = [InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)]
+        inputs = [
+            InputVariable(f"observation_{i}", values=range(n))
+            for i, n in enumerate(size.shape)
+        ]
         actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
         name = env.spec.id if env.spec else type(env.unwrapped).__name__
         seen = tuple(np.unique(rewards).tolist())
-        return cls(name, StateSpace(inputs), actions, seen, episode_steps=size.episode_steps, **acting)
+        return cls(
+            name,
+            StateSpace(inputs),
+            actions,
+            seen,
+            episode_steps=size.episode_steps,
+            **acting,
+        )
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
@@ -87,9 +112,16 @@ class Source:
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
         }
-        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
+        variables: list[InputVariable | OutputVariable] = [
+            *self.states.inputs,
+            *self.actions.outputs,
+        ]
         for v in variables:
-            facts |= {f"{key} of {v.name}": value for key, value in asdict(v).items() if key != "words"}
+            facts |= {
+                f"{key} of {v.name}": value
+                for key, value in asdict(v).items()
+                if key != "words"
+            }
         facts["the set of rewards"] = sorted(set(self.rewards))
         alike = ("robot", "scene", "step_time", "episode_steps")
         return facts | {name: getattr(self, name) for name in alike}

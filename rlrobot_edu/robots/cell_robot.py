@@ -30,13 +30,25 @@ class CellRobot(SimulatedRobot):
 
     def _begin(self, rng: np.random.Generator) -> None:
         """Put the robot in cell (0, 0), heading along X, and the box in cell (1, 1); `rng` moves it later."""
-        self._cell, self._heading, self._box, self._bumped, self._rng = (0, 0), 0, (1, 1), False, rng
+        self._cell, self._heading, self._box, self._bumped, self._rng = (
+            (0, 0),
+            0,
+            (1, 1),
+            False,
+            rng,
+        )
 
     def _sense(self) -> dict[str, float]:
         """Cell X, Y; heading theta [deg]; d, 1 if a wall or the box is ahead; bumped, 1 if it has just run into it."""
         x, y = self._cell
         blocked = not self._is_free(self._cell_ahead())
-        return {"X": x, "Y": y, "theta": self._heading, "d": int(blocked), "bumped": int(self._bumped)}
+        return {
+            "X": x,
+            "Y": y,
+            "theta": self._heading,
+            "d": int(blocked),
+            "bumped": int(self._bumped),
+        }
 
     def _move(self, command: Mapping[str, float]) -> None:
         """Spin by `spin` (−90, 0 or 90 [deg], 90 is to the left), then advance by `advance` (0 or 1 cells).
@@ -45,14 +57,18 @@ class CellRobot(SimulatedRobot):
         """
         spin, advance = command["spin"], command["advance"]
         if spin not in AHEAD or advance not in (0, 1):
-            raise ValueError(f"spin must be -90, 0 or 90 and advance 0 or 1, got {dict(command)}")
+            raise ValueError(
+                f"spin must be -90, 0 or 90 and advance 0 or 1, got {dict(command)}"
+            )
         self._heading = int(min(max(self._heading + spin, -90), 90))
         target = self._cell_ahead()
         self._bumped = bool(advance) and not self._is_free(target)
         if advance and not self._bumped:
             self._cell = target
         if self._rng.random() < BOX_MOVES:
-            free = [cell for cell in CELLS if self._is_free(cell) and cell != self._cell]
+            free = [
+                cell for cell in CELLS if self._is_free(cell) and cell != self._cell
+            ]
             self._box = free[self._rng.integers(len(free))]
 
     def _cell_ahead(self) -> tuple[int, int]:
@@ -68,8 +84,18 @@ class CellRobot(SimulatedRobot):
         box_x, box_y = (i - 0.5 for i in self._box)
         here = pose(x, y, 0.0, math.radians(self._heading))
         moving = (
-            Solid("robot/body", "cylinder", (0.3, 0.3), here @ pose(0, 0, 0.15), "robot"),
-            Solid("robot/nose", "box", (0.2, 0.1, 0.05), here @ pose(0.2, 0, 0.325), "robot"),
+            Solid(
+                "robot/body", "cylinder", (0.3, 0.3), here @ pose(0, 0, 0.15), "robot"
+            ),
+            Solid(
+                "robot/nose",
+                "box",
+                (0.2, 0.1, 0.05),
+                here @ pose(0.2, 0, 0.325),
+                "robot",
+            ),
             Solid("box", "box", (0.6, 0.6, 0.3), pose(box_x, box_y, 0.15), "object"),
         )
-        return Scene(self._arena.solids() + moving, np.empty((0, 2, 3)), self._arena.bounds)
+        return Scene(
+            self._arena.solids() + moving, np.empty((0, 2, 3)), self._arena.bounds
+        )

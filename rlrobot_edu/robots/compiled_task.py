@@ -17,7 +17,9 @@ from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.jit import compiled, numba
 from rlrobot_edu.task.task import Task
 
-INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
+INPUT = np.dtype(
+    [("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)]
+)
 TRIED = 300  # steps of the walk at random
 
 
@@ -45,26 +47,45 @@ def judge_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]]) ->
     names = tuple(robot.readings)
     key = code_of((task.reward, task.goal)), names
     if key not in _judges:
-        _judges[key] = _tried(task, np.dtype([(name, float) for name in names]), _walk(robot, commands))
+        _judges[key] = _tried(
+            task, np.dtype([(name, float) for name in names]), _walk(robot, commands)
+        )
     return _judges[key]
 
 
 def _tried(task: Task, kind: np.dtype[Any], walk: list[dict[str, float]]) -> Any:
     """Reward and goal, compiled for readings of this `kind`, if they say on this walk what Python says; or None."""
-    record, records = numba.from_dtype(kind), np.array([tuple(readings.values()) for readings in walk], kind)
+    record, records = (
+        numba.from_dtype(kind),
+        np.array([tuple(readings.values()) for readings in walk], kind),
+    )
     plain = _judging(task.reward, task.goal)
     with suppress(Exception):  # a compiler may find anything odd in somebody's function
-        kernel = compiled(_judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal)))
+        kernel = compiled(
+            _judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal))
+        )
         kernel.compile((record, record))
-        if repr([*map(kernel, records, records[1:])]) == repr([*map(plain, walk, walk[1:])]):
-            return numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
-    print(f"{task.path}: learning is slower, since numba cannot compile reward or goal", file=sys.stderr)
+        if repr([*map(kernel, records, records[1:])]) == repr(
+            [*map(plain, walk, walk[1:])]
+        ):
+            return numba.types.function_type.CompileResultWAP(
+                kernel.overloads[record, record]
+            )
+    print(
+        f"{task.path}: learning is slower, since numba cannot compile reward or goal",
+        file=sys.stderr,
+    )
     return None
 
 
-def _walk(robot: Any, commands: Sequence[Mapping[str, float]]) -> list[dict[str, float]]:
+def _walk(
+    robot: Any, commands: Sequence[Mapping[str, float]]
+) -> list[dict[str, float]]:
     """Readings on a walk at random; afterwards the robot stands where it stood."""
-    place, draws = robot.parts.place.copy(), np.random.default_rng(0).integers(len(commands), size=TRIED)
+    place, draws = (
+        robot.parts.place.copy(),
+        np.random.default_rng(0).integers(len(commands), size=TRIED),
+    )
     walk = [robot.act(commands[a]) for a in draws]
     robot.parts.place[:] = place
     robot.look()
@@ -73,9 +94,18 @@ def _walk(robot: Any, commands: Sequence[Mapping[str, float]]) -> list[dict[str,
 
 def _kernel_of(function: Any) -> Any:
     """The kernel of a function, and of those that it calls."""
-    used = {name: v for name, v in function.__globals__.items() if name in function.__code__.co_names}
-    around = {name: _kernel_of(v) if isinstance(v, FunctionType) else v for name, v in used.items()}
-    around["__name__"] = __name__  # kept on disk, a kernel is read again only under a module that can be imported
+    used = {
+        name: v
+        for name, v in function.__globals__.items()
+        if name in function.__code__.co_names
+    }
+    around = {
+        name: _kernel_of(v) if isinstance(v, FunctionType) else v
+        for name, v in used.items()
+    }
+    around["__name__"] = (
+        __name__  # kept on disk, a kernel is read again only under a module that can be imported
+    )
     name, defaults = function.__name__, function.__defaults__
     copy = FunctionType(function.__code__, around, name, defaults, function.__closure__)
     copy.__kwdefaults__ = function.__kwdefaults__
@@ -85,7 +115,9 @@ def _kernel_of(function: Any) -> Any:
 def _judging(reward: Any, goal: Any) -> Any:
     def judge(before, after):
         try:
-            return 1.0 * reward(before, after) + 0.0, goal is not None and bool(goal(after))
+            return 1.0 * reward(before, after) + 0.0, goal is not None and bool(
+                goal(after)
+            )
         except Exception:
             return math.nan, False
 

@@ -10,8 +10,18 @@ from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
 RADIUS = 0.23  # [m]; it just covers the wheels
-_RIM = tuple((RADIUS * math.cos(t), RADIUS * math.sin(t), t) for t in np.arange(8) * math.pi / 4)
-GIRAFF = Chassis(0.075, wheel_separation=0.46, axle=0.0, lasers=_RIM, inset=RADIUS, hull=(), radius=RADIUS)
+_RIM = tuple(
+    (RADIUS * math.cos(t), RADIUS * math.sin(t), t) for t in np.arange(8) * math.pi / 4
+)
+GIRAFF = Chassis(
+    0.075,
+    wheel_separation=0.46,
+    axle=0.0,
+    lasers=_RIM,
+    inset=RADIUS,
+    hull=(),
+    radius=RADIUS,
+)
 STOP_DISTANCE = 0.18  # [m]
 
 
@@ -27,12 +37,19 @@ class Giraff(MobileBase):
     def _move(self, command: Mapping[str, float]) -> None:
         """Held back by the safety stop, the robot turns as commanded but on the spot."""
         speed = (command["left_wheel"] + command["right_wheel"]) / 2
-        if speed > 0 and min(self._readings[laser] for laser in FRONT_LASERS) < STOP_DISTANCE:
+        if (
+            speed > 0
+            and min(self._readings[laser] for laser in FRONT_LASERS) < STOP_DISTANCE
+        ):
             command = {wheel: value - speed for wheel, value in command.items()}
         super()._move(command)
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
-        mast = Solid("robot/mast", "cylinder", (0.03, 1.1), pose(-0.1, 0, 0.79), "robot")
-        screen = Solid("robot/screen", "box", (0.04, 0.24, 0.3), pose(-0.08, 0, 1.4), "robot")
+        mast = Solid(
+            "robot/mast", "cylinder", (0.03, 1.1), pose(-0.1, 0, 0.79), "robot"
+        )
+        screen = Solid(
+            "robot/screen", "box", (0.04, 0.24, 0.3), pose(-0.08, 0, 1.4), "robot"
+        )
         return (*super().solids(), mast, screen)

@@ -55,7 +55,9 @@ class KinematicRobot(SimulatedRobot):
         return dict(zip(self._card.sensors, readings.tolist(), strict=True))
 
 
-def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int) -> World | None:
+def world_of(
+    task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int
+) -> World | None:
     """What the compiled loop is given of a task and its robot, as it stands there; None where there is no such loop."""
     start = robot.start() if "kernels" in vars(type(robot)) else None
     if IS_PLAIN or start is None or any(v.values is not None for v in task.inputs):
@@ -66,8 +68,14 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     numbers = np.array([[*robot.readings.values()]] * 2)
     records = numbers.view([(name, float) for name in names])[:, 0]
     width = max(v.n_bins for v in task.inputs)
-    cuts = [[*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))] for v in task.inputs]
-    inputs = [(names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins) for v in task.inputs]
+    cuts = [
+        [*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))]
+        for v in task.inputs
+    ]
+    inputs = [
+        (names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins)
+        for v in task.inputs
+    ]
     told = [robot.in_numbers(command) for command in commands]
     return World(
         parts=robot.parts, start=start, place=start.copy(), commands=np.array(told),

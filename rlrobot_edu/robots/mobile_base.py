@@ -8,7 +8,9 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 from pymunk._chipmunk import ffi
-from pymunk._chipmunk import lib as chipmunk  # pymunk's library in C: its own wrappers take longer than the physics
+from pymunk._chipmunk import (
+    lib as chipmunk,
+)  # pymunk's library in C: its own wrappers take longer than the physics
 
 from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.realism import Realism
@@ -55,19 +57,32 @@ class Chassis(NamedTuple):
         return dict(zip(WHEELS, speeds, strict=True))
 
 
-_LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
+_LEFT = (
+    (0.260, 0.045),
+    (0.225, 0.140),
+    (0.135, 0.208),
+    (-0.099, 0.200),
+    (-0.199, 0.150),
+    (-0.259, 0.050),
+)
 _LASER_X = (0.220, 0.194, 0.0, -0.194, -0.220, -0.194, 0.0, 0.194)
 _LASER_Y = (0.0, 0.094, 0.170, 0.094, 0.0, -0.094, -0.170, -0.094)
 PIONEER = Chassis(  # measured in the paper's V-REP scenes
     wheel_radius=0.0975,
     wheel_separation=0.331,
     axle=0.045,
-    lasers=tuple((x, y, i * math.pi / 4) for i, (x, y) in enumerate(zip(_LASER_X, _LASER_Y, strict=True))),
+    lasers=tuple(
+        (x, y, i * math.pi / 4)
+        for i, (x, y) in enumerate(zip(_LASER_X, _LASER_Y, strict=True))
+    ),
     inset=0.02,
     hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
     radius=0.265,
 )
-LASER_HEIGHT, BODY_HEIGHT = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
+LASER_HEIGHT, BODY_HEIGHT = (
+    0.20,
+    0.16,
+)  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
@@ -106,19 +121,33 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self, scene: Place, step_time: float, chassis: Chassis | None = None, realism: Realism | None = None
+        self,
+        scene: Place,
+        step_time: float,
+        chassis: Chassis | None = None,
+        realism: Realism | None = None,
     ) -> None:
         super().__init__(ROBOTS[self.name])
         realism = realism or Realism()
         realism.check(self._card, "pymunk", step_time)
         self.chassis, self._step_time = chassis or self.chassis, step_time
         self.arena, self._friction = arena_of(scene), realism.wall_friction
-        self._times = [seconds for seconds in (realism.lag, step_time - realism.lag) if seconds]
+        self._times = [
+            seconds for seconds in (realism.lag, step_time - realism.lag) if seconds
+        ]
         inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there
         for laser, (x, y, angle) in zip(LASERS, self.chassis.lasers, strict=True):
             ahead, aside = math.cos(angle), math.sin(angle)
-            self._rays.append((laser, x - inset * ahead, y - inset * aside, reach * ahead, reach * aside))
+            self._rays.append(
+                (
+                    laser,
+                    x - inset * ahead,
+                    y - inset * aside,
+                    reach * ahead,
+                    reach * aside,
+                )
+            )
         self.reset()
 
     def _begin(self, rng: np.random.Generator) -> None:
@@ -133,9 +162,15 @@ class MobileBase(SimulatedRobot):
         # Its position is that of the axle: so the wheels' velocities are the body's own.
         axle, radius = self.chassis.axle, self.chassis.radius
         hull = [(x - axle, y) for x, y in self.chassis.hull]
-        moment = pymunk.moment_for_poly(1.0, hull) if hull else pymunk.moment_for_circle(1.0, 0.0, radius)
+        moment = (
+            pymunk.moment_for_poly(1.0, hull)
+            if hull
+            else pymunk.moment_for_circle(1.0, 0.0, radius)
+        )
         self._body = pymunk.Body(1.0, moment)
-        self._outline = pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
+        self._outline = (
+            pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
+        )
         self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
         self._space.add(self._body, self._outline)
         x, y, theta = self.arena.start
@@ -146,10 +181,16 @@ class MobileBase(SimulatedRobot):
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
-        space, body, outline = self._space._space, self._body._body, self._outline._shape
+        space, body, outline = (
+            self._space._space,
+            self._body._body,
+            self._outline._shape,
+        )
         chipmunk.cpSpaceRemoveShape(space, outline)
         chipmunk.cpSpaceAddShape(space, outline)
-        for wheels, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
+        for wheels, seconds in zip(
+            (self._former, command)[-len(self._times) :], self._times, strict=True
+        ):
             self._roll(*self.chassis.twist(wheels), seconds)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
@@ -170,8 +211,12 @@ class MobileBase(SimulatedRobot):
         turn = omega * dt
         chord = v * dt
         if turn:
-            chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
-        force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
+            chord *= math.sin(turn / 2) / (
+                turn / 2
+            )  # from the length of an arc to that of its chord
+        force = (
+            chord / dt**2
+        )  # that gives 1 kg at rest the velocity chord/dt in one sub-step
         torque = turn / dt**2 * self._body.moment
         # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
         # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
@@ -179,7 +224,9 @@ class MobileBase(SimulatedRobot):
         space, body = self._space._space, self._body._body
         for i in range(n):
             if force:
-                lead = turn / 2 + (chipmunk.cpBodyGetAngularVelocity(body) * dt if i else 0.0)
+                lead = turn / 2 + (
+                    chipmunk.cpBodyGetAngularVelocity(body) * dt if i else 0.0
+                )
                 push = force * math.cos(lead), force * math.sin(lead)
                 chipmunk.cpBodyApplyForceAtLocalPoint(body, push, (0, 0))
             if torque:
@@ -196,11 +243,18 @@ class MobileBase(SimulatedRobot):
         x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
         inset, readings = self.chassis.inset, {}
         for laser, ahead, aside, dx, dy in self._rays:
-            start_x, start_y = x + cos * ahead - sin * aside, y + sin * ahead + cos * aside
+            start_x, start_y = (
+                x + cos * ahead - sin * aside,
+                y + sin * ahead + cos * aside,
+            )
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
             way = self._free_part((start_x, start_y), end) * (inset + LASER_RANGE)
             readings[laser] = min(max(0.0, way - inset), LASER_RANGE)
-        return readings | {"x": x, "y": y, "theta": math.pi if theta == -math.pi else theta}
+        return readings | {
+            "x": x,
+            "y": y,
+            "theta": math.pi if theta == -math.pi else theta,
+        }
 
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
@@ -208,23 +262,37 @@ class MobileBase(SimulatedRobot):
         x, y = self._body.position
         reach = 2 * LASER_RANGE
         angles = self._body.angle + 2 * math.pi / rays * np.arange(rays)
-        ends = [(x + reach * math.cos(angle), y + reach * math.sin(angle)) for angle in angles]
+        ends = [
+            (x + reach * math.cos(angle), y + reach * math.sin(angle))
+            for angle in angles
+        ]
         return [self._free_part((x, y), end) * reach for end in ends]
 
     def _free_part(self, start: tuple[float, float], end: tuple[float, float]) -> float:
         """What part of the way from start to end [m] is free up to the first wall; infinity without a wall."""
         hit = ffi.new("cpSegmentQueryInfo *")
-        wall = chipmunk.cpSpaceSegmentQueryFirst(self._space._space, start, end, 0.0, _NOT_ITSELF, hit)
+        wall = chipmunk.cpSpaceSegmentQueryFirst(
+            self._space._space, start, end, 0.0, _NOT_ITSELF, hit
+        )
         return hit.alpha if wall else math.inf
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
         chassis, half = self.chassis, self.chassis.wheel_separation / 2
         tyre = "cylinder", (chassis.wheel_radius, 0.04)
-        left, right = (pose(chassis.axle, y, chassis.wheel_radius) @ _ON_ITS_SIDE for y in (half, -half))
+        left, right = (
+            pose(chassis.axle, y, chassis.wheel_radius) @ _ON_ITS_SIDE
+            for y in (half, -half)
+        )
         return (
             Solid("robot/body", *chassis.body(), pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(chassis.radius - 0.075, 0, 0.26), "robot"),
+            Solid(
+                "robot/nose",
+                "box",
+                (0.14, 0.06, 0.04),
+                pose(chassis.radius - 0.075, 0, 0.26),
+                "robot",
+            ),
             Solid("robot/left_wheel", *tyre, left, "wheel"),
             Solid("robot/right_wheel", *tyre, right, "wheel"),
         )
@@ -234,4 +302,8 @@ class MobileBase(SimulatedRobot):
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
         here = pose(x, y, 0.0, theta)
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
-        return Scene(self.arena.solids() + robot, beams(self._readings, self.chassis), self.arena.bounds)
+        return Scene(
+            self.arena.solids() + robot,
+            beams(self._readings, self.chassis),
+            self.arena.bounds,
+        )

@@ -64,7 +64,13 @@ class Realism:
         return cls(lag=0.1, wall_friction=0.72)
 
     def __post_init__(self) -> None:
-        for name in ("laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"):
+        for name in (
+            "laser_noise",
+            "odometry_noise",
+            "wheel_slip",
+            "lag",
+            "wall_friction",
+        ):
             check_between(name, getattr(self, name), 0, LARGEST_NUMBER)
         check_count("delay", self.delay, least=0)
 
@@ -85,11 +91,20 @@ class Realism:
         ValueError
             If the robot has nothing that one of the weaknesses could act on, or if the lag is no shorter than a step.
         """
-        on_wheels = engine == "pymunk", "it needs a robot on wheels that pymunk simulates"
+        on_wheels = (
+            engine == "pymunk",
+            "it needs a robot on wheels that pymunk simulates",
+        )
         turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
         needs = {
-            "laser_noise": (card.sensors.keys() >= {*LASERS}, "this robot has no lasers"),
-            "odometry_noise": (card.sensors.keys() >= {*ODOMETRY}, "this robot measures no x, y and theta"),
+            "laser_noise": (
+                card.sensors.keys() >= {*LASERS},
+                "this robot has no lasers",
+            ),
+            "odometry_noise": (
+                card.sensors.keys() >= {*ODOMETRY},
+                "this robot measures no x, y and theta",
+            ),
             "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
             "lag": on_wheels,
             "wall_friction": on_wheels,
@@ -98,7 +113,9 @@ class Realism:
             if getattr(self, name) and not is_met:
                 raise ValueError(f"{name} has nothing to act on: {need}")
         if self.lag >= step_time:
-            raise ValueError(f"lag must be below {step_time:g} s, a control step, got {self.lag}; see delay")
+            raise ValueError(
+                f"lag must be below {step_time:g} s, a control step, got {self.lag}; see delay"
+            )
 
 
 class RealisticRobot(SimulatedRobot):
@@ -115,10 +132,14 @@ class RealisticRobot(SimulatedRobot):
         super().__init__(card)
         self._robot, self._realism = robot, realism
         noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))
-        self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in names]
+        self._noisy = [
+            (name, sigma) for names, sigma in noise if sigma for name in names
+        ]
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self._on_the_way = deque([dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay)
+        self._on_the_way = deque(
+            [dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay
+        )
         self._rng = rng
         self._robot.reset(rng)
 
@@ -127,12 +148,17 @@ class RealisticRobot(SimulatedRobot):
         self._on_the_way.append(dict(command))
         arrived = self._on_the_way.popleft()
         if self._realism.wheel_slip:
-            arrived = {name: self._slipped(name, speed) for name, speed in arrived.items()}
+            arrived = {
+                name: self._slipped(name, speed) for name, speed in arrived.items()
+            }
         self._robot.act(arrived)
 
     def _slipped(self, name: str, speed: float) -> float:
         _, low, high = self._card.commands[name]
-        return min(max(speed * (1 + self._rng.normal(0.0, self._realism.wheel_slip)), low), high)
+        return min(
+            max(speed * (1 + self._rng.normal(0.0, self._realism.wheel_slip)), low),
+            high,
+        )
 
     def _sense(self) -> dict[str, float]:
         readings = self._robot.readings

@@ -78,15 +78,23 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     ) -> None:
         if render_mode not in (None, *get_args(RenderMode)):
             advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.meshcat"
-            raise ValueError(f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}")
+            raise ValueError(
+                f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}"
+            )
         self.task = task
         self.render_mode = render_mode
         self._link = link
         self._realism = realism
         if link is not None:
-            for name, value in {"engine": engine, "realism": realism, **options}.items():
+            for name, value in {
+                "engine": engine,
+                "realism": realism,
+                **options,
+            }.items():
                 if value:
-                    raise ValueError(f"a robot behind a link is what it is: leave {name} out")
+                    raise ValueError(
+                        f"a robot behind a link is what it is: leave {name} out"
+                    )
             link.prepare(task)
         else:
             self.engine = default_engine(task.robot) if engine is None else engine
@@ -97,10 +105,16 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
-        self.episode_step = self._at_goal = 0  # steps so far, and those at the goal without a break
+        self.episode_step = self._at_goal = (
+            0  # steps so far, and those at the goal without a break
+        )
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
-        self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
-        self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
+        self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(
+            task.actions.n
+        )
+        self._commands = [
+            task.command_for(a) for a in range(task.actions.n)
+        ]  # looked up in every step
         self.np_random = generator(seed, ENVIRONMENT)
 
     @cached_property
@@ -109,17 +123,25 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if self._link is not None:
             return self._link
         robot = self._make_robot()
-        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism) if self._realism else robot
+        return (
+            RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+            if self._realism
+            else robot
+        )
 
     @cached_property
     def _camera(self) -> Any:
-        from rlrobot_edu.show.top_down import Camera  # here, because few environments are asked for pictures
+        from rlrobot_edu.show.top_down import (
+            Camera,
+        )  # here, because few environments are asked for pictures
 
         return Camera(self.robot.scene())
 
     def __getstate__(self) -> dict[str, Any]:
         # without the camera, which is soon made anew
-        return {name: value for name, value in self.__dict__.items() if name != "_camera"}
+        return {
+            name: value for name, value in self.__dict__.items() if name != "_camera"
+        }
 
     def close(self) -> None:
         """End the robot's simulator; `reset` starts it anew."""
@@ -127,7 +149,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if robot is not None:
             robot.close()
 
-    def reset(self, *, seed: int | None = None, options: Info | None = None) -> tuple[np.ndarray, Info]:
+    def reset(
+        self, *, seed: int | None = None, options: Info | None = None
+    ) -> tuple[np.ndarray, Info]:
         """Put the robot at its start.
 
         Parameters
@@ -181,10 +205,14 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_step += 1
         self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
-        is_last = self.episode_steps is not None and self.episode_step >= self.episode_steps
+        is_last = (
+            self.episode_steps is not None and self.episode_step >= self.episode_steps
+        )
         return observation, reward, terminated, is_last and not terminated, info
 
-    def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    def learn_compiled(
+        self, agent: Agent, log: Transitions, episodes: int | None
+    ) -> Iterator[int]:
         """Run the loop of learning as one kernel, as far as the robot and its task allow; `learn` does the rest.
 
         Parameters
@@ -203,8 +231,13 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         robot: Any = self.robot
         is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
-        if is_worth_it and (world := world_of(self.task, robot, self._commands, self._at_goal)):
-            self._counter, run = world.at_goal, make_run(agent.method, *kernels_of(*robot.kernels))
+        if is_worth_it and (
+            world := world_of(self.task, robot, self._commands, self._at_goal)
+        ):
+            self._counter, run = (
+                world.at_goal,
+                make_run(agent.method, *kernels_of(*robot.kernels)),
+            )
             yield from run_slices(self, run, world, agent, log, episodes)
 
     def arrive(self, state: int) -> None:
@@ -216,7 +249,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             Number of the state.
         """
         robot: Any = self.robot
-        self.state, self._at_goal, self._readings = state, int(self._counter[0]), robot.look()
+        self.state, self._at_goal, self._readings = (
+            state,
+            int(self._counter[0]),
+            robot.look(),
+        )
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.
@@ -232,7 +269,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             Before the first `reset`.
         """
         if self.render_mode is None:
-            gymnasium.logger.warn("nothing is drawn: make the environment with render_mode='rgb_array'")
+            gymnasium.logger.warn(
+                "nothing is drawn: make the environment with render_mode='rgb_array'"
+            )
             return None
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
@@ -261,7 +300,10 @@ def _has_pybullet() -> bool:
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        print(f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.", file=sys.stderr)
+        print(
+            f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.",
+            file=sys.stderr,
+        )
         return False
     return True
 
@@ -274,11 +316,22 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
     engines = ROBOTS[task.robot].engines
     if not isinstance(engine, str) or engine not in engines:
         robot = f"{task.path}: robot {task.robot!r}"
-        raise ValueError(f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}")
+        raise ValueError(
+            f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}"
+        )
     module, name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
     # after self, scene and step_time; realism is asked for by make_env already
-    its_own = [one for one in [*signature(robot_class.__init__).parameters][3:] if one != "realism"]
+    its_own = [
+        one
+        for one in [*signature(robot_class.__init__).parameters][3:]
+        if one != "realism"
+    ]
     for option in options:
-        known(option, ["engine", "realism", "render_mode", "link", *its_own], "setting", repr(task.robot))
+        known(
+            option,
+            ["engine", "realism", "render_mode", "link", *its_own],
+            "setting",
+            repr(task.robot),
+        )
     return partial(robot_class, task.scene, task.step_time, **options)

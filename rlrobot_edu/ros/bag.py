@@ -33,7 +33,9 @@ class BagRecording(Recording):
     report: what of the drive has become steps, and why the rest has not
     """
 
-    def __init__(self, transitions: Transitions, source: Source, task: Task, report: DriveReport) -> None:
+    def __init__(
+        self, transitions: Transitions, source: Source, task: Task, report: DriveReport
+    ) -> None:
         super().__init__(transitions, source, task)
         self.report = report
 
@@ -100,14 +102,19 @@ def recording_from_bag(
         transitions, report = transitions_of(task, drive, motions, max_age, list(names))
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
-    return BagRecording(transitions, Source.of_task(task, **THIS_COMPUTER), task, report)
+    return BagRecording(
+        transitions, Source.of_task(task, **THIS_COMPUTER), task, report
+    )
 
 
 @contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     """A reader of the bag. Raises ValueError if it cannot be read, ImportError if rosbags is missing."""
     try:
-        highlevel, typesys = (importlib.import_module(f"rosbags.{name}") for name in ("highlevel", "typesys"))
+        highlevel, typesys = (
+            importlib.import_module(f"rosbags.{name}")
+            for name in ("highlevel", "typesys")
+        )
     except ImportError:
         raise ImportError(
             "rosbags is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
@@ -118,10 +125,14 @@ def _opened(path: Path) -> Iterator[Any]:
         path = path.parent
     try:
         # older bags of ROS 2 do not say what their messages look like; these have been the same ever since
-        reader = highlevel.AnyReader([path], default_typestore=typesys.get_typestore(typesys.Stores.ROS2_HUMBLE))
+        reader = highlevel.AnyReader(
+            [path], default_typestore=typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
+        )
         reader.open()
     except Exception as error:  # of a damaged file anything may be the matter
-        raise ValueError(f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})") from error
+        raise ValueError(
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})"
+        ) from error
     with closing(reader):
         yield reader
 
@@ -131,14 +142,23 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
     there = {connection.topic: connection.msgtype for connection in reader.connections}
     found = {}
     for argument, topic in topics.items():
-        connections = [c for c in reader.connections if c.topic.strip("/") == str(topic).strip("/")]
+        connections = [
+            c for c in reader.connections if c.topic.strip("/") == str(topic).strip("/")
+        ]
         wrong = [c.msgtype for c in connections if c.msgtype not in KINDS[argument]]
         if wrong or not connections:
             kinds = " or ".join(KINDS[argument])
             problem = f"is of type {wrong[0]}" if wrong else "is not in this bag"
             fitting = [name for name, kind in there.items() if kind in KINDS[argument]]
-            hint = f"give {argument}={fitting[0]!r}? " if fitting else did_you_mean(topic, there)
-            listed = ", ".join(f"{name} ({kind})" for name, kind in sorted(there.items())) or "none"
+            hint = (
+                f"give {argument}={fitting[0]!r}? "
+                if fitting
+                else did_you_mean(topic, there)
+            )
+            listed = (
+                ", ".join(f"{name} ({kind})" for name, kind in sorted(there.items()))
+                or "none"
+            )
             raise ValueError(
                 f"{path}: topic {topic!r} {problem}, expected {kinds}; {hint}The topics are: {listed:.2000}"
             )
@@ -146,13 +166,25 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
     return found
 
 
-def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis, place: Mounting) -> Drive:
+def _read(
+    reader: Any,
+    path: Path,
+    names: dict[str, list[Any]],
+    chassis: Chassis,
+    place: Mounting,
+) -> Drive:
     """All messages of these topics, of odometry, scan and command, as numbers in order of time."""
     drive = Drive()
     odom, scan, cmd_vel = names
-    tracks: dict[str, Track[Any]] = {odom: drive.poses, scan: drive.scans, cmd_vel: drive.twists}
+    tracks: dict[str, Track[Any]] = {
+        odom: drive.poses,
+        scan: drive.scans,
+        cmd_vel: drive.twists,
+    }
     try:
-        for connection, time, raw in reader.messages([c for found in names.values() for c in found]):
+        for connection, time, raw in reader.messages(
+            [c for found in names.values() for c in found]
+        ):
             topic = connection.topic
             said: Any = tracks[topic].nothing
             try:
@@ -168,5 +200,7 @@ def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis
                 drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, fault
             tracks[topic].add(time, said)
     except Exception as error:  # of a damaged file, too
-        raise ValueError(f"{path}: this bag is damaged ({in_words(error)}); copy it again") from error
+        raise ValueError(
+            f"{path}: this bag is damaged ({in_words(error)}); copy it again"
+        ) from error
     return drive

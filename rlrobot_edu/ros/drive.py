@@ -21,13 +21,18 @@ from rlrobot_edu.task.task import Task
 SECOND = 10**9  # [ns]
 SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
-PATIENCE = 0.5, 1.5  # a message is too old after so long [s], or after so many steps if that is longer
+PATIENCE = (
+    0.5,
+    1.5,
+)  # a message is too old after so long [s], or after so many steps if that is longer
 
 FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
 
 T = TypeVar("T")
 _Told = list[dict[str, float]] | None
-_Hold = tuple[int | None, list[int], int]  # an action in force, None if it is no action, when it was said, until when
+_Hold = tuple[
+    int | None, list[int], int
+]  # an action in force, None if it is no action, when it was said, until when
 
 
 @dataclass
@@ -62,18 +67,27 @@ class Drive:
 
     poses: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
     scans: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
-    twists: Track[tuple[float, float, float]] = field(default_factory=lambda: Track((math.nan,) * 3))
+    twists: Track[tuple[float, float, float]] = field(
+        default_factory=lambda: Track((math.nan,) * 3)
+    )
     rays: int = 0
     lost: int = 0
     faults: dict[str, tuple[int, str]] = field(default_factory=dict)
 
-    def lasers_in(self, rays: Rays, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+    def lasers_in(
+        self, rays: Rays, chassis: Chassis, mounting: Mounting
+    ) -> dict[str, float]:
         """The readings of the lasers that are known in a scan; its rays are counted."""
         self.rays += len(rays.known)
         self.lost += int((~rays.known).sum())
-        near, far = (beams_end(rays, ranges, chassis, mounting) for ranges in (rays.ranges, rays.farthest))
+        near, far = (
+            beams_end(rays, ranges, chassis, mounting)
+            for ranges in (rays.ranges, rays.farthest)
+        )
         known = [laser for laser in near if near[laser] >= 0 and far[laser] >= 0]
-        return {laser: near[laser] for laser in known} | {f"{FARTHEST}{laser}": far[laser] for laser in known}
+        return {laser: near[laser] for laser in known} | {
+            f"{FARTHEST}{laser}": far[laser] for laser in known
+        }
 
 
 def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
@@ -81,7 +95,9 @@ def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
 
     note: what the sentence adds
     """
-    if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
+    if unseen := [
+        v.name for v in task.inputs if v.name in LASERS and v.name not in seen
+    ]:
         raise ValueError(
             f"{task.name} needs {', '.join(unseen)}, where the scanner does not look or never measures anything{note}; "
             f"say how it is mounted, or choose a task that needs only {', '.join(x for x in LASERS if x in seen)}"
@@ -89,7 +105,11 @@ def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
 
 
 def transitions_of(
-    task: Task, drive: Drive, motions: Motions, max_age: float | None, names: Sequence[str]
+    task: Task,
+    drive: Drive,
+    motions: Motions,
+    max_age: float | None,
+    names: Sequence[str],
 ) -> tuple[Transitions, DriveReport]:
     """The steps of `task` that the drive holds, and a report; names: of the topics of pose, scan and twist.
 
@@ -101,25 +121,43 @@ def transitions_of(
 
     Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
     """
-    given = max(PATIENCE[0], PATIENCE[1] * task.step_time) if max_age is None else max_age
+    given = (
+        max(PATIENCE[0], PATIENCE[1] * task.step_time) if max_age is None else max_age
+    )
     if not 0 < given < math.inf:
-        raise ValueError(f"max_age must be a positive number of seconds, got {max_age!r:.200}")
-    age, times_of = round(given * SECOND), (drive.poses.times, drive.scans.times, drive.twists.times)
+        raise ValueError(
+            f"max_age must be a positive number of seconds, got {max_age!r:.200}"
+        )
+    age, times_of = (
+        round(given * SECOND),
+        (drive.poses.times, drive.scans.times, drive.twists.times),
+    )
     received = dict(zip(names, times_of, strict=True))
     for what, times in received.items():
         unreadable, fault = drive.faults.get(what, (0, "there is none at all"))
         if unreadable == len(times):
-            raise ValueError(f"there is no readable message of {what} among {len(times)}: {fault}")
+            raise ValueError(
+                f"there is no readable message of {what} among {len(times)}: {fault}"
+            )
     lasers = _lasers_of(task, drive)
     counts: Counter[str] = Counter()
     twists = drive.twists.values
     actions = [motions.action(v, omega, aside) for v, aside, omega in twists]
-    unexplained = Counter((round(v, 2), round(w, 2)) for (v, _, w), a in zip(twists, actions, strict=True) if a is None)
+    unexplained = Counter(
+        (round(v, 2), round(w, 2))
+        for (v, _, w), a in zip(twists, actions, strict=True)
+        if a is None
+    )
     jump = JUMP + 2 * motions.max_speed * task.step_time
     rows: list[list[float]] = []
     since, at_goal, before_end = 0, 0, -1
     for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
-        step = _step(task, _readings(drive, begin, age, lasers), _readings(drive, end, age, lasers), jump)
+        step = _step(
+            task,
+            _readings(drive, begin, age, lasers),
+            _readings(drive, end, age, lasers),
+            jump,
+        )
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -136,7 +174,9 @@ def transitions_of(
         rows.append([s, a, r, s_next, terminated, truncated])
         if terminated or truncated:
             since = at_goal = 0
-    duration = max(times[-1] for times in received.values()) - min(times[0] for times in received.values())
+    duration = max(times[-1] for times in received.values()) - min(
+        times[0] for times in received.values()
+    )
     report = DriveReport(
         task.name, duration / SECOND, {what: len(received[what]) for what in received}, drive.faults, len(rows),
         counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["unknown"], counts["jumps"],
@@ -153,7 +193,11 @@ def _lasers_of(task: Task, drive: Drive) -> set[str]:
     known = Counter(chain.from_iterable(drive.scans.values))
     check_view(task, known, f" ({drive.lost} of all its {drive.rays} rays)")
     inputs = [variable.name for variable in task.inputs]
-    return {laser for laser in LASERS if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)}
+    return {
+        laser
+        for laser in LASERS
+        if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)
+    }
 
 
 def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
@@ -164,10 +208,15 @@ def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
     if not pose or not lasers <= scan.keys():
         return []
     names = [name for name in scan if name in lasers]
-    return [{name: scan.get(side + name, scan[name]) for name in names} | pose for side in ("", FARTHEST)]
+    return [
+        {name: scan.get(side + name, scan[name]) for name in names} | pose
+        for side in ("", FARTHEST)
+    ]
 
 
-def _step(task: Task, before: _Told, after: _Told, jump: float) -> tuple[int, float, int, bool] | str:
+def _step(
+    task: Task, before: _Told, after: _Told, jump: float
+) -> tuple[int, float, int, bool] | str:
     """State, reward, next state, and whether that is the goal; or which kind of step it is that does not count.
 
     before, after: as `_readings` gives them; jump: no step is as long as that [m]
@@ -183,7 +232,9 @@ def _step(task: Task, before: _Told, after: _Told, jump: float) -> tuple[int, fl
     return steps.pop() if len(steps) == 1 else "unknown"
 
 
-def _holds(drive: Drive, actions: list[int | None], age: int, counts: Counter[str]) -> Iterator[_Hold]:
+def _holds(
+    drive: Drive, actions: list[int | None], age: int, counts: Counter[str]
+) -> Iterator[_Hold]:
     """Which action was in force when. A command holds until the next one comes or it is too old."""
     times, last = drive.twists.times, max(drive.poses.times[-1], drive.scans.times[-1])
     silent = [after - before > age for before, after in pairwise(times)]
@@ -196,7 +247,9 @@ def _holds(drive: Drive, actions: list[int | None], age: int, counts: Counter[st
         yield actions[i], [times[j] for j in held], end
 
 
-def _spans(task: Task, holds: Iterator[_Hold], counts: Counter[str]) -> Iterator[tuple[int, int, int]]:
+def _spans(
+    task: Task, holds: Iterator[_Hold], counts: Counter[str]
+) -> Iterator[tuple[int, int, int]]:
     """Beginning and end [ns], and action, of each step that one action fills."""
     step = round(task.step_time * SECOND)
     slack = round(SLACK * step)
@@ -209,7 +262,9 @@ def _spans(task: Task, holds: Iterator[_Hold], counts: Counter[str]) -> Iterator
                 break
             if due < end - slack:
                 i = bisect_left(times, due)
-                said = min(times[max(i - 1, 0) : i + 1], key=lambda time: abs(time - due))
+                said = min(
+                    times[max(i - 1, 0) : i + 1], key=lambda time: abs(time - due)
+                )
                 due = said if abs(said - due) <= slack else due
             else:
                 due = end

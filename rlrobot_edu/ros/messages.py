@@ -25,10 +25,16 @@ def stamp_of(message: Any) -> float:
     """
     try:
         stamp = message.header.stamp
-        seconds, nanoseconds = (stamp.sec, stamp.nanosec) if hasattr(stamp, "sec") else (stamp.secs, stamp.nsecs)
+        seconds, nanoseconds = (
+            (stamp.sec, stamp.nanosec)
+            if hasattr(stamp, "sec")
+            else (stamp.secs, stamp.nsecs)
+        )
         time = float(seconds + 1e-9 * nanoseconds)
     except (AttributeError, TypeError, OverflowError) as error:
-        raise ValueError(f"a message without a readable time: {message!r:.200}") from error
+        raise ValueError(
+            f"a message without a readable time: {message!r:.200}"
+        ) from error
     if not 0 <= time < math.inf:
         raise ValueError(f"a message has the impossible time {time} s")
     return time
@@ -43,7 +49,9 @@ def pose_of(odometry: Any) -> tuple[float, float, float]:
         place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
         return float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
     except (AttributeError, TypeError, OverflowError) as error:
-        raise ValueError(f"this is no message of type Odometry: {odometry!r:.200}") from error
+        raise ValueError(
+            f"this is no message of type Odometry: {odometry!r:.200}"
+        ) from error
 
 
 def velocity_of(twist: Any) -> tuple[float, float, float]:
@@ -60,19 +68,35 @@ def velocity_of(twist: Any) -> tuple[float, float, float]:
 
 def make_odometry(make: Make, stamp: float, x: float, y: float, theta: float) -> Any:
     """A message that ``base_link`` is at x, y [m] and looks in direction theta [rad]."""
-    q = make("geometry_msgs/Quaternion", x=0.0, y=0.0, z=math.sin(theta / 2), w=math.cos(theta / 2))
-    pose = make("geometry_msgs/Pose", position=make("geometry_msgs/Point", x=x, y=y, z=0.0), orientation=q)
+    q = make(
+        "geometry_msgs/Quaternion",
+        x=0.0,
+        y=0.0,
+        z=math.sin(theta / 2),
+        w=math.cos(theta / 2),
+    )
+    pose = make(
+        "geometry_msgs/Pose",
+        position=make("geometry_msgs/Point", x=x, y=y, z=0.0),
+        orientation=q,
+    )
     unknown = [0.0] * 36
     return make(
         ODOMETRY,
         header=_header(make, stamp, "odom"),
         child_frame_id=BASE_FRAME,
         pose=make("geometry_msgs/PoseWithCovariance", pose=pose, covariance=unknown),
-        twist=make("geometry_msgs/TwistWithCovariance", twist=make_twist(make, 0.0, 0.0), covariance=unknown),
+        twist=make(
+            "geometry_msgs/TwistWithCovariance",
+            twist=make_twist(make, 0.0, 0.0),
+            covariance=unknown,
+        ),
     )
 
 
-def make_laser_scan(make: Make, stamp: float, ranges: Sequence[float], range_max: float) -> Any:
+def make_laser_scan(
+    make: Make, stamp: float, ranges: Sequence[float], range_max: float
+) -> Any:
     """A message of what a scanner on ``base_link`` sees all round [m], the first ray straight ahead."""
     increment = 2 * math.pi / len(ranges)
     return make(
@@ -85,12 +109,20 @@ def make_laser_scan(make: Make, stamp: float, ranges: Sequence[float], range_max
 def make_twist(make: Make, v: float, omega: float) -> Any:
     """A message that tells a robot to drive at v [m/s] and to turn to the left at omega [rad/s]."""
     vector = "geometry_msgs/Vector3"
-    return make(TWIST, linear=make(vector, x=v, y=0.0, z=0.0), angular=make(vector, x=0.0, y=0.0, z=omega))
+    return make(
+        TWIST,
+        linear=make(vector, x=v, y=0.0, z=0.0),
+        angular=make(vector, x=0.0, y=0.0, z=omega),
+    )
 
 
 def make_twist_stamped(make: Make, stamp: float, v: float, omega: float) -> Any:
     """The same with the time [s] from which it holds."""
-    return make(TWIST_STAMPED, header=_header(make, stamp, BASE_FRAME), twist=make_twist(make, v, omega))
+    return make(
+        TWIST_STAMPED,
+        header=_header(make, stamp, BASE_FRAME),
+        twist=make_twist(make, v, omega),
+    )
 
 
 def _header(make: Make, stamp: float, frame: str) -> Any:

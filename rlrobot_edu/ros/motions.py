@@ -12,7 +12,9 @@ from rlrobot_edu.task.task import Task
 
 def chassis_of(task: Task) -> Chassis:
     """Dimensions of the task's robot. Raises ValueError if that is commanded otherwise than by wheels alone."""
-    drivable = [robot for robot in CHASSIS if set(ROBOTS[robot].commands) == set(WHEELS)]
+    drivable = [
+        robot for robot in CHASSIS if set(ROBOTS[robot].commands) == set(WHEELS)
+    ]
     if task.robot not in drivable:
         raise ValueError(
             f"cmd_vel commands wheels alone, and {task.name} the robot {task.robot!r}; choose a task of "
@@ -33,10 +35,14 @@ class Motions:
     def __init__(self, task: Task, tolerance: float) -> None:
         self.chassis, self._tolerance = chassis_of(task), tolerance
         if not 0 <= tolerance < math.inf:
-            raise ValueError(f"tolerance must be a number of at least 0, got {tolerance!r:.200}")
+            raise ValueError(
+                f"tolerance must be a number of at least 0, got {tolerance!r:.200}"
+            )
         commands = [task.command_for(a) for a in range(task.actions.n)]
         # of actions with the same motion the plainest counts: its outputs are the wheels' commands
-        plain = [task.actions.decode(a) == command for a, command in enumerate(commands)]
+        plain = [
+            task.actions.decode(a) == command for a, command in enumerate(commands)
+        ]
         self._actions = sorted(range(len(commands)), key=lambda a: (not plain[a], a))
         motions = np.array([self.chassis.twist(commands[a]) for a in self._actions])
         largest = np.abs(motions).max(axis=0)
@@ -50,4 +56,6 @@ class Motions:
         misses = np.abs(self._motions - given).max(axis=1)
         best = int(np.argmin(misses))
         miss = np.maximum(misses[best], abs(aside) / self._unit[0])
-        return self._actions[best] if miss <= self._tolerance + 1e-9 else None  # false for NaN
+        return (
+            self._actions[best] if miss <= self._tolerance + 1e-9 else None
+        )  # false for NaN

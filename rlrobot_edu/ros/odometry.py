@@ -20,7 +20,9 @@ def heading(x: float, y: float, z: float, w: float) -> float:
     return math.pi if theta == -math.pi else theta
 
 
-def pose_readings(x: float, y: float, theta: float, chassis: Chassis) -> dict[str, float]:
+def pose_readings(
+    x: float, y: float, theta: float, chassis: Chassis
+) -> dict[str, float]:
     """The readings of a robot whose ``base_link`` is at x, y [m] and looks in direction theta [rad].
 
     x and y are sensed in the middle of the robot's body, from which its axle may be away.
@@ -28,4 +30,8 @@ def pose_readings(x: float, y: float, theta: float, chassis: Chassis) -> dict[st
     """
     if not (math.hypot(x, y) <= EARTH and math.isfinite(theta)):  # true for NaN, too
         raise ValueError(f"the pose ({x}, {y}, {theta}) is no place")
-    return {"x": x - chassis.axle * math.cos(theta), "y": y - chassis.axle * math.sin(theta), "theta": theta}
+    return {
+        "x": x - chassis.axle * math.cos(theta),
+        "y": y - chassis.axle * math.sin(theta),
+        "theta": theta,
+    }

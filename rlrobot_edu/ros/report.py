@@ -54,25 +54,66 @@ class DriveReport(Tabled):
 
     def in_short(self) -> str:
         """The counts of what was dropped, in words."""
-        return ", ".join(f"{n} {what}" for what, n, _ in self.table().rows[len(self.messages) + 1 :])
+        return ", ".join(
+            f"{n} {what}" for what, n, _ in self.table().rows[len(self.messages) + 1 :]
+        )
 
     def table(self) -> Table:
         """One line for each thing that was counted."""
-        commonest = sorted(self.unexplained, key=lambda twist: (-self.unexplained[twist], twist))[:3]
+        commonest = sorted(
+            self.unexplained, key=lambda twist: (-self.unexplained[twist], twist)
+        )[:3]
         examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
         rows = [
             *((f"messages of {topic}", n, "") for topic, n in self.messages.items()),
             ("steps", self.steps, f"stretches without a gap: {self.stretches}"),
-            ("Twists that no action explains", self.dropped, f"no action is like {examples}" if examples else ""),
-            ("steps cut short", self.cut_short, "another command came within the step, or none any more"),
-            ("steps with old readings", self.stale, "odometry or scan was too old, or not there yet"),
-            ("steps with unknown readings", self.unknown, "the latest odometry or scan does not say enough"),
-            ("steps in which odometry jumped", self.jumps, "it tells of too long a way"),
+            (
+                "Twists that no action explains",
+                self.dropped,
+                f"no action is like {examples}" if examples else "",
+            ),
+            (
+                "steps cut short",
+                self.cut_short,
+                "another command came within the step, or none any more",
+            ),
+            (
+                "steps with old readings",
+                self.stale,
+                "odometry or scan was too old, or not there yet",
+            ),
+            (
+                "steps with unknown readings",
+                self.unknown,
+                "the latest odometry or scan does not say enough",
+            ),
+            (
+                "steps in which odometry jumped",
+                self.jumps,
+                "it tells of too long a way",
+            ),
             ("silences of cmd_vel", self.silences, ""),
-            *((f"unreadable messages of {topic}", n, fault) for topic, (n, fault) in self.faults.items()),
-            ("lasers not in view, or unknown", len(self.missing), ", ".join(self.missing)),
-            ("scans that do not show all", self.partial, "a laser is unknown that others show"),
-            ("rays that measured nothing", self.lost, f"of {self.rays}: 0, NaN, or above range_max"),
+            *(
+                (f"unreadable messages of {topic}", n, fault)
+                for topic, (n, fault) in self.faults.items()
+            ),
+            (
+                "lasers not in view, or unknown",
+                len(self.missing),
+                ", ".join(self.missing),
+            ),
+            (
+                "scans that do not show all",
+                self.partial,
+                "a laser is unknown that others show",
+            ),
+            (
+                "rays that measured nothing",
+                self.lost,
+                f"of {self.rays}: 0, NaN, or above range_max",
+            ),
         ]
         columns = ("of the drive", "how many", "what they are")
-        return Table(f"A drive of {self.duration:.4g} s as steps of {self.task}", columns, rows)
+        return Table(
+            f"A drive of {self.duration:.4g} s as steps of {self.task}", columns, rows
+        )

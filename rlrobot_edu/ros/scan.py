@@ -17,7 +17,9 @@ MOST_RAYS = 100_000
 GAP = 0.1
 
 
-LaserScan = Any  # a message with the fields of ROS's sensor_msgs/LaserScan, from any source
+LaserScan = (
+    Any  # a message with the fields of ROS's sensor_msgs/LaserScan, from any source
+)
 Floats = NDArray[np.float64]
 
 
@@ -42,8 +44,14 @@ class Mounting(NamedTuple):
         """The mounting that these four or five values say. Raises ValueError if they are none."""
         try:
             x, y, yaw, upside_down, *far = given
-            mounting = cls(float(x), float(y), float(yaw), bool(upside_down), *map(float, far))
-            if np.isfinite(mounting[:3]).all() and upside_down in (False, True) and not mounting.far < 0:
+            mounting = cls(
+                float(x), float(y), float(yaw), bool(upside_down), *map(float, far)
+            )
+            if (
+                np.isfinite(mounting[:3]).all()
+                and upside_down in (False, True)
+                and not mounting.far < 0
+            ):
                 return mounting
         except (TypeError, ValueError):
             pass
@@ -85,7 +93,9 @@ class _Crossing(NamedTuple):
     aside: float
 
 
-def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+def laser_readings(
+    scan: LaserScan, chassis: Chassis, mounting: Mounting
+) -> dict[str, float]:
     """The readings [m] of those of the robot's lasers that the scanner can stand for.
 
     A reading is how far the beam gets from the laser's place on the body, 0 to `LASER_RANGE`, before it leaves the free
@@ -96,13 +106,22 @@ def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dic
     """
     rays = measured(scan, mounting.far)
     readings = beams_end(rays, rays.ranges, chassis, mounting)
-    return {laser: reading for laser, reading in readings.items() if not math.isnan(reading)}
+    return {
+        laser: reading for laser, reading in readings.items() if not math.isnan(reading)
+    }
 
 
-def beams_end(rays: Rays, ranges: Floats, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+def beams_end(
+    rays: Rays, ranges: Floats, chassis: Chassis, mounting: Mounting
+) -> dict[str, float]:
     """How far each laser in the scanner's view sees where its rays got as far as `ranges` [m]; NaN if not known."""
-    crossings = _crossings(chassis, mounting, rays.angle_min, rays.increment, len(ranges))
-    return {laser: _reach(crossing, ranges[crossing.rays]) for laser, crossing in crossings.items()}
+    crossings = _crossings(
+        chassis, mounting, rays.angle_min, rays.increment, len(ranges)
+    )
+    return {
+        laser: _reach(crossing, ranges[crossing.rays])
+        for laser, crossing in crossings.items()
+    }
 
 
 def looking_out(chassis: Chassis, ahead: float) -> Chassis:
@@ -115,10 +134,14 @@ def looking_out(chassis: Chassis, ahead: float) -> Chassis:
     Raises ValueError if it stands outside.
     """
     if not abs(ahead) < chassis.radius:
-        raise ValueError(f"a scanner {ahead} m ahead is outside the robot's circle of {chassis.radius:g} m")
+        raise ValueError(
+            f"a scanner {ahead} m ahead is outside the robot's circle of {chassis.radius:g} m"
+        )
     lasers = []
     for _, _, angle in chassis.lasers:
-        way = math.sqrt(chassis.radius**2 - (ahead * math.sin(angle)) ** 2) - ahead * math.cos(angle)
+        way = math.sqrt(
+            chassis.radius**2 - (ahead * math.sin(angle)) ** 2
+        ) - ahead * math.cos(angle)
         lasers.append((ahead + way * math.cos(angle), way * math.sin(angle), angle))
     return chassis._replace(lasers=tuple(lasers))
 
@@ -137,11 +160,24 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
         ranges = np.asarray(scan.ranges, dtype=float)
         angle_min, increment = float(scan.angle_min), float(scan.angle_increment)
         nearest, most = float(scan.range_min), float(scan.range_max)
-        angle_max = float(getattr(scan, "angle_max", None) or math.nan)  # many drivers leave it at 0
+        angle_max = float(
+            getattr(scan, "angle_max", None) or math.nan
+        )  # many drivers leave it at 0
     except (AttributeError, TypeError, OverflowError) as error:
-        raise ValueError(f"this is no message of type LaserScan: {scan!r:.200}") from error
-    has_rays = ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and math.isfinite(angle_min + increment) and increment
-    if not has_rays or not nearest < most or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5:
+        raise ValueError(
+            f"this is no message of type LaserScan: {scan!r:.200}"
+        ) from error
+    has_rays = (
+        ranges.ndim == 1
+        and 0 < len(ranges) <= MOST_RAYS
+        and math.isfinite(angle_min + increment)
+        and increment
+    )
+    if (
+        not has_rays
+        or not nearest < most
+        or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5
+    ):
         raise ValueError(
             f"an impossible laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of "
             f"{increment}, which measures from {nearest} to {most} m"
@@ -149,28 +185,47 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
     said = np.where(ranges < nearest, 0.0, ranges)
     said[(ranges == 0) | ((ranges > most) & np.isfinite(ranges))] = math.nan
     near, farthest = _between(said, abs(increment))
-    says_far = np.isnan(ranges) if math.isnan(far) else (ranges == far) | ((ranges > most) & (most < far < math.inf))
+    says_far = (
+        np.isnan(ranges)
+        if math.isnan(far)
+        else (ranges == far) | ((ranges > most) & (most < far < math.inf))
+    )
     near[np.isnan(near) & says_far] = farthest[np.isnan(farthest) & says_far] = math.inf
     return Rays(angle_min, increment, near, farthest, says_far | ~np.isnan(said))
 
 
 def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
     """How near and how far each ray may have got [m], where NaN is between neighbours that are not NaN."""
-    known, rays, turn = np.flatnonzero(~np.isnan(ranges)), np.arange(len(ranges)), 2 * math.pi / increment
-    places = np.concatenate([[-math.inf], known - turn, known, known + turn, [math.inf]])
+    known, rays, turn = (
+        np.flatnonzero(~np.isnan(ranges)),
+        np.arange(len(ranges)),
+        2 * math.pi / increment,
+    )
+    places = np.concatenate(
+        [[-math.inf], known - turn, known, known + turn, [math.inf]]
+    )
     values = np.concatenate([[math.nan], np.tile(ranges[known], 3), [math.nan]])
     order = np.argsort(places, kind="stable")  # a scan may be of more than a turn
-    left, right = (order[np.searchsorted(places[order], rays, side) - (side == "right")] for side in ("right", "left"))
+    left, right = (
+        order[np.searchsorted(places[order], rays, side) - (side == "right")]
+        for side in ("right", "left")
+    )
     width = (places[right] - places[left]) * increment
     is_lost, is_narrow = np.isnan(ranges), width <= GAP + increment + EPSILON
     sides = np.where(is_narrow, [values[left], values[right]], math.nan)
-    return np.where(is_lost, sides.min(axis=0), ranges), np.where(is_lost, sides.max(axis=0), ranges)
+    return np.where(is_lost, sides.min(axis=0), ranges), np.where(
+        is_lost, sides.max(axis=0), ranges
+    )
 
 
-def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> Floats:
+def directions(
+    mounting: Mounting, angle_min: float, increment: float, n: int
+) -> Floats:
     """Where the scanner's rays look, to the left from straight ahead of the robot [rad]; array (n,)."""
     sense = -1 if mounting.upside_down else 1
-    return mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
+    return mounting.yaw + sense * (
+        angle_min + increment * np.arange(n, dtype=np.float64)
+    )
 
 
 def _reach(crossing: _Crossing, ranges: Floats) -> float:
@@ -179,14 +234,22 @@ def _reach(crossing: _Crossing, ranges: Floats) -> float:
     NaN if on its way there it comes into the direction of a ray of which nothing is known.
     """
     _, enter, leave, along, aside = crossing
-    is_behind = np.hypot(along + enter, aside) >= ranges  # it comes from nearer walls into these directions
-    there = np.where(is_behind, enter, np.sqrt(np.maximum(ranges**2 - aside**2, 0.0)) - along)
-    reach = float(min(max(there[there <= leave].min(initial=LASER_RANGE), 0.0), LASER_RANGE))
+    is_behind = (
+        np.hypot(along + enter, aside) >= ranges
+    )  # it comes from nearer walls into these directions
+    there = np.where(
+        is_behind, enter, np.sqrt(np.maximum(ranges**2 - aside**2, 0.0)) - along
+    )
+    reach = float(
+        min(max(there[there <= leave].min(initial=LASER_RANGE), 0.0), LASER_RANGE)
+    )
     return math.nan if np.isnan(ranges[enter < reach]).any() else reach
 
 
 @lru_cache(maxsize=64)  # a scanner looks the same way in every scan
-def _crossings(chassis: Chassis, mounting: Mounting, first: float, step: float, n: int) -> dict[str, _Crossing]:
+def _crossings(
+    chassis: Chassis, mounting: Mounting, first: float, step: float, n: int
+) -> dict[str, _Crossing]:
     """How the beams of the lasers cross the scanner's rays, without the beams that are not all in its view."""
     rays = directions(mounting, first, step, n)
     crossings = {}
@@ -198,7 +261,9 @@ def _crossings(chassis: Chassis, mounting: Mounting, first: float, step: float, 
     return crossings
 
 
-def _crossing(place: tuple[float, float], angle: float, rays: Floats, half: float) -> _Crossing | None:
+def _crossing(
+    place: tuple[float, float], angle: float, rays: Floats, half: float
+) -> _Crossing | None:
     """How a beam from `place` in direction `angle` crosses `rays`, `half` as wide to each side; None if unseen."""
     x, y = place
     ahead, left = math.cos(angle), math.sin(angle)
@@ -206,10 +271,19 @@ def _crossing(place: tuple[float, float], angle: float, rays: Floats, half: floa
     if abs(aside) < EPSILON:  # it comes straight from the scanner
         off = np.abs(turned(rays - angle, 0.0))
         i = int(np.argmin(off))
-        return _Crossing(np.array([i]), np.zeros(1), np.full(1, LASER_RANGE), along, 0.0) if off[i] <= half else None
+        return (
+            _Crossing(np.array([i]), np.zeros(1), np.full(1, LASER_RANGE), along, 0.0)
+            if off[i] <= half
+            else None
+        )
     first = math.atan2(y, x)
-    turn = math.remainder(math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead) - first, 2 * math.pi)
-    sense, turn = math.copysign(1.0, turn), abs(turn)  # from now on angles count from its start towards its end
+    turn = math.remainder(
+        math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead) - first, 2 * math.pi
+    )
+    sense, turn = (
+        math.copysign(1.0, turn),
+        abs(turn),
+    )  # from now on angles count from its start towards its end
     off = turned(sense * (rays - first), turn / 2)
     crossed = np.flatnonzero((off + half >= 0) & (off - half <= turn))
     crossed = crossed[np.argsort(off[crossed], kind="stable")]
@@ -217,13 +291,19 @@ def _crossing(place: tuple[float, float], angle: float, rays: Floats, half: floa
     if not len(crossed) or (np.diff(edges) > 2 * half + EPSILON).any():
         return None
     enter, leave = (
-        _distance(place, (ahead, left), first + sense * np.clip(off[crossed] + side, 0.0, turn))
+        _distance(
+            place,
+            (ahead, left),
+            first + sense * np.clip(off[crossed] + side, 0.0, turn),
+        )
         for side in (-half, half)
     )
     return _Crossing(crossed, enter, leave + EPSILON, along, aside)
 
 
-def _distance(place: tuple[float, float], way: tuple[float, float], bearing: Floats) -> Floats:
+def _distance(
+    place: tuple[float, float], way: tuple[float, float], bearing: Floats
+) -> Floats:
     """How far from `place` a beam of direction `way` is seen at `bearing` from the scanner [m]."""
     cos, sin = np.cos(bearing), np.sin(bearing)
     distance: Floats = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)

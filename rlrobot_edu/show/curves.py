@@ -15,16 +15,22 @@ from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 POINTS = 400  # of a curve; a picture shows no more
 START = 0.02  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
 
-Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps), with NaN after an end
+Curve = tuple[
+    str, np.ndarray
+]  # its name, and array (repetitions, steps), with NaN after an end
 Group = History | Sequence[History]
 Names = Sequence[str] | None
 Title = str | None
 
 
 @overload
-def plot_learning(*histories: Group, labels: Names = ..., ax: None = ..., title: Title = ...) -> Picture: ...
+def plot_learning(
+    *histories: Group, labels: Names = ..., ax: None = ..., title: Title = ...
+) -> Picture: ...
 @overload
-def plot_learning(*histories: Group, labels: Names = ..., ax: Axes, title: Title = ...) -> Axes: ...
+def plot_learning(
+    *histories: Group, labels: Names = ..., ax: Axes, title: Title = ...
+) -> Axes: ...
 def plot_learning(
     *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
 ) -> Picture | Axes:
@@ -53,30 +59,57 @@ def plot_learning(
     ValueError
         For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
     """
-    groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
+    groups = [
+        [h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h)
+        for h in histories
+    ]
     drawn = [h for group in groups for h in group]
-    if not groups or not all(groups) or not all(isinstance(h, History) and len(h) for h in drawn):
-        raise ValueError("each curve needs a History of at least 1 step, or a list of them; see rl.learn")
+    if (
+        not groups
+        or not all(groups)
+        or not all(isinstance(h, History) and len(h) for h in drawn)
+    ):
+        raise ValueError(
+            "each curve needs a History of at least 1 step, or a list of them; see rl.learn"
+        )
     if labels is not None and len(labels) != len(groups):
-        raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
+        raise ValueError(
+            f"plot_learning got {len(labels)} labels for {len(groups)} curves"
+        )
     names = labels if labels is not None else [group[0].method for group in groups]
-    every = [g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g]) for g in groups]
+    every = [
+        g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g])
+        for g in groups
+    ]
     title = title or "How the average reward develops"
     return plot_curves([*zip(names, every, strict=True)], steps_of(groups), title, ax)
 
 
 def steps_of(groups: Iterable[Sequence[History]]) -> str:
     """What the curves of these groups are drawn over, in words."""
-    in_episode = any(isinstance(group, Runs) and group[0].size.episode_steps is not None for group in groups)
+    in_episode = any(
+        isinstance(group, Runs) and group[0].size.episode_steps is not None
+        for group in groups
+    )
     return "step of the last episode" if in_episode else "step"
 
 
 def plot_curves(
-    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None
+    curves: list[Curve],
+    x: str,
+    title: str,
+    ax: Axes | None,
+    optimum: float | None = None,
 ) -> Picture | Axes:
     """The same for curves at hand, over `x`; the best achievable, if it is known, as a line."""
-    curves = [(name, repetitions[:, ~np.isnan(repetitions).any(axis=0)]) for name, repetitions in curves]
-    ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
+    curves = [
+        (name, repetitions[:, ~np.isnan(repetitions).any(axis=0)])
+        for name, repetitions in curves
+    ]
+    ends = [
+        f"{name} ends at {repetitions[:, -1].mean():.2f}"
+        for name, repetitions in curves
+    ]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
     ax, shown = axes_or_new(ax, alt)
@@ -91,15 +124,28 @@ def plot_curves(
         if n > 1:
             ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
             name += f" ({n} repetitions{', all alike' * (not np.ptp(repetitions, axis=0).any())})"
-        ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
+        ax.plot(
+            steps,
+            mean,
+            color=colour,
+            linestyle=dashes,
+            linewidth=1.8,
+            label=plain(name),
+        )
     if optimum is not None:
-        ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
+        ax.axhline(
+            optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}"
+        )
     if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later):
         ax.dataLim.intervaly = min(later), max(later)
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    note = "means, and bands of their 95 % intervals" if any(len(each) > 1 for _, each in curves) else None
+    note = (
+        "means, and bands of their 95 % intervals"
+        if any(len(each) > 1 for _, each in curves)
+        else None
+    )
     if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve

@@ -66,7 +66,10 @@ class Film(Displayed):
         n = len(self.frames)
         notes = [f", {note}" for note in self.notes] or [""] * n
         steps = enumerate(zip(self.rewards, notes, strict=True), 1)
-        return [f"step {i} of {n}: reward {reward:+.4g}{note}" for i, (reward, note) in steps]
+        return [
+            f"step {i} of {n}: reward {reward:+.4g}{note}"
+            for i, (reward, note) in steps
+        ]
 
     def _pictures(self, texts: list[str]) -> list[Image.Image]:
         """Each frame from above, below its text, in few colours."""
@@ -75,10 +78,16 @@ class Film(Displayed):
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
         shots = enumerate(zip(self.frames, texts, strict=True), 1)
-        pictures = [Image.fromarray(camera.frame(scene, text, path[:i])) for i, (scene, text) in shots]
+        pictures = [
+            Image.fromarray(camera.frame(scene, text, path[:i]))
+            for i, (scene, text) in shots
+        ]
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
         palette = pictures[-1].quantize(COLOURS, FEW_COLOURS)
-        return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+        return [
+            picture.quantize(palette=palette, dither=Image.Dither.NONE)
+            for picture in pictures
+        ]
 
     def gif(self, path: str | Path | None = None) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
@@ -103,7 +112,15 @@ class Film(Displayed):
         first, *rest = self._pictures(self._captions())
         buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
-        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
+        first.save(
+            buffer,
+            "GIF",
+            save_all=True,
+            append_images=rest,
+            loop=0,
+            duration=duration,
+            optimize=True,
+        )
         if path is not None:
             write_whole(path, buffer.getvalue())
         return buffer.getvalue()
@@ -127,11 +144,21 @@ class Film(Displayed):
         views = [
             f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
             f'alt="{escape(describe(scene))}" src="{address(png_of(picture), "image/png")}">'
-            for scene, text, picture in zip(self.frames, self._captions(), pictures, strict=True)
+            for scene, text, picture in zip(
+                self.frames, self._captions(), pictures, strict=True
+            )
         ]
         style = "<style>.film { max-width: 100%; height: auto; image-rendering: pixelated }</style>"
         title = f"{len(views)} steps of a robot"
-        save_page(path, title, views, first=1, at=1, speed=1 / self.seconds_per_frame, style=style)
+        save_page(
+            path,
+            title,
+            views,
+            first=1,
+            at=1,
+            speed=1 / self.seconds_per_frame,
+            style=style,
+        )
 
     def show3d(self) -> "Visualizer":
         """The film in three dimensions, to turn, to pause and to step through.
@@ -146,7 +173,9 @@ class Film(Displayed):
         ImportError
             If meshcat is not installed.
         """
-        from rlrobot_edu.show.in3d.visualizer import show_scene  # here, because all else does without meshcat
+        from rlrobot_edu.show.in3d.visualizer import (
+            show_scene,
+        )  # here, because all else does without meshcat
 
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 
@@ -187,5 +216,7 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
     check_count("steps", steps)
-    shots = [(robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)]
+    shots = [
+        (robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)
+    ]
     return Film([scene for scene, _ in shots], [reward for _, reward in shots])

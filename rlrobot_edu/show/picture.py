@@ -10,8 +10,13 @@ from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
 
-DPI, SMALLEST = 90, 8.5  # pixels of a page for an inch, and size of letters that can be read [point]
-FEW_COLOURS = Image.Quantize.MAXCOVERAGE  # of the ways to choose them, the truest to lines and letters
+DPI, SMALLEST = (
+    90,
+    8.5,
+)  # pixels of a page for an inch, and size of letters that can be read [point]
+FEW_COLOURS = (
+    Image.Quantize.MAXCOVERAGE
+)  # of the ways to choose them, the truest to lines and letters
 
 
 Size = tuple[float, float]  # width and height [inch]
@@ -23,7 +28,9 @@ class Picture(Displayed, Figure):
     figsize: width and height [inch]; settings: what else a matplotlib Figure takes
     """
 
-    def __init__(self, figsize: Size | None = None, alt: str = "A figure", **settings: Any) -> None:
+    def __init__(
+        self, figsize: Size | None = None, alt: str = "A figure", **settings: Any
+    ) -> None:
         super().__init__(figsize, **{"layout": "constrained", **settings})
         self.alt = alt
 
@@ -57,15 +64,21 @@ def plain(text: str) -> str:
 
     Two $ would make a formula of what is between them; a legend leaves out what begins with _.
     """
-    seen = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in str(text))
+    seen = "".join(
+        sign if sign.isprintable() or sign == "\n" else " " for sign in str(text)
+    )
     return " " * seen.startswith("_") + seen.replace("$", r"\$")
 
 
-def axes_or_new(ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)) -> tuple[Axes, Picture | Axes]:
+def axes_or_new(
+    ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)
+) -> tuple[Axes, Picture | Axes]:
     """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
     if ax is not None:
         if not isinstance(ax, Axes):
-            raise ValueError(f"ax must be axes of matplotlib, or None for a new picture; got {ax!r:.200}")
+            raise ValueError(
+                f"ax must be axes of matplotlib, or None for a new picture; got {ax!r:.200}"
+            )
         return ax, ax
     picture = Picture(figsize, alt)
     return picture.subplots(), picture

@@ -16,7 +16,9 @@ def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
     robot: Robot | None = getattr(getattr(env, "unwrapped", None), "robot", None)
     if robot is None:
-        raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
+        raise ValueError(
+            "there is no robot to film here: make the environment with rl.make_env(task)"
+        )
     return robot
 
 
@@ -24,13 +26,20 @@ def as_scenes(scenes: Scenes) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
     several = [scenes] if isinstance(scenes, Scene) else list(scenes)
     if not several or not all(isinstance(scene, Scene) for scene in several):
-        raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
+        raise ValueError(
+            "a picture needs one scene or several: give it env.unwrapped.robot.scene()"
+        )
     return several
 
 
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:
     """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
-    bodies = [solid for scene in scenes for solid in scene.solids if solid.name == "robot/body"]
+    bodies = [
+        solid
+        for scene in scenes
+        for solid in scene.solids
+        if solid.name == "robot/body"
+    ]
     return np.reshape([body.pose[:3, 3] for body in bodies], (-1, 3))
 
 

@@ -18,8 +18,22 @@ from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import Scenes, as_scenes, describe, path_of
 
 # what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
-_LAYER = {"wall": 1, "goal": 2, "path": 3, "object": 4, "robot": 5, "beam": 6, "wheel": 7, "text": 8}
-_CIRCLE = np.array([(math.cos(t), math.sin(t)) for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)])
+_LAYER = {
+    "wall": 1,
+    "goal": 2,
+    "path": 3,
+    "object": 4,
+    "robot": 5,
+    "beam": 6,
+    "wheel": 7,
+    "text": 8,
+}
+_CIRCLE = np.array(
+    [
+        (math.cos(t), math.sin(t))
+        for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)
+    ]
+)
 
 
 def footprint(solid: Solid) -> np.ndarray:
@@ -32,7 +46,12 @@ def footprint(solid: Solid) -> np.ndarray:
         rim = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)]) * base / 2
     else:
         rim = np.reshape(base, (-1, 2)) if solid.shape == "prism" else base[0] * _CIRCLE
-    points = np.vstack([np.column_stack([rim, np.full(len(rim), z)]) for z in (-height / 2, height / 2)])
+    points = np.vstack(
+        [
+            np.column_stack([rim, np.full(len(rim), z)])
+            for z in (-height / 2, height / 2)
+        ]
+    )
     shadow = centre + points @ solid.pose[:2, :3].T
     return np.asarray(shadow[ConvexHull(shadow).vertices])
 
@@ -40,7 +59,9 @@ def footprint(solid: Solid) -> np.ndarray:
 def nose(body: Solid) -> np.ndarray:
     """A line from the middle of a robot's body nearly to its front; array (2, 2) [m]."""
     centre, ahead = body.pose[:2, 3], body.pose[:2, 0]
-    return np.array([centre, centre + 0.9 * np.max((footprint(body) - centre) @ ahead) * ahead])
+    return np.array(
+        [centre, centre + 0.9 * np.max((footprint(body) - centre) @ ahead) * ahead]
+    )
 
 
 class TopDown:
@@ -52,35 +73,69 @@ class TopDown:
     def __init__(self, ax: Axes, scene: Scene) -> None:
         x_min, y_min, x_max, y_max = scene.bounds
         margin = 0.03 * max(x_max - x_min, y_max - y_min)
-        ax.set(xlim=(x_min - margin, x_max + margin), ylim=(y_min - margin, y_max + margin), aspect="equal")
+        ax.set(
+            xlim=(x_min - margin, x_max + margin),
+            ylim=(y_min - margin, y_max + margin),
+            aspect="equal",
+        )
         ax.set(xlabel="x (m)", ylabel="y (m)")
         ax.locator_params(nbins=5)
         beam: dict[str, Any] = {"color": ROLE["beam"], "zorder": _LAYER["beam"]}
         self.beams = LineCollection([], linewidths=0.9, label="laser", **beam)
         ax.add_collection(self.beams, autolim=False)
         (self.hits,) = ax.plot([], [], ".", markersize=5, **beam)
-        (self.path,) = ax.plot([], [], color=ROLE["path"], linewidth=1.8, zorder=_LAYER["path"], label="path")
-        (self.start,) = ax.plot([], [], "s", color=ROLE["path"], markersize=6, zorder=_LAYER["path"])
-        (self.heading,) = ax.plot([], [], color="w", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round")
+        (self.path,) = ax.plot(
+            [],
+            [],
+            color=ROLE["path"],
+            linewidth=1.8,
+            zorder=_LAYER["path"],
+            label="path",
+        )
+        (self.start,) = ax.plot(
+            [], [], "s", color=ROLE["path"], markersize=6, zorder=_LAYER["path"]
+        )
+        (self.heading,) = ax.plot(
+            [], [], color="w", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round"
+        )
         self.patches: dict[str, Polygon] = {}
         self.words: dict[str, Text] = {}
-        letters: dict[str, Any] = {"ha": "center", "fontsize": 9, "zorder": _LAYER["text"]}
+        letters: dict[str, Any] = {
+            "ha": "center",
+            "fontsize": 9,
+            "zorder": _LAYER["text"],
+        }
         for solid in scene.solids:
             look = {"alpha": 0.45, "hatch": "//"} if solid.role == "goal" else {}
-            patch = Polygon(footprint(solid), color=ROLE[solid.role], linewidth=0, label=solid.name)
+            patch = Polygon(
+                footprint(solid), color=ROLE[solid.role], linewidth=0, label=solid.name
+            )
             ax.add_patch(patch).set(zorder=_LAYER[solid.role], **look)
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), va="top", **letters)
+                self.words[solid.name] = ax.text(
+                    0, 0, "\n" + plain(solid.name), va="top", **letters
+                )
         self.words["start"] = ax.text(0, 0, "", va="bottom", **letters)
-        drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
-        self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=Artist.get_zorder)
+        drawn: list[Artist] = [
+            self.beams,
+            self.hits,
+            self.path,
+            self.start,
+            self.heading,
+        ]
+        self.moving = sorted(
+            [*drawn, *self.patches.values(), *self.words.values()],
+            key=Artist.get_zorder,
+        )
         self.update(scene, path_of([scene]))
 
     def update(self, scene: Scene, path: np.ndarray) -> None:
         """Move everything to where it is in `scene`; path: array (n, 2 or 3) [m], the way to there."""
-        covered = len(path) < 2  # the start is hidden: the robot has not left it, or stands on it again
+        covered = (
+            len(path) < 2
+        )  # the start is hidden: the robot has not left it, or stands on it again
         for solid in scene.solids:
             if solid.name in self.patches:
                 self.patches[solid.name].set_xy(footprint(solid))
@@ -116,9 +171,14 @@ class Camera:
         for artist in self._moving:
             artist.set_animated(True)  # left out of the background
         canvas.draw()
-        self._canvas, self._background = canvas, canvas.copy_from_bbox(self._figure.bbox)
+        self._canvas, self._background = (
+            canvas,
+            canvas.copy_from_bbox(self._figure.bbox),
+        )
 
-    def frame(self, scene: Scene, caption: str, path: np.ndarray | None = None) -> np.ndarray:
+    def frame(
+        self, scene: Scene, caption: str, path: np.ndarray | None = None
+    ) -> np.ndarray:
         """The room as it is in `scene`, under a caption; array (pixels, pixels, 3) of uint8.
 
         path: array (n, 2 or 3) [m], the way there; None draws none
@@ -132,10 +192,14 @@ class Camera:
 
 
 @overload
-def plot_scene(scenes: Scenes, ax: None = None, title: str | None = None) -> Picture: ...
+def plot_scene(
+    scenes: Scenes, ax: None = None, title: str | None = None
+) -> Picture: ...
 @overload
 def plot_scene(scenes: Scenes, ax: Axes, title: str | None = None) -> Axes: ...
-def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
+def plot_scene(
+    scenes: Scenes, ax: Axes | None = None, title: str | None = None
+) -> Picture | Axes:
     """Picture of a scene from above, axes in metres.
 
     Parameters

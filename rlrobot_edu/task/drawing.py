@@ -74,7 +74,9 @@ class Drawing:
     text: str
     cell: float = 0.6  # in which the mobile base can just turn round
     start: tuple[float, float, float] = field(init=False, repr=False, compare=False)
-    goal: tuple[float, float, float] | None = field(init=False, repr=False, compare=False)
+    goal: tuple[float, float, float] | None = field(
+        init=False, repr=False, compare=False
+    )
     walls: tuple[Box, ...] = field(init=False, repr=False, compare=False)
     bounds: Box = field(init=False, repr=False, compare=False)
 
@@ -83,15 +85,21 @@ class Drawing:
             raise ValueError(f"a drawing is a text of lines, got {self.text!r:.200}")
         check_between("the cell of a drawing", self.cell, *CELL, unit=" of metres")
         grid, cell = _grid(self.text), float(self.cell)
-        starts, goals = (np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL))
+        starts, goals = (
+            np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL)
+        )
         if len(starts) != 1 or len(goals) > 1:
             expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
-            raise ValueError(f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}")
+            raise ValueError(
+                f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}"
+            )
         _check_room(grid, *starts, *goals)
         height, width = grid.shape
 
         def point(line: float, column: float) -> tuple[float, float]:
-            return round((column - width / 2) * cell, 9), round((height / 2 - line) * cell, 9)
+            return round((column - width / 2) * cell, 9), round(
+                (height / 2 - line) * cell, 9
+            )
 
         def middle(line: int, column: int) -> tuple[float, float]:
             return point(line + 0.5, column + 0.5)
@@ -110,7 +118,9 @@ class Drawing:
         )
 
     def __str__(self) -> str:
-        floor = "x = 0, y = 0 is its middle; x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(*self.bounds)
+        floor = "x = 0, y = 0 is its middle; x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(
+            *self.bounds
+        )
         return f"a drawing, each character {self.cell!r} m:\n{self.text}\n{floor}; {len(self.walls)} walls"
 
     def check_start(self, length: float, width: float) -> None:
@@ -127,31 +137,48 @@ class Drawing:
             If it would stand in a wall.
         """
         x, y, theta = self.start
-        dx, dy = (length / 2, width / 2) if theta in (0.0, math.pi) else (width / 2, length / 2)
-        if any(x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1 for x0, y0, x1, y1 in self.walls):
+        dx, dy = (
+            (length / 2, width / 2)
+            if theta in (0.0, math.pi)
+            else (width / 2, length / 2)
+        )
+        if any(
+            x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1
+            for x0, y0, x1, y1 in self.walls
+        ):
             size = f"{length:g} m long and {width:g} m wide"
             advice = f"make its cells larger than {self.cell:g} m, or let it start farther from the walls"
-            raise ValueError(f"the robot, {size}, does not fit where it starts in the drawing; {advice}")
+            raise ValueError(
+                f"the robot, {size}, does not fit where it starts in the drawing; {advice}"
+            )
 
 
 def _grid(text: str) -> np.ndarray:
     """The characters of a drawing, array (lines, columns), in their one form. Raises ValueError if it is none."""
     text = "\n".join(text.expandtabs().splitlines())
     # A first line that follows the quotes at once lacks the indentation of the others, as in a docstring.
-    lines = inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
+    lines = (
+        inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
+    )
     width = max(len(line.rstrip(FREE)) for line in lines)
     if len(lines) > MOST or width > MOST:
-        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; at most {MOST}")
+        raise ValueError(
+            f"the drawing is too big: {len(lines)} lines of {width} characters; at most {MOST}"
+        )
     grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
     drawn = np.argwhere(grid != FREE)
     if not len(drawn):
-        raise ValueError("the drawing is empty: draw walls around a free floor, on which the robot starts")
+        raise ValueError(
+            "the drawing is empty: draw walls around a free floor, on which the robot starts"
+        )
     (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
     grid = grid[top:bottom, left:right]
     signs = [WALL, FREE, *HEADINGS, GOAL]
     for at in np.argwhere(~np.isin(grid, signs)):
         expected = f"expected one of {' '.join(signs)}"
-        raise ValueError(f"{_place(*at)} of the drawing is {grid.item(*at)!r}, {expected}")
+        raise ValueError(
+            f"{_place(*at)} of the drawing is {grid.item(*at)!r}, {expected}"
+        )
     return grid
 
 
@@ -159,17 +186,25 @@ def _place(line: int, column: int) -> str:
     return f"line {line + 1}, column {column + 1}"
 
 
-def _check_room(grid: np.ndarray, start: list[int], goal: list[int] | None = None) -> None:
+def _check_room(
+    grid: np.ndarray, start: list[int], goal: list[int] | None = None
+) -> None:
     """Raises ValueError unless walls close the room around the start, and the goal is in it."""
-    from scipy import ndimage  # here, because few tasks need it, and every program reads this file
+    from scipy import (
+        ndimage,
+    )  # here, because few tasks need it, and every program reads this file
 
     region = ndimage.label(grid != WALL)[0]
     reached = region == region[*start]
     if goal and not reached[*goal]:
-        raise ValueError(f"the goal, in {_place(*goal)} of the drawing, is walled off from the start")
+        raise ValueError(
+            f"the goal, in {_place(*goal)} of the drawing, is walled off from the start"
+        )
     reached[1:-1, 1:-1] = False
     for gap in np.argwhere(reached):
-        raise ValueError(f"the room is not closed: it can be left in {_place(*gap)}; put a # there")
+        raise ValueError(
+            f"the room is not closed: it can be left in {_place(*gap)}; put a # there"
+        )
 
 
 def _walls(grid: np.ndarray) -> np.ndarray:
@@ -177,16 +212,24 @@ def _walls(grid: np.ndarray) -> np.ndarray:
 
     They overlap at corners, so that no straight face of a wall has a seam.
     """
-    across = ((top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T))
+    across = (
+        (top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T)
+    )
     boxes = np.array(sorted({*_blocks(grid), *across}))
     # is the box of the row in the column's?
-    inside = (boxes[:, None, :2] >= boxes[:, :2]).all(2) & (boxes[:, None, 2:] <= boxes[:, 2:]).all(2)
-    return np.asarray(boxes[inside.sum(1) == 1])  # those that are in no box but themselves
+    inside = (boxes[:, None, :2] >= boxes[:, :2]).all(2) & (
+        boxes[:, None, 2:] <= boxes[:, 2:]
+    ).all(2)
+    return np.asarray(
+        boxes[inside.sum(1) == 1]
+    )  # those that are in no box but themselves
 
 
 def _blocks(grid: np.ndarray) -> Iterator[tuple[int, int, int, int]]:
     """Wall cells side by side in a line; where the next lines have the same, they are one block."""
-    begun: dict[tuple[int, int], int] = {}  # first line of the block between two columns
+    begun: dict[
+        tuple[int, int], int
+    ] = {}  # first line of the block between two columns
     for i, line in enumerate([*map("".join, grid), ""]):
         spans = {run.span() for run in re.finditer(f"{WALL}+", line)}
         for left, right in begun.keys() - spans:

@@ -30,23 +30,38 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
 def existing(kind: str, number: int, n: int) -> int:
     """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
     if not (isinstance(number, WHOLE) and 0 <= number < n):
-        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers")
+        raise ValueError(
+            f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers"
+        )
     return int(number)
 
 
-def check_count(name: str, number: object, least: int = 1, or_none: bool = False) -> None:
+def check_count(
+    name: str, number: object, least: int = 1, or_none: bool = False
+) -> None:
     """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
-    is_count = isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
+    is_count = (
+        isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
+    )
     if not (is_count or (or_none and number is None)):
-        expected, given = "None or a" if or_none else "a", " ".join(f"{number!r:.200}".split())  # in one line
-        raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
+        expected, given = (
+            "None or a" if or_none else "a",
+            " ".join(f"{number!r:.200}".split()),
+        )  # in one line
+        raise ValueError(
+            f"{name} must be {expected} whole number of at least {least}, got {given}"
+        )
 
 
-def check_between(name: str, number: float, low: float, high: float, unit: str = "") -> None:
+def check_between(
+    name: str, number: float, low: float, high: float, unit: str = ""
+) -> None:
     """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
     if not (isinstance(number, Real) and low <= number <= high):
         limits = f"at least {low:g} and at most {high:g}"
-        raise ValueError(f"{name} must be a number{unit}, {limits}, got {number!r:.200}")
+        raise ValueError(
+            f"{name} must be a number{unit}, {limits}, got {number!r:.200}"
+        )
 
 
 def all_exist(numbers: np.ndarray, n: float) -> bool:
@@ -58,7 +73,9 @@ def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
     for name in there | here:
         # in one line
-        was, given = (" ".join(str(facts.get(name, "missing")).split()) for facts in (there, here))
+        was, given = (
+            " ".join(str(facts.get(name, "missing")).split()) for facts in (there, here)
+        )
         if was != given:
             return f"{name} is {was:.200} in the {place}, {given:.200}"
     return ""
@@ -66,7 +83,11 @@ def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
 
 def where(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
-    lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
+    lines = [
+        f.lineno
+        for f in traceback.extract_tb(error.__traceback__)
+        if f.filename == str(path)
+    ]
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 

@@ -23,7 +23,11 @@ def no_reversing(wheels: dict[str, float]) -> dict[str, float]:
 
 def collision_reward(readings: Readings, nearer_than: float) -> float:
     """−10 if two or more of the three front lasers are below `nearer_than` [m], −2 if one is, else 0."""
-    front, left, right = readings["laser_front"], readings["laser_front_left"], readings["laser_front_right"]
+    front, left, right = (
+        readings["laser_front"],
+        readings["laser_front_left"],
+        readings["laser_front_right"],
+    )
     touching = (front < nearer_than) + (left < nearer_than) + (right < nearer_than)
     return (0.0, -2.0, -10.0, -10.0)[touching]
 
@@ -33,9 +37,13 @@ def distance_moved(before: Readings, after: Readings) -> float:
     return hypot(after["x"] - before["x"], after["y"] - before["y"])
 
 
-def wander_reward(before: Readings, after: Readings, collision: float, moved: float) -> float:
+def wander_reward(
+    before: Readings, after: Readings, collision: float, moved: float
+) -> float:
     """A collision (nearer than `collision` [m]): −10 or −2; moved further than `moved` [m]: 10; else −0.02."""
-    return collision_reward(after, collision) or (10.0 if distance_moved(before, after) > moved else -0.02)
+    return collision_reward(after, collision) or (
+        10.0 if distance_moved(before, after) > moved else -0.02
+    )
 
 
 def approach_reward(before: float, after: float, gained: float, idle: float) -> float:
@@ -50,5 +58,8 @@ def approach_reward(before: float, after: float, gained: float, idle: float) -> 
 
 def gripper_to_object(readings: Readings) -> float:
     """How far the point between an arm's fingertips is from the middle of the object [m]."""
-    aside = hypot(readings["gripper_x"] - readings["object_x"], readings["gripper_y"] - readings["object_y"])
+    aside = hypot(
+        readings["gripper_x"] - readings["object_x"],
+        readings["gripper_y"] - readings["object_y"],
+    )
     return hypot(aside, readings["gripper_z"] - readings["object_z"])

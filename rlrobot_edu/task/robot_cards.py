@@ -9,7 +9,9 @@ from numbers import Real
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-Engine = Literal["pymunk", "pybullet", "kinematic", "python"]  # who can simulate a robot
+Engine = Literal[
+    "pymunk", "pybullet", "kinematic", "python"
+]  # who can simulate a robot
 
 
 class Quantity(NamedTuple):
@@ -38,13 +40,21 @@ class RobotCard(NamedTuple):
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
         if not isinstance(command, Mapping) or command.keys() != self.commands.keys():
-            named = f"{', '.join(self.commands)} (a fixed number for what is to hold still)"
-            raise ValueError(f"a command must be a dict that gives {named}; got {command!r:.200}")
+            named = (
+                f"{', '.join(self.commands)} (a fixed number for what is to hold still)"
+            )
+            raise ValueError(
+                f"a command must be a dict that gives {named}; got {command!r:.200}"
+            )
         for name, (unit, low, high) in self.commands.items():
             if not isinstance(command[name], Real):
-                raise ValueError(f"command {name!r}: {command[name]!r:.200} is not a number")
+                raise ValueError(
+                    f"command {name!r}: {command[name]!r:.200} is not a number"
+                )
             if not low <= command[name] <= high:  # false for NaN as well
-                raise ValueError(f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}")
+                raise ValueError(
+                    f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}"
+                )
 
 
 def _read(path: Path) -> dict[str, RobotCard]:
@@ -52,19 +62,31 @@ def _read(path: Path) -> dict[str, RobotCard]:
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
     def quantities(robot: str, kind: str) -> dict[str, Quantity]:
-        parts = [cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])]
-        return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
+        parts = [
+            cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])
+        ]
+        return {
+            name: Quantity(*quantity)
+            for part in parts
+            for name, quantity in part.items()
+        }
 
     read = {}
     for robot, card in cards.items():
-        sensors, commands, stops = (quantities(robot, kind) for kind in ("sensors", "commands", "stops"))
-        read[robot] = RobotCard(sensors, commands, stops, card["scenes"], card["engines"], card.get("size"))
+        sensors, commands, stops = (
+            quantities(robot, kind) for kind in ("sensors", "commands", "stops")
+        )
+        read[robot] = RobotCard(
+            sensors, commands, stops, card["scenes"], card["engines"], card.get("size")
+        )
     return read
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))
 
-LASERS = tuple(sensor for sensor in ROBOTS["mobile_base"].sensors if sensor.startswith("laser_"))
+LASERS = tuple(
+    sensor for sensor in ROBOTS["mobile_base"].sensors if sensor.startswith("laser_")
+)
 FRONT_LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 LASER_RANGE = ROBOTS["mobile_base"].sensors["laser_front"].high  # [m]
 WHEELS = tuple(ROBOTS["mobile_base"].commands)

@@ -22,23 +22,34 @@ def check_table(n_states: int, n_actions: int) -> int:
     """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
     if n_states * n_actions > MOST_PAIRS:
         limit = f"at most {MOST_PAIRS:,} pairs; use fewer inputs, outputs or bins"
-        raise ValueError(f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}")
+        raise ValueError(
+            f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}"
+        )
     return n_states * n_actions
 
 
-def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
+def _span(
+    space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]
+) -> None:
     """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
-        raise ValueError(f"a task needs at least one {kind} variable, else it has no states or no actions")
+        raise ValueError(
+            f"a task needs at least one {kind} variable, else it has no states or no actions"
+        )
     if twice := [name for name in names if names.count(name) > 1]:
         raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
-    vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
+    vars(space).update(
+        {f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)}
+    )
 
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Place along each axis of `shape` of the state or action (`kind`) with this number."""
-    return tuple(int(i) for i in np.unravel_index(existing(kind, number, math.prod(shape)), shape))
+    return tuple(
+        int(i)
+        for i in np.unravel_index(existing(kind, number, math.prod(shape)), shape)
+    )
 
 
 @dataclass(frozen=True)
@@ -62,7 +73,9 @@ class StateSpace:
             try:
                 reading = readings[v.name]
             except (KeyError, IndexError, TypeError):
-                raise ValueError(f"input {v.name!r} is not in the readings {readings!r:.200}") from None
+                raise ValueError(
+                    f"input {v.name!r} is not in the readings {readings!r:.200}"
+                ) from None
             s = s * n_bins + v.bin(reading)
         return s
 
@@ -76,11 +89,15 @@ class StateSpace:
             return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
         except (TypeError, ValueError, OverflowError):
             names = ", ".join(f"{v.name} (0 to {v.n_bins - 1})" for v in self.inputs)
-            raise ValueError(f"a state is one bin of each of {names}; got {bins!r:.200}") from None
+            raise ValueError(
+                f"a state is one bin of each of {names}; got {bins!r:.200}"
+            ) from None
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""
-        return {v.name: v.decode(i) for v, i in zip(self.inputs, self.bins(s), strict=True)}
+        return {
+            v.name: v.decode(i) for v, i in zip(self.inputs, self.bins(s), strict=True)
+        }
 
     def siblings(self, s: int) -> dict[str, np.ndarray]:
         """For each input, the states that share every *other* input with `s`, in bin order, `s` itself included.
@@ -89,7 +106,10 @@ class StateSpace:
         """
         states: Any = np.arange(self.n).reshape(self.shape)
         bins = self.bins(s)
-        return {v.name: states[(*bins[:i], slice(None), *bins[i + 1 :])] for i, v in enumerate(self.inputs)}
+        return {
+            v.name: states[(*bins[:i], slice(None), *bins[i + 1 :])]
+            for i, v in enumerate(self.inputs)
+        }
 
 
 @dataclass(frozen=True)
@@ -112,7 +132,10 @@ class ActionSpace:
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
-        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in self._values(a))
+        return ", ".join(
+            v.words[i] if v.words else f"{v.name} {v.values[i]:g}"
+            for v, i in self._values(a)
+        )
 
     def _values(self, a: int) -> Iterable[tuple[OutputVariable, int]]:
         """Each output, and which of its values it has in action `a`."""

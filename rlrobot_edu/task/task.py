@@ -87,7 +87,10 @@ class Task:
     actions: ActionSpace = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        card, owner = ROBOTS[known(self.robot, ROBOTS, "robot", "a task")], f"robot {self.robot!r}"
+        card, owner = (
+            ROBOTS[known(self.robot, ROBOTS, "robot", "a task")],
+            f"robot {self.robot!r}",
+        )
         if isinstance(self.scene, Drawing) and card.size:
             self.scene.check_start(*card.size)
         else:
@@ -95,7 +98,9 @@ class Task:
         inputs = []
         for v in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, v, owner)
-            inputs.append(replace(v, low=max(v.low, sensor.low), high=min(v.high, sensor.high)))
+            inputs.append(
+                replace(v, low=max(v.low, sensor.low), high=min(v.high, sensor.high))
+            )
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
@@ -107,7 +112,9 @@ class Task:
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
             advice = f"add a number to {rewards!s:.200}"
-            raise ValueError(f"the largest reward scales Q: it must be above 0; {advice}")
+            raise ValueError(
+                f"the largest reward scales Q: it must be above 0; {advice}"
+            )
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
@@ -135,8 +142,13 @@ class Task:
         ValueError
             If there is no such action, the task's function fails, or the robot cannot carry out what it returns.
         """
-        values, what = self.actions.decode(a), f"command of action {a} ({self.actions.label(a)})"
-        command = values if self.command is None else self._ask(what, self.command, values)
+        values, what = (
+            self.actions.decode(a),
+            f"command of action {a} ({self.actions.label(a)})",
+        )
+        command = (
+            values if self.command is None else self._ask(what, self.command, values)
+        )
         try:
             ROBOTS[self.robot].check_command(command)
         except ValueError as error:
@@ -165,7 +177,9 @@ class Task:
         if not isinstance(r, Real) or r not in self.rewards:
             fault = f"which is not one of rewards={list(self.rewards)!s:.200}"
             advice = "return a listed value (is a `return` missing?), or add this one to the list"
-            raise ValueError(f"{self.path}: reward returned {r!r:.200}, {fault}; {advice}")
+            raise ValueError(
+                f"{self.path}: reward returned {r!r:.200}, {fault}; {advice}"
+            )
         return float(r) + 0.0  # never −0
 
     def at_goal(self, readings: Readings) -> bool:
@@ -187,15 +201,24 @@ class Task:
             If the task's function fails.
         """
         goal = self.goal
-        return goal is not None and self._ask("goal", lambda readings: bool(goal(readings)), readings)
+        return goal is not None and self._ask(
+            "goal", lambda readings: bool(goal(readings)), readings
+        )
 
-    def _ask(self, what: str, function: Callable[..., Any], *given: Mapping[str, float]) -> Any:
+    def _ask(
+        self, what: str, function: Callable[..., Any], *given: Mapping[str, float]
+    ) -> Any:
         """What one of the task's own functions says. Raises ValueError that names the file and the line."""
         try:
             return function(*given)
-        except (Exception, SystemExit) as error:  # the task's own function may raise anything
+        except (
+            Exception,
+            SystemExit,
+        ) as error:  # the task's own function may raise anything
             mistake = in_words(error, given[-1])
-            raise ValueError(f"{where(self.path, error)}: {what} failed: {mistake}") from error
+            raise ValueError(
+                f"{where(self.path, error)}: {what} failed: {mistake}"
+            ) from error
 
     def __getstate__(self) -> bytes:
         # Its functions go along by value: another process may not have the task's file, or not with this content.
@@ -210,12 +233,18 @@ class Task:
 
 def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:
     """The list of given variables. Raises ValueError if there is anything else in it."""
-    if not isinstance(given, Sequence) or not all(isinstance(variable, kind) for variable in given):
-        raise ValueError(f"{what} must be a list of {kind.__name__}, got {given!r:.200}")
+    if not isinstance(given, Sequence) or not all(
+        isinstance(variable, kind) for variable in given
+    ):
+        raise ValueError(
+            f"{what} must be a list of {kind.__name__}, got {given!r:.200}"
+        )
     return list(given)
 
 
-def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable, owner: str) -> Quantity:
+def _quantity(
+    kind: str, quantities: Mapping[str, Quantity], variable: Variable, owner: str
+) -> Quantity:
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[known(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:

@@ -20,7 +20,9 @@ def available_tasks() -> list[str]:
         Their names, in alphabetical order; `load_task` takes each.
     """
     names = (path.stem for path in shipped("tasks").glob("[a-z]*.py"))
-    return sorted(name for name in names if name.isidentifier())  # a "wander copy.py" is none
+    return sorted(
+        name for name in names if name.isidentifier()
+    )  # a "wander copy.py" is none
 
 
 def load_task(task: str | Path | Task) -> Task:
@@ -49,11 +51,16 @@ def load_task(task: str | Path | Task) -> Task:
     if isinstance(task, Task):
         return task
     if not isinstance(task, str | Path):
-        raise ValueError(f"a task is a Task, the name of one or the path of its file, not {task!r:.200}")
+        raise ValueError(
+            f"a task is a Task, the name of one or the path of its file, not {task!r:.200}"
+        )
     path = Path(task)
     is_own = path.suffix == ".py"
     if not is_own:
-        path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+        path = (
+            shipped("tasks")
+            / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+        )
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
     # A file of one's own is run each time, for what it imports may have been edited, too.
@@ -70,7 +77,9 @@ def _task_of(path: Path, text: bytes) -> Task:
     try:
         # Not a regular import: that would keep bytecode next to the file and miss an edit made within the same second.
         exec(compile(text, str(path), "exec"), vars(module))
-    except ValueError as error:  # most likely one of our own sentences, which says it all
+    except (
+        ValueError
+    ) as error:  # most likely one of our own sentences, which says it all
         raise ValueError(f"{where(path, error)}: {error}") from None
     except (Exception, SystemExit) as error:  # a task's file may raise anything
         raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
@@ -78,10 +87,20 @@ def _task_of(path: Path, text: bytes) -> Task:
         sys.modules.pop(module.__name__, None)
     defined: object = getattr(module, "task", None)
     if not isinstance(defined, Task):
-        raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r:.200}")
-    fingerprint = sha256(text.replace(b"\r\n", b"\n"))  # the same for each copy that version control makes
+        raise ValueError(
+            f"{path}: the file must define task = Task(...), found {defined!r:.200}"
+        )
+    fingerprint = sha256(
+        text.replace(b"\r\n", b"\n")
+    )  # the same for each copy that version control makes
     description = str(module.__doc__ or "").strip()
-    return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=fingerprint)
+    return replace(
+        defined,
+        name=path.stem,
+        path=str(path),
+        description=description,
+        fingerprint=fingerprint,
+    )
 
 
 _shipped_task = lru_cache(_task_of)

@@ -11,7 +11,9 @@ from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
 MOST_BINS = 100_000  # of one variable
 
 
-def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[float, ...]:
+def numbers(
+    what: str, given: Sequence[float], finite: bool = False
+) -> tuple[float, ...]:
     """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
     try:
         if isinstance(given, str | bytes | bytearray | Mapping):
@@ -19,11 +21,15 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
         # unlike float(), ldexp takes no text
         floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
+        raise ValueError(
+            f"{what} must be a list of numbers, got {given!r:.200}"
+        ) from None
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
     if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        raise ValueError(f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}")
+        raise ValueError(
+            f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}"
+        )
     return floats
 
 
@@ -31,13 +37,17 @@ def _different(what: str, given: Sequence[float]) -> tuple[float, ...]:
     """The given numbers, finite and each another one. Raises ValueError that says `what`."""
     values = numbers(what, given, finite=True)
     if len(set(values)) < len(values):
-        raise ValueError(f"{what} must be different from one another, got {list(values)!s:.200}")
+        raise ValueError(
+            f"{what} must be different from one another, got {list(values)!s:.200}"
+        )
     return values
 
 
 def _check_texts(owner: str, *texts: object) -> None:
     if not all(isinstance(text, str) and len(text) <= 100 for text in texts):
-        raise ValueError(f"{owner:.200}: name and unit must be short texts, got {texts!r:.200}")
+        raise ValueError(
+            f"{owner:.200}: name and unit must be short texts, got {texts!r:.200}"
+        )
 
 
 @dataclass(frozen=True)
@@ -56,7 +66,11 @@ class Bin:
     reading: float
 
     def __str__(self) -> str:
-        span = f"{self.reading:g}" if self.low == self.high else f"{self.low:g}–{self.high:g}"
+        span = (
+            f"{self.reading:g}"
+            if self.low == self.high
+            else f"{self.low:g}–{self.high:g}"
+        )
         return f"{span} {self.unit}" if self.unit else span
 
 
@@ -97,22 +111,36 @@ class InputVariable:
         owner = f"input {self.name!r:.200}"
         _check_texts(owner, self.name, self.unit)
         numbers(f"{owner}: low and high", (self.low, self.high))
-        given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
+        given = [
+            kind
+            for kind in ("cuts", "sectors", "values")
+            if getattr(self, kind) is not None
+        ]
         if len(given) != 1:
             found = " and ".join(given) or "none"
-            raise ValueError(f"{owner}: give exactly one of cuts, sectors and values, not {found}")
+            raise ValueError(
+                f"{owner}: give exactly one of cuts, sectors and values, not {found}"
+            )
         if self.cuts is not None:
-            vars(self)["cuts"] = cuts = numbers(f"{owner}: cuts", self.cuts, finite=True)
+            vars(self)["cuts"] = cuts = numbers(
+                f"{owner}: cuts", self.cuts, finite=True
+            )
             got = f"got {list(cuts)!s:.200}"
             if any(b <= a for a, b in pairwise(cuts)):
-                raise ValueError(f"{owner}: cuts must increase from left to right without repeats, {got}")
+                raise ValueError(
+                    f"{owner}: cuts must increase from left to right without repeats, {got}"
+                )
             if not (self.low < cuts[0] and cuts[-1] < self.high):
-                raise ValueError(f"{owner}: cuts must lie inside the sensor's range {self._range}, {got}")
+                raise ValueError(
+                    f"{owner}: cuts must lie inside the sensor's range {self._range}, {got}"
+                )
         elif self.values is not None:
             vars(self)["values"] = _different(f"{owner}: values", self.values)
         elif not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
             limits = f"an integer of at least 2 and at most {MOST_BINS:,}"
-            raise ValueError(f"{owner}: sectors must be {limits}, got {self.sectors!r:.200}")
+            raise ValueError(
+                f"{owner}: sectors must be {limits}, got {self.sectors!r:.200}"
+            )
 
     @property
     def _range(self) -> str:
@@ -146,16 +174,24 @@ class InputVariable:
         try:
             reading = math.ldexp(reading, 0)  # unlike float(), it takes no text
         except (TypeError, ValueError, OverflowError):
-            raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
-        if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
+            raise ValueError(
+                f"input {self.name!r}: reading {reading!r:.200} is not a number"
+            ) from None
+        if not (
+            self.low <= reading <= self.high and math.isfinite(reading)
+        ):  # false for NaN as well
             fault = f"is outside {self._range}; check the sensor"
             raise ValueError(f"input {self.name!r}: reading {reading:g} {fault}")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
-            return math.ceil(reading * self.sectors / (2 * math.pi) - 0.5) % self.sectors
+            return (
+                math.ceil(reading * self.sectors / (2 * math.pi) - 0.5) % self.sectors
+            )
         if self.values is None or reading not in self.values:
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}")
+            raise ValueError(
+                f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}"
+            )
         return self.values.index(reading)
 
     def decode(self, index: int) -> Bin:
@@ -185,7 +221,11 @@ class InputVariable:
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
         low, high = (self.low, *(self.cuts or ()), self.high)[index : index + 2]
-        reading = high if math.isfinite(high) else max(low + 1.0, math.nextafter(low, math.inf))
+        reading = (
+            high
+            if math.isfinite(high)
+            else max(low + 1.0, math.nextafter(low, math.inf))
+        )
         return Bin(index, low, high, self.unit, reading)
 
 
@@ -221,9 +261,13 @@ class OutputVariable:
         vars(self)["values"] = values = _different(f"{owner}: values", self.values)
         if self.words is not None:
             words = tuple(self.words) if isinstance(self.words, list | tuple) else ()
-            if len(words) != len(values) or not all(isinstance(word, str) for word in words):
+            if len(words) != len(values) or not all(
+                isinstance(word, str) for word in words
+            ):
                 expected = f"one text for each of the {len(values)} values"
-                raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")
+                raise ValueError(
+                    f"{owner}: words must be {expected}, got {self.words!r:.200}"
+                )
             vars(self)["words"] = words
 
 

@@ -20,4 +20,7 @@ def weigh_blind(m, s):
 
 
 # TOSL+SR that sees nothing; take it with loop_evasion=False, because loop evasion looks at states.
-BLIND = Method(Algorithm("BLIND-TOSL", update_anywhere, has_traces=True), Selection("SR", weigh_blind, is_softmax=True))
+BLIND = Method(
+    Algorithm("BLIND-TOSL", update_anywhere, has_traces=True),
+    Selection("SR", weigh_blind, is_softmax=True),
+)

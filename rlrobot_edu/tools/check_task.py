@@ -44,7 +44,13 @@ class TaskCheck:
     learner: Table
 
     def __repr__(self) -> str:
-        return "\n\n".join([self.task, *map(str, self._tables), "\n- ".join(["Worth a look:", *self._told])])
+        return "\n\n".join(
+            [
+                self.task,
+                *map(str, self._tables),
+                "\n- ".join(["Worth a look:", *self._told]),
+            ]
+        )
 
     def _repr_html_(self) -> str:
         tables = "".join(table._repr_html_() for table in self._tables)
@@ -57,7 +63,9 @@ class TaskCheck:
 
     @property
     def _told(self) -> tuple[str, ...]:
-        return self.findings or ("nothing: each bin and reward was met, each input is needed, and looking pays.",)
+        return self.findings or (
+            "nothing: each bin and reward was met, each input is needed, and looking pays.",
+        )
 
 
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
@@ -103,19 +111,47 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     check_count("steps", steps, least=100)
     check_count("seed", seed, least=0)
     few, (drawn, learned, repeated) = steps // 4, np.random.SeedSequence(seed).spawn(3)
-    trials = {"at random": learning(task, steps, drawn, CHANCE), "while learning": learning(task, steps, learned)}
+    trials = {
+        "at random": learning(task, steps, drawn, CHANCE),
+        "while learning": learning(task, steps, learned),
+    }
     alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
     seen = [*trials.values(), *alone]
     # which one to repeat for as long as agents learn: not by what it earns on its way from the start
-    _, best = max((float(trial.transitions.r[few // 2 :].mean()), a) for a, trial in enumerate(alone))
-    moving = [v.name for i, v in enumerate(task.inputs) if np.count_nonzero(_shares(task, seen, i)) > 1]
+    _, best = max(
+        (float(trial.transitions.r[few // 2 :].mean()), a)
+        for a, trial in enumerate(alone)
+    )
+    moving = [
+        v.name
+        for i, v in enumerate(task.inputs)
+        if np.count_nonzero(_shares(task, seen, i)) > 1
+    ]
     earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
-    same = [acting(task, [best] * steps, each).transitions for each in repeated.spawn(LEARNERS)]
+    same = [
+        acting(task, [best] * steps, each).transitions
+        for each in repeated.spawn(LEARNERS)
+    ]
     like = earned[METHOD][0]  # measured as an agent is
-    earned[f"action {best} ({task.actions.label(best)}) for ever"] = Runs(replace(like, transitions=x) for x in same)
-    final = dict(zip(earned, without_rounding([runs.final for runs in earned.values()]), strict=True))
-    compared = [(who, float(x.mean()), float(x.std(ddof=1)), *_against(x, final[METHOD])) for who, x in final.items()]
-    rewards = [(f"{r:g}", who, *_met(task, trial, r)) for r in sorted(task.rewards) for who, trial in trials.items()]
+    earned[f"action {best} ({task.actions.label(best)}) for ever"] = Runs(
+        replace(like, transitions=x) for x in same
+    )
+    final = dict(
+        zip(
+            earned,
+            without_rounding([runs.final for runs in earned.values()]),
+            strict=True,
+        )
+    )
+    compared = [
+        (who, float(x.mean()), float(x.std(ddof=1)), *_against(x, final[METHOD]))
+        for who, x in final.items()
+    ]
+    rewards = [
+        (f"{r:g}", who, *_met(task, trial, r))
+        for r in sorted(task.rewards)
+        for who, trial in trials.items()
+    ]
     return TaskCheck(
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
         (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials["at random"]),
@@ -128,20 +164,33 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     )  # fmt: skip
 
 
-def _earned(task: Task, inputs: Sequence[str], steps: int, seed: int) -> dict[str, Runs]:
+def _earned(
+    task: Task, inputs: Sequence[str], steps: int, seed: int
+) -> dict[str, Runs]:
     """What agents of each kind earn, LEARNERS of each; some do without one of the inputs."""
     blind = {"method": BLIND, "loop_evasion": False}
-    kinds: dict[str, dict[str, Any]] = {METHOD: {}, CHANCE: {"method": CHANCE}, SEES_NOTHING: blind}
+    kinds: dict[str, dict[str, Any]] = {
+        METHOD: {},
+        CHANCE: {"method": CHANCE},
+        SEES_NOTHING: blind,
+    }
     for name in inputs:
-        kinds[WITHOUT + name] = {"world": replace(task, inputs=[v for v in task.inputs if v.name != name])}
+        kinds[WITHOUT + name] = {
+            "world": replace(task, inputs=[v for v in task.inputs if v.name != name])
+        }
     usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps}
-    return {who: repeat(**usual | how, seed=seed + i) for i, (who, how) in enumerate(kinds.items())}
+    return {
+        who: repeat(**usual | how, seed=seed + i)
+        for i, (who, how) in enumerate(kinds.items())
+    }
 
 
 def _shares(task: Task, seen: Iterable[Trial], i: int) -> np.ndarray:
     """In which part of the steps each bin of input `i` was met."""
     states = np.concatenate([trial.transitions.s_next for trial in seen])
-    return np.bincount(np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i]) / len(states)
+    return np.bincount(
+        np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i]
+    ) / len(states)
 
 
 def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
@@ -153,7 +202,9 @@ def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
 def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
     for i, variable in enumerate(task.states.inputs):
         met = _shares(task, seen, i)
-        if never := [f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(met == 0).tolist()]:
+        if never := [
+            f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(met == 0).tolist()
+        ]:
             low, high = _read(seen, variable.name)
             span = f"{low:.3g} to {high:.3g} {variable.unit}".strip()
             yield f"{variable.name}: {', '.join(never)} was never reached; it read {span}."
@@ -181,21 +232,40 @@ def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
 
 def _against(these: np.ndarray, those: np.ndarray) -> tuple[str, float | None]:
     """Whether these are significantly less or more, and the one-sided p of the side seen; nothing beside themselves."""
-    (p, side), _ = sorted((stats.mannwhitneyu(these, those, alternative=x).pvalue, x) for x in ("less", "greater"))
-    return ("", None) if these is those else (side if p < SIGNIFICANT else "not shown", float(p))
+    (p, side), _ = sorted(
+        (stats.mannwhitneyu(these, those, alternative=x).pvalue, x)
+        for x in ("less", "greater")
+    )
+    return (
+        ("", None)
+        if these is those
+        else (side if p < SIGNIFICANT else "not shown", float(p))
+    )
 
 
-def _odd_learning(compared: Sequence[Sequence[Any]], steps: int, advice: str) -> Iterator[str]:
+def _odd_learning(
+    compared: Sequence[Sequence[Any]], steps: int, advice: str
+) -> Iterator[str]:
     """What agents are not shown to beat, with advice; inputs that they are not shown to need."""
     (_, mine, *_), *others = compared
-    unbeaten = [who for who, _, _, side, _ in others if side != "less" and not who.startswith(WITHOUT)]
+    unbeaten = [
+        who
+        for who, _, _, side, _ in others
+        if side != "less" and not who.startswith(WITHOUT)
+    ]
     for who, mean, _, side, p in others:
         after = f"after {steps} steps (p = {p:.2g})"
         if who in unbeaten:
-            verdict = "it pays not to look" if side == "greater" else "looking is not shown to pay"
+            verdict = (
+                "it pays not to look"
+                if side == "greater"
+                else "looking is not shown to pay"
+            )
             yield f"{who} earns {mean:.2f}, {METHOD} {mine:.2f} {after}: {verdict}."
         elif side != "less" and CHANCE not in unbeaten:
-            verdict = "hinders so far" if side == "greater" else "is not shown to be needed"
+            verdict = (
+                "hinders so far" if side == "greater" else "is not shown to be needed"
+            )
             means = f"without it agents earn {mean:.2f}, with it {mine:.2f} {after}"
             yield f"{who.removeprefix(WITHOUT)} {verdict}: {means}. Leave it out, or give more steps."
     if unbeaten:
@@ -213,10 +283,30 @@ def _advice(rewards: Sequence[Sequence[Any]], steps: int) -> str:
 
 def _readings_table(task: Task, seen: Sequence[Trial]) -> Table:
     card, rows = ROBOTS[task.robot], []
-    cut = {v.name: f"{v.sectors} sectors" if v.sectors else str(v.cuts or v.values).strip("(,)") for v in task.inputs}
+    cut = {
+        v.name: f"{v.sectors} sectors"
+        if v.sectors
+        else str(v.cuts or v.values).strip("(,)")
+        for v in task.inputs
+    }
     for name, (unit, low, high) in (card.sensors | card.stops).items():
-        rows.append((name, unit, *map("{:.3g}".format, (*_read(seen, name), low, high)), cut.get(name, "")))
-    head = ("reading", "unit", "lowest seen", "highest seen", "at least", "at most", "cuts")
+        rows.append(
+            (
+                name,
+                unit,
+                *map("{:.3g}".format, (*_read(seen, name), low, high)),
+                cut.get(name, ""),
+            )
+        )
+    head = (
+        "reading",
+        "unit",
+        "lowest seen",
+        "highest seen",
+        "at least",
+        "at most",
+        "cuts",
+    )
     return Table("What it reads, in all trials", head, rows)
 
 
@@ -225,15 +315,26 @@ def _inputs_table(task: Task, trials: Iterable[Trial]) -> Table:
     for i, variable in enumerate(task.states.inputs):
         met = (map("{:.0%}".format, _shares(task, [trial], i)) for trial in trials)
         rows.append((variable.name, *map(" ".join, met)))
-    return Table("What it perceives: share of the steps in each bin", ("input", "at random", "while learning"), rows)
+    return Table(
+        "What it perceives: share of the steps in each bin",
+        ("input", "at random", "while learning"),
+        rows,
+    )
 
 
 def _met(task: Task, trial: Trial, r: float) -> tuple[int, str, str]:
     """In how many steps a reward was given, their share, and the state in which most of them began."""
     states = trial.transitions.s[trial.transitions.r == r]
     times = np.bincount(states, minlength=1)
-    place = ", ".join(f"{name} {part}" for name, part in task.states.decode(int(times.argmax())).items())
-    return len(states), f"{len(states) / len(trial.moved):.1%}", f"{place} ({times.max()})" if len(states) else ""
+    place = ", ".join(
+        f"{name} {part}"
+        for name, part in task.states.decode(int(times.argmax())).items()
+    )
+    return (
+        len(states),
+        f"{len(states) / len(trial.moved):.1%}",
+        f"{place} ({times.max()})" if len(states) else "",
+    )
 
 
 def _actions_table(task: Task, trial: Trial) -> Table:
@@ -241,5 +342,16 @@ def _actions_table(task: Task, trial: Trial) -> Table:
     for a in range(task.actions.n):
         mine = trial.transitions.a == a
         mean = float(trial.transitions.r[mine].mean()) if mine.any() else None
-        rows.append((a, task.actions.label(a), f"{trial.moved[mine].mean():.0%}" if mine.any() else "", mean))
-    return Table("What it does, at random", ("action", "", "changes a reading", "average reward"), rows)
+        rows.append(
+            (
+                a,
+                task.actions.label(a),
+                f"{trial.moved[mine].mean():.0%}" if mine.any() else "",
+                mean,
+            )
+        )
+    return Table(
+        "What it does, at random",
+        ("action", "", "changes a reading", "average reward"),
+        rows,
+    )

@@ -22,7 +22,9 @@ from rlrobot_edu.learning import jit
 
 NAME = "rlrobot-edu"
 WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
-PIP = "python -m pip" if importlib.util.find_spec("pip") else "uv pip"  # uv makes environments without pip
+PIP = (
+    "python -m pip" if importlib.util.find_spec("pip") else "uv pip"
+)  # uv makes environments without pip
 ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 
 # What is missing without an extra of pyproject.toml.
@@ -56,16 +58,33 @@ class Diagnosis(NamedTuple):
     @property
     def is_broken(self) -> bool:
         """Whether something is wrong without which the toolkit cannot work."""
-        return any(finding.is_broken for findings in self.sections.values() for finding in findings)
+        return any(
+            finding.is_broken
+            for findings in self.sections.values()
+            for finding in findings
+        )
 
     def __str__(self) -> str:
         lines = []
         for heading, findings in self.sections.items():
             lines += [heading, *map(_line, findings), ""]
-        to_do = dict.fromkeys(one.to_do for findings in self.sections.values() for one in findings if one.to_do)
+        to_do = dict.fromkeys(
+            one.to_do
+            for findings in self.sections.values()
+            for one in findings
+            if one.to_do
+        )
         if not to_do:
-            return "\n".join([*lines, "All is well. What is said to be missing is needed only for what is said there."])
-        tasks = (textwrap.fill(f"{i}. {text}", WIDTH, subsequent_indent="   ") for i, text in enumerate(to_do, 1))
+            return "\n".join(
+                [
+                    *lines,
+                    "All is well. What is said to be missing is needed only for what is said there.",
+                ]
+            )
+        tasks = (
+            textwrap.fill(f"{i}. {text}", WIDTH, subsequent_indent="   ")
+            for i, text in enumerate(to_do, 1)
+        )
         return "\n".join([*lines, "What to do:", *tasks])
 
 
@@ -82,13 +101,18 @@ def examine() -> Diagnosis:
 
 
 def _line(finding: Finding) -> str:
-    wrapper = textwrap.TextWrapper(WIDTH, " " * INDENT, " " * INDENT, break_long_words=False)
+    wrapper = textwrap.TextWrapper(
+        WIDTH, " " * INDENT, " " * INDENT, break_long_words=False
+    )
     says = "\n".join(map(wrapper.fill, finding.says.split("\n")))
     return f"  {finding.name:<{INDENT - 3}} {says[INDENT:]}"
 
 
 def _python() -> Finding:
-    return Finding("Python", f"{platform.python_version()} on {sys.platform} {platform.machine()}, {sys.executable}")
+    return Finding(
+        "Python",
+        f"{platform.python_version()} on {sys.platform} {platform.machine()}, {sys.executable}",
+    )
 
 
 def _package() -> Finding:
@@ -97,23 +121,39 @@ def _package() -> Finding:
     try:
         version = metadata.version(NAME)
     except metadata.PackageNotFoundError:
-        return Finding(NAME, f"{says}; not installed by pip", f"{ANEW} (pip does not know of it)", is_broken=True)
+        return Finding(
+            NAME,
+            f"{says}; not installed by pip",
+            f"{ANEW} (pip does not know of it)",
+            is_broken=True,
+        )
     if version != rlrobot_edu.__version__:
-        return Finding(NAME, f"{says}; pip knows {version}", f"{ANEW} (pip knows {version})")
+        return Finding(
+            NAME, f"{says}; pip knows {version}", f"{ANEW} (pip knows {version})"
+        )
     return Finding(NAME, says)
 
 
 def _kernels() -> Finding:
     if jit.numba is None or jit.IS_PLAIN:
         why = "without numba" if jit.numba is None else "as NUMBA_DISABLE_JIT says"
-        return Finding("kernels", f"plain Python, {why}: the same numbers, some 100 times as slow")
+        return Finding(
+            "kernels", f"plain Python, {why}: the same numbers, some 100 times as slow"
+        )
     folder = jit.cache_folder()
     if folder is None:
         to_do = f"Make {jit.PACKAGE / '__pycache__'} or ~/.cache writable, so that compiled kernels can be kept."
-        return Finding("kernels", "compiled anew by every process: no place to keep them is writable", to_do)
+        return Finding(
+            "kernels",
+            "compiled anew by every process: no place to keep them is writable",
+            to_do,
+        )
     if any(folder.glob("*.nbc")):
         return Finding("kernels", f"compiled, kept in {folder}")
-    return Finding("kernels", "not compiled yet, which takes some seconds a method, once: the command compile does it")
+    return Finding(
+        "kernels",
+        "not compiled yet, which takes some seconds a method, once: the command compile does it",
+    )
 
 
 def _arms() -> Finding:
@@ -130,16 +170,26 @@ def _folder() -> Finding:
             return Finding("folder", f"{Path.cwd()}: files can be written")
     except OSError as error:
         to_do = "Go to a folder of your own: results, recordings and my_course/ are written where you are."
-        return Finding("folder", f"nothing can be written here ({error.strerror})", to_do)
+        return Finding(
+            "folder", f"nothing can be written here ({error.strerror})", to_do
+        )
 
 
-def _needed(distribution: str, extra: str = "") -> tuple[list[Requirement], list[Requirement]]:
+def _needed(
+    distribution: str, extra: str = ""
+) -> tuple[list[Requirement], list[Requirement]]:
     """The requirements of a distribution, or of an extra of it: those on this computer, and those only on others."""
     try:
-        requirements = [Requirement(line) for line in metadata.requires(distribution) or []]
+        requirements = [
+            Requirement(line) for line in metadata.requires(distribution) or []
+        ]
     except metadata.PackageNotFoundError:
         return [], []
-    asks = re.compile(f'extra == "{re.escape(extra)}"') if extra else re.compile("extra ==")
+    asks = (
+        re.compile(f'extra == "{re.escape(extra)}"')
+        if extra
+        else re.compile("extra ==")
+    )
     mine = [r for r in requirements if bool(asks.search(str(r.marker))) == bool(extra)]
     here = [r for r in mine if r.marker is None or r.marker.evaluate({"extra": extra})]
     return here, [r for r in mine if r not in here]
@@ -151,7 +201,9 @@ def _core() -> Iterator[Finding]:
         fault = _fault(requirement)
         try:
             if not fault:
-                importlib.import_module(requirement.name.replace("-", "_"))  # each is named like its module
+                importlib.import_module(
+                    requirement.name.replace("-", "_")
+                )  # each is named like its module
         except Exception as error:  # a damaged package may raise anything
             fault = f"cannot be imported: {type(error).__name__}: {error}"
         if fault:
@@ -166,20 +218,37 @@ def _extra(name: str) -> Finding:
     """What an extra needs, and with which versions it is there."""
     here, elsewhere = _needed(NAME, name)
     if not here and not elsewhere:
-        return Finding(name, f"pip knows no such extra, as of an older toolkit.\nWithout it {WITHOUT[name]}.", ANEW)
+        return Finding(
+            name,
+            f"pip knows no such extra, as of an older toolkit.\nWithout it {WITHOUT[name]}.",
+            ANEW,
+        )
     if not here:
         names = ", ".join(sorted({requirement.name for requirement in elsewhere}))
         computer = f"Python {sys.version_info[0]}.{sys.version_info[1]} on {sys.platform} {platform.machine()}"
-        return Finding(name, f"no wheel of {names} for {computer}.\nWithout it {WITHOUT[name]}.")
+        return Finding(
+            name, f"no wheel of {names} for {computer}.\nWithout it {WITHOUT[name]}."
+        )
     for requirement in list(here):
         for part in requirement.extras:
             here += _needed(requirement.name, part)[0]
-    faults = [f"{requirement.name} {fault}" for requirement in here if (fault := _fault(requirement))]
+    faults = [
+        f"{requirement.name} {fault}"
+        for requirement in here
+        if (fault := _fault(requirement))
+    ]
     if faults:
         return Finding(
-            name, f'{"; ".join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"'
+            name,
+            f'{"; ".join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"',
         )
-    return Finding(name, ", ".join(f"{requirement.name} {metadata.version(requirement.name)}" for requirement in here))
+    return Finding(
+        name,
+        ", ".join(
+            f"{requirement.name} {metadata.version(requirement.name)}"
+            for requirement in here
+        ),
+    )
 
 
 def _fault(requirement: Requirement) -> str:

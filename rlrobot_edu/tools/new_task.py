@@ -8,7 +8,9 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
-TEMPLATES = Path(__file__).parent / "templates"  # how each file begins, and how it goes on for each robot
+TEMPLATES = (
+    Path(__file__).parent / "templates"
+)  # how each file begins, and how it goes on for each robot
 
 
 def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") -> Path:
@@ -36,12 +38,22 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
         If there is such a file already (FileExistsError), or it cannot be written.
     """
     if not (isinstance(name, str) and name.isidentifier() and name.islower()):
-        expected = "small letters, digits and underscores, a letter first, as in follow_wall"
+        expected = (
+            "small letters, digits and underscores, a letter first, as in follow_wall"
+        )
         raise ValueError(f"the name of a task is made of {expected}; got {name!r:.200}")
-    card, path = ROBOTS[known(robot, ROBOTS, "robot", "a task")], Path(folder, f"{name}.py")
+    card, path = (
+        ROBOTS[known(robot, ROBOTS, "robot", "a task")],
+        Path(folder, f"{name}.py"),
+    )
     if path.exists():
-        raise FileExistsError(f"{path} is there already; choose another name, or move it away")
-    template = "".join((TEMPLATES / f"{part}.txt").read_text(encoding="utf-8") for part in ("head", robot))
+        raise FileExistsError(
+            f"{path} is there already; choose another name, or move it away"
+        )
+    template = "".join(
+        (TEMPLATES / f"{part}.txt").read_text(encoding="utf-8")
+        for part in ("head", robot)
+    )
     text = Template(template).substitute(
         title=name.replace("_", " ").capitalize(), file=path.name, robot=robot, scene=card.scenes[0],
         scenes=", ".join([*card.scenes, *["rl.Drawing"] * bool(card.size)]),
@@ -53,4 +65,7 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
 
 def _listed(quantities: Mapping[str, Quantity]) -> str:
     """One comment line each: name, unit and range."""
-    return "\n".join(f"#   {name:<18} {q.low:g} to {q.high:g} {q.unit}" for name, q in quantities.items())
+    return "\n".join(
+        f"#   {name:<18} {q.low:g} to {q.high:g} {q.unit}"
+        for name, q in quantities.items()
+    )

@@ -46,8 +46,19 @@ class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
         """Act, and note it down."""
         before, taken = self._info, super().step(action)
         _, r, terminated, truncated, self._info = taken
-        self._rows.append((before["state"], action, float(r), self._info["state"], terminated, truncated))
-        self._readings.append(([*before["readings"].values()], [*self._info["readings"].values()]))
+        self._rows.append(
+            (
+                before["state"],
+                action,
+                float(r),
+                self._info["state"],
+                terminated,
+                truncated,
+            )
+        )
+        self._readings.append(
+            ([*before["readings"].values()], [*self._info["readings"].values()])
+        )
         return taken
 
     @property
@@ -55,9 +66,18 @@ class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
         """All that has been noted down."""
         readings = np.array(self._readings)  # (steps, before and after, names)
         moved = (abs(readings[:, 1] - readings[:, 0]) > LEAST_CHANGE).any(axis=1)
-        spans = np.stack([readings.min(axis=(0, 1)), readings.max(axis=(0, 1))], axis=1).round(4) + 0.0  # no -0
-        read = dict(zip(self._info["readings"], map(tuple, spans.tolist()), strict=True))
-        return Trial(Transitions(*map(np.array, zip(*self._rows, strict=True))), moved, read)
+        spans = (
+            np.stack(
+                [readings.min(axis=(0, 1)), readings.max(axis=(0, 1))], axis=1
+            ).round(4)
+            + 0.0
+        )  # no -0
+        read = dict(
+            zip(self._info["readings"], map(tuple, spans.tolist()), strict=True)
+        )
+        return Trial(
+            Transitions(*map(np.array, zip(*self._rows, strict=True))), moved, read
+        )
 
 
 def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
@@ -71,7 +91,9 @@ def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
     return env.trial
 
 
-def learning(task: Task, steps: int, seed: np.random.SeedSequence, method: str = "TOSL+QBIASSR") -> Trial:
+def learning(
+    task: Task, steps: int, seed: np.random.SeedSequence, method: str = "TOSL+QBIASSR"
+) -> Trial:
     """An agent learns with the defaults, or acts at random if that is its method; what it sees there."""
     agent_seed, env_seed = seed.spawn(2)
     with Watched(task, env_seed) as env:

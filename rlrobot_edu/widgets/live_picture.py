@@ -10,7 +10,9 @@ import ipywidgets
 from rlrobot_edu.show.display import Still
 from rlrobot_edu.show.picture import DPI, Picture
 
-REST = 0.4  # so long must a slider stay where it is before the fine picture is drawn [s]
+REST = (
+    0.4  # so long must a slider stay where it is before the fine picture is drawn [s]
+)
 
 
 class LivePicture:
@@ -38,7 +40,11 @@ class LivePicture:
         except RuntimeError:
             self._show_fine()
             return
-        draft = Still(self._figure.alt, self._figure.png(0.8 * DPI), round(DPI * self._figure.get_figwidth()))
+        draft = Still(
+            self._figure.alt,
+            self._figure.png(0.8 * DPI),
+            round(DPI * self._figure.get_figwidth()),
+        )
         self.widget.value = draft.html
         self._rest = loop.call_later(REST, self._show_fine)
 

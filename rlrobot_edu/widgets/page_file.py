@@ -17,10 +17,16 @@ COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as these programs' are
 
 def page_html(title: str, feed: dict[str, Any], program: str, style: str) -> str:
     """One HTML page, on which ``alone(feed, place)`` of the program shows what it is fed, in an element of the page."""
-    parts = {"style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style)), "script": _bare(program), "feed": feed}
+    parts = {
+        "style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style)),
+        "script": _bare(program),
+        "feed": feed,
+    }
     text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
     packed = base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")
-    return Template(read_text("page_file.html")).substitute(title=escape(title), packed=packed)
+    return Template(read_text("page_file.html")).substitute(
+        title=escape(title), packed=packed
+    )
 
 
 @cache

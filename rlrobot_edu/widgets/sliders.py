@@ -21,10 +21,26 @@ from rlrobot_edu.widgets.page_script import NamedHandles
 # name of the parameter: its symbol, and its slider
 _LINEAR, _LOGARITHMIC = ipywidgets.FloatSlider, ipywidgets.FloatLogSlider
 _SLIDERS = {
-    "alpha": ("α", _LINEAR, {"min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"}),
-    "gamma": ("γ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"}),
-    "lam": ("λ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"}),
-    "temperature": ("temperature", _LOGARITHMIC, {"min": -1, "max": 2, "step": 0.1, "description": "temperature"}),
+    "alpha": (
+        "α",
+        _LINEAR,
+        {"min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"},
+    ),
+    "gamma": (
+        "γ",
+        _LINEAR,
+        {"min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"},
+    ),
+    "lam": (
+        "λ",
+        _LINEAR,
+        {"min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"},
+    ),
+    "temperature": (
+        "temperature",
+        _LOGARITHMIC,
+        {"min": -1, "max": 2, "step": 0.1, "description": "temperature"},
+    ),
 }
 
 
@@ -68,20 +84,43 @@ class ParameterSliders(Displayed):
     ) -> None:
         if not (isinstance(world, SampleModel) or engine == "kinematic"):
             fast = "a SampleModel, or a task with engine='kinematic'"
-            raise ValueError(f"sliders need a world that is fast enough, {fast}; got a {type(world).__name__}")
-        if isinstance(parameters, str) or not parameters or not set(parameters) <= set(_SLIDERS):
-            raise ValueError(f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}")
-        length = {"repetitions": repetitions, "steps": steps, "seed": seed, "engine": engine}
+            raise ValueError(
+                f"sliders need a world that is fast enough, {fast}; got a {type(world).__name__}"
+            )
+        if (
+            isinstance(parameters, str)
+            or not parameters
+            or not set(parameters) <= set(_SLIDERS)
+        ):
+            raise ValueError(
+                f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}"
+            )
+        length = {
+            "repetitions": repetitions,
+            "steps": steps,
+            "seed": seed,
+            "engine": engine,
+        }
         self._run = partial(repeat, world, method, **length, n_jobs=1, progress=False)
         self._method, self._defaults = method, self._run()
         defaults = Agent(world, method).parameters
-        self._start = {name: getattr(defaults, name) for name in parameters}  # where the sliders stand first
-        look = {"style": {"description_width": "max-content"}, "layout": {"width": "32em", "max_width": "100%"}}
-        self.sliders = {
-            name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look) for name, value in self._start.items()
+        self._start = {
+            name: getattr(defaults, name) for name in parameters
+        }  # where the sliders stand first
+        look = {
+            "style": {"description_width": "max-content"},
+            "layout": {"width": "32em", "max_width": "100%"},
         }
-        self._image = LivePicture(lambda: self.picture(**{name: s.value for name, s in self.sliders.items()}))
-        self.widget = ipywidgets.VBox([NamedHandles(), *self.sliders.values(), self._image.widget])
+        self.sliders = {
+            name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look)
+            for name, value in self._start.items()
+        }
+        self._image = LivePicture(
+            lambda: self.picture(**{name: s.value for name, s in self.sliders.items()})
+        )
+        self.widget = ipywidgets.VBox(
+            [NamedHandles(), *self.sliders.values(), self._image.widget]
+        )
         for slider in self.sliders.values():
             slider.observe(lambda _: self._image.update(), "value")
 
@@ -106,8 +145,16 @@ class ParameterSliders(Displayed):
         mine = self._run(**settings)
         named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
                  (settings, {name: self._start[name] for name in settings}))  # fmt: skip
-        labels = [f"{prefix}: {text}" for prefix, text in zip(("yours", "defaults"), named, strict=True)]
-        return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
+        labels = [
+            f"{prefix}: {text}"
+            for prefix, text in zip(("yours", "defaults"), named, strict=True)
+        ]
+        return plot_learning(
+            mine,
+            self._defaults,
+            labels=labels,
+            title=f"{self._method} with your settings",
+        )
 
     def still(self) -> Still:
         """The curves as they are now.
@@ -121,4 +168,6 @@ class ParameterSliders(Displayed):
 
     def __repr__(self) -> str:
         names = " and ".join(_SLIDERS[name][0] for name in self.sliders)
-        return f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace("1 sliders", "1 slider")
+        return f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace(
+            "1 sliders", "1 slider"
+        )

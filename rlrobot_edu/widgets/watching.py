@@ -61,13 +61,22 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         display(whole.show3d())
         return whole
     if not speed > 0:
-        raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
+        raise ValueError(
+            f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}"
+        )
     loop.check_pair_of(agent, env)
     check_count("steps", steps)
-    robot, view, seen = robot_of(env), meshcat(env), deque[tuple[Scene, float]](maxlen=LAST)
+    robot, view, seen = (
+        robot_of(env),
+        meshcat(env),
+        deque[tuple[Scene, float]](maxlen=LAST),
+    )
     if watched():
         display(view)
-    seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
+    seconds, due = (
+        cast(RobotEnv, env.unwrapped).task.step_time / speed,
+        time.monotonic(),
+    )
     for step in loop.steps(agent, env, steps):
         seen.append((robot.scene(), step.r))
         view.update(*seen[-1])

@@ -32,7 +32,13 @@ class Length(NamedTuple):
             ends = (history.terminated | history.truncated).nonzero()[0]
             n = int(ends[min(n, len(ends)) - 1]) + 1
         seconds = history.seconds * n / len(history)
-        return History(history.method, history.transitions.part(slice(n)), history.learned, seconds, history.size)
+        return History(
+            history.method,
+            history.transitions.part(slice(n)),
+            history.learned,
+            seconds,
+            history.size,
+        )
 
 
 class Experiment(NamedTuple):
@@ -64,14 +70,24 @@ class Experiment(NamedTuple):
     realism: Realism | None = None
 
 
-def sweep(name: str, symbol: str, values: tuple[float, ...], more: Callable[[float], dict] = lambda x: {}) -> dict:
+def sweep(
+    name: str,
+    symbol: str,
+    values: tuple[float, ...],
+    more: Callable[[float], dict] = lambda x: {},
+) -> dict:
     """Methods by label: TOSL+SR with each of these values of one parameter, and what `more` adds."""
-    return {f"{symbol} = {value:g}": {"method": "TOSL+SR", name: value, **more(value)} for value in values}
+    return {
+        f"{symbol} = {value:g}": {"method": "TOSL+SR", name: value, **more(value)}
+        for value in values
+    }
 
 
 _GAMMAS = (0.5, 0.8, 0.9, 0.95)
 # Softmax divides Q by Qmax = Rmax / (1 − γ), so γ sets the temperature, too. With this Rmax, Qmax is 100 for every γ.
-_SAME_TEMPERATURE = sweep("gamma", "γ", _GAMMAS, lambda gamma: {"r_max": 100 * (1 - gamma)})
+_SAME_TEMPERATURE = sweep(
+    "gamma", "γ", _GAMMAS, lambda gamma: {"r_max": 100 * (1 - gamma)}
+)
 PRELIMINARIES = (
     ("algorithms", "Which algorithm?", ("TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR"), "TOSL+SR"),
     ("lambda", "How long a trace?", sweep("lam", "λ", (0, 0.3, 0.5, 0.7, 0.9, 0.95)), "λ = 0.9"),
@@ -83,13 +99,29 @@ PRELIMINARIES = (
 )  # fmt: skip
 
 
-def _preliminary(on_model: bool, key: str, title: str, methods, best: str) -> Experiment:
-    pairs = () if "=" in best else tuple(PaperPair(best, other) for other in methods if other != best)
-    key, title = f"preliminary_{key}", f"{title} On {'the sample model' if on_model else 'the robot'}"
+def _preliminary(
+    on_model: bool, key: str, title: str, methods, best: str
+) -> Experiment:
+    pairs = (
+        ()
+        if "=" in best
+        else tuple(PaperPair(best, other) for other in methods if other != best)
+    )
+    key, title = (
+        f"preliminary_{key}",
+        f"{title} On {'the sample model' if on_model else 'the robot'}",
+    )
     repetitions = (1000, 50) if on_model else (30, 4)
     key += "" if on_model else "_robot"
     return Experiment(
-        key, title, "wander_1k", on_model, methods, repetitions, pairs=pairs, best=None if pairs else best
+        key,
+        title,
+        "wander_1k",
+        on_model,
+        methods,
+        repetitions,
+        pairs=pairs,
+        best=None if pairs else best,
     )
 
 
@@ -108,16 +140,39 @@ _ON_ROBOTS = (
     "giraff_wander_simple", "giraff_wander_1k", "giraff_wander_4k",
 )  # fmt: skip
 _ON_ROBOT = {"wander_simple": (100, 30), "arm_1k": (30, 3), "arm_4k": (30, 3)}
-_TRACES = {traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduced", "full")}
+_TRACES = {
+    traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduced", "full")
+}
 FAULTY = "Q+SR with the fault"
-HELD = ("wander_1k", "wander_4k")  # tasks that are run once more with friction and lag as in V-REP
-ARMS = ("arm_1k", "arm_4k")  # tasks that are run once more with another reward, and without traces
+HELD = (
+    "wander_1k",
+    "wander_4k",
+)  # tasks that are run once more with friction and lag as in V-REP
+ARMS = (
+    "arm_1k",
+    "arm_4k",
+)  # tasks that are run once more with another reward, and without traces
 _WITHOUT_TRACES = {label: {"method": label, "lam": 0.0} for label in THREE}
 RECORDINGS = (1, 2, 3)  # seeds of further recordings of wander_1k
-CUT = ("uniform", "siblings", "stay")  # what an unknown pair does in a model without its lucky loops
-EVADED = ("wander_simple", "wander_1k", "wander_4k", "giraff_wander_1k")  # with loop evasion as in the paper's program
-_EVASION_IN_QBIASSR = {label: {"method": label, "loop_evasion": label.endswith("QBIASSR")} for label in THREE}
-_ALONE = {"friction": Realism(wall_friction=Realism.vrep().wall_friction), "lag": Realism(lag=Realism.vrep().lag)}
+CUT = (
+    "uniform",
+    "siblings",
+    "stay",
+)  # what an unknown pair does in a model without its lucky loops
+EVADED = (
+    "wander_simple",
+    "wander_1k",
+    "wander_4k",
+    "giraff_wander_1k",
+)  # with loop evasion as in the paper's program
+_EVASION_IN_QBIASSR = {
+    label: {"method": label, "loop_evasion": label.endswith("QBIASSR")}
+    for label in THREE
+}
+_ALONE = {
+    "friction": Realism(wall_friction=Realism.vrep().wall_friction),
+    "lag": Realism(lag=Realism.vrep().lag),
+}
 
 EXPERIMENTS = (
     *(_preliminary(on_model, *one) for one in PRELIMINARIES for on_model in (True, False)),

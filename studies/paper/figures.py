@@ -30,21 +30,38 @@ def write_figures(folder: Path, outcomes: Outcomes) -> dict[str, str]:
     for name, picture in drawn.items():
         if picture:
             write_whole(folder / f"{name}.png", picture.png())
-    return {name: f"![{picture.alt}]({name}.png)" for name, picture in drawn.items() if picture}
+    return {
+        name: f"![{picture.alt}]({name}.png)"
+        for name, picture in drawn.items()
+        if picture
+    }
 
 
 def differences_figure(outcomes: Outcomes) -> Picture | None:
     """Raw differences of the three methods: the paper's and ours, with Tukey's simultaneous 95 % intervals."""
-    rows = [(o, length) for key, o in outcomes.items() if key.startswith("robot_") for length in o.final]
+    rows = [
+        (o, length)
+        for key, o in outcomes.items()
+        if key.startswith("robot_")
+        for length in o.final
+    ]
     rows = [(o, length) for o, length in rows if o.experiment.pairs]
     if not rows:
         return None
-    names = [f"{o.experiment.task}, {length} (n = {len(o.final[length][THREE[0]])})" for o, length in rows]
+    names = [
+        f"{o.experiment.task}, {length} (n = {len(o.final[length][THREE[0]])})"
+        for o, length in rows
+    ]
     picture = Picture((11, 1.6 + 0.34 * len(rows)))
     y = np.arange(len(rows), dtype=float)
-    for number, (ax, (first, second)) in enumerate(zip(picture.subplots(1, 3, sharey=True), PAIRS, strict=True)):
+    for number, (ax, (first, second)) in enumerate(
+        zip(picture.subplots(1, 3, sharey=True), PAIRS, strict=True)
+    ):
         theirs = [_papers(o.experiment, first, second) for o, _ in rows]
-        ours = [(o.pair(first, second, length)[0], interval(o.final[length])) for o, length in rows]
+        ours = [
+            (o.pair(first, second, length)[0], interval(o.final[length]))
+            for o, length in rows
+        ]
         for points, shift, marker, colour, name in (
             (theirs, -0.16, "D", BLACK, "the paper"), (ours, 0.16, "o", BLUE, "here")
         ):  # fmt: skip
@@ -54,7 +71,10 @@ def differences_figure(outcomes: Outcomes) -> Picture | None:
                 fillstyle="none" if name == "the paper" else "full", label=name if number == 0 else None,
             )  # fmt: skip
         ax.axvline(0, color=GREY, linewidth=1)
-        ax.set(title=f"{first} less {second}", xlabel="difference of the mean final\naverage rewards per step")
+        ax.set(
+            title=f"{first} less {second}",
+            xlabel="difference of the mean final\naverage rewards per step",
+        )
         ax.set_yticks(y, names)
         ax.grid(axis="x", alpha=0.3)
     ax.invert_yaxis()
@@ -88,24 +108,51 @@ def preliminaries_figure(outcomes: Outcomes) -> Picture | None:
         ax.set_axis_off()
     told = []
     for ax, (title, best, both) in zip(axes, found, strict=False):
-        for outcome, (colour, dashes), marker, name in zip(both, CURVES, "os", ("model", "robot"), strict=False):
+        for outcome, (colour, dashes), marker, name in zip(
+            both, CURVES, "os", ("model", "robot"), strict=False
+        ):
             labels, final = zip(*outcome.final[outcome.longest].items(), strict=True)
             bars = [error_bars(x[:, None]) for x in final]
             mean, width = [m[0] for m, _ in bars], np.hstack([w for _, w in bars])
             shown = name if ax is axes[0] else None
-            dashes = dashes if "=" in best else "none"  # between methods there is nothing to join
-            ax.errorbar(range(len(labels)), mean, width, color=colour, ls=dashes, marker=marker, capsize=3, label=shown)
+            dashes = (
+                dashes if "=" in best else "none"
+            )  # between methods there is nothing to join
+            ax.errorbar(
+                range(len(labels)),
+                mean,
+                width,
+                color=colour,
+                ls=dashes,
+                marker=marker,
+                capsize=3,
+                label=shown,
+            )
             told.append(f"{title} On the {name} {labels[int(np.argmax(mean))]} is best")
-        ax.set_xticks(range(len(labels)), [f"{x}*" if x == best else x for x in labels], fontsize=8)
+        ax.set_xticks(
+            range(len(labels)),
+            [f"{x}*" if x == best else x for x in labels],
+            fontsize=8,
+        )
         ax.set(title=title, ylabel="average reward per step")
         ax.title.set_fontsize(10)
         ax.grid(alpha=0.3)
-    picture.legend(title="* the paper's choice; bars: 95 % intervals", loc="outside lower center", ncols=2)
-    picture.alt = "Mean final average reward by method or parameter. " + "; ".join(told) + "."
+    picture.legend(
+        title="* the paper's choice; bars: 95 % intervals",
+        loc="outside lower center",
+        ncols=2,
+    )
+    picture.alt = (
+        "Mean final average reward by method or parameter. " + "; ".join(told) + "."
+    )
     return picture
 
 
-_ARM_KINDS = {"robot": "", "cause_contact": ", contact alone", "cause_traces": ", no traces"}
+_ARM_KINDS = {
+    "robot": "",
+    "cause_contact": ", contact alone",
+    "cause_traces": ", no traces",
+}
 
 
 def shuttle_figure(outcomes: Outcomes) -> Picture | None:
@@ -124,14 +171,24 @@ def shuttle_figure(outcomes: Outcomes) -> Picture | None:
     edges, told = np.arange(-1.25, 10.3, 0.5), []
     for ax, (name, outcome) in zip(axes, found.items(), strict=False):
         for (label, final), (colour, dashes), hatch in zip(
-            outcome.final[outcome.longest].items(), CURVES, ("", "//", ".."), strict=False
+            outcome.final[outcome.longest].items(),
+            CURVES,
+            ("", "//", ".."),
+            strict=False,
         ):
             ax.hist(final, edges, histtype="step", color=colour, linestyle=dashes, hatch=hatch, linewidth=1.6,
                     label=label if ax is axes[0] else None)  # fmt: skip
             told.append(f"{name}, {label}: {shuttles(final):.0%} near a mark")
         for level in SHUTTLES:
             ax.axvline(level, color=BLACK, linewidth=1, linestyle=":")
-            ax.text(level, 1.0, f"{level:g}", ha="center", va="bottom", transform=ax.get_xaxis_transform())
+            ax.text(
+                level,
+                1.0,
+                f"{level:g}",
+                ha="center",
+                va="bottom",
+                transform=ax.get_xaxis_transform(),
+            )
         ax.set(xlabel="final average reward per step", ylabel="agents")
         ax.set_title(f"{name}, {outcome.longest}", pad=16, fontsize=10)
     picture.legend(loc="outside lower center", ncols=3)

@@ -15,7 +15,10 @@ from paper.verdicts import ValueVerdict, Verdict, of_value, verdict
 from rlrobot_course.report import read_averages
 from rlrobot_edu.experiments.statistics import Anova, Pair, Tukey
 
-SHUTTLES = (2.0, 4.5)  # (5 − 1) / 2 and (10 − 1) / 2: what to and fro before the object pays an arm a step
+SHUTTLES = (
+    2.0,
+    4.5,
+)  # (5 − 1) / 2 and (10 − 1) / 2: what to and fro before the object pays an arm a step
 NEAR = 0.25  # a final average so close to one of them counts as of a shuttle
 
 Finals = Mapping[str, np.ndarray]
@@ -49,11 +52,20 @@ class Outcome:
 
     def means(self, length: Length | None = None) -> dict[str, float]:
         """Mean final average reward by label."""
-        return {label: float(x.mean()) for label, x in self.final[length or self.longest].items()}
+        return {
+            label: float(x.mean())
+            for label, x in self.final[length or self.longest].items()
+        }
 
-    def pair(self, first: str, second: str, length: Length | None = None) -> tuple[float, float]:
+    def pair(
+        self, first: str, second: str, length: Length | None = None
+    ) -> tuple[float, float]:
         """Mean of the first less that of the second method, and p of Tukey's test."""
-        pair = next(p for p in self.pairs[length or self.longest] if {p.first, p.second} == {first, second})
+        pair = next(
+            p
+            for p in self.pairs[length or self.longest]
+            if {p.first, p.second} == {first, second}
+        )
         return (pair.difference if pair.first == first else -pair.difference), pair.p
 
     def judged(self, length: Length | None = None) -> list[Judged]:
@@ -66,7 +78,9 @@ class Outcome:
 
     def value(self) -> ValueVerdict:
         """The verdict on the value that the paper chose, at the longest length."""
-        return of_value(self.final[self.longest], self.pairs[self.longest], self.experiment.best)
+        return of_value(
+            self.final[self.longest], self.pairs[self.longest], self.experiment.best
+        )
 
 
 def read_outcomes(path: Path, experiments: Iterable[Experiment]) -> dict[str, Outcome]:
@@ -90,23 +104,32 @@ def half_width(anova: Anova, n: int) -> float:
     return float(critical) * float(np.sqrt(anova.ms_within / n))
 
 
-def significant_with(groups: Finals, n: int, draws: int = 2000) -> dict[frozenset, float]:
+def significant_with(
+    groups: Finals, n: int, draws: int = 2000
+) -> dict[frozenset, float]:
     """How often Tukey's test finds each pair of methods significant (p < 0.05) in only `n` of our repetitions.
 
     Draws the `n` repetitions of each method anew each time, without replacement.
     """
     rng, labels = np.random.default_rng(0), list(groups)
-    drawn = {label: rng.permuted(np.tile(groups[label], (draws, 1)), axis=1)[:, :n] for label in labels}
+    drawn = {
+        label: rng.permuted(np.tile(groups[label], (draws, 1)), axis=1)[:, :n]
+        for label in labels
+    }
     within = np.mean([drawn[label].var(axis=1, ddof=1) for label in labels], axis=0)
     critical = stats.studentized_range.ppf(0.95, len(labels), len(labels) * (n - 1))
     shares = {}
     for i, first in enumerate(labels):
         for second in labels[i + 1 :]:
             difference = np.abs(drawn[first].mean(axis=1) - drawn[second].mean(axis=1))
-            shares[frozenset((first, second))] = float(np.mean(difference > critical * np.sqrt(within / n)))
+            shares[frozenset((first, second))] = float(
+                np.mean(difference > critical * np.sqrt(within / n))
+            )
     return shares
 
 
 def shuttles(final: np.ndarray) -> float:
     """Share of the final averages that lie at one of the two shuttles."""
-    return float(np.mean(np.abs(final[:, None] - np.array(SHUTTLES)).min(axis=1) < NEAR))
+    return float(
+        np.mean(np.abs(final[:, None] - np.array(SHUTTLES)).min(axis=1) < NEAR)
+    )

@@ -22,10 +22,15 @@ class PaperPair(NamedTuple):
         return f"{self.better} over {self.worse}"
 
 
-def _pairs(*q_and_p: tuple[float, float], order: tuple[str, ...] = THREE) -> tuple[PaperPair, ...]:
+def _pairs(
+    *q_and_p: tuple[float, float], order: tuple[str, ...] = THREE
+) -> tuple[PaperPair, ...]:
     # The tables print |Q|; the order of the means is the only one in which two of the Q add up to the third.
     couples = ((order[0], order[1]), (order[0], order[2]), (order[1], order[2]))
-    return tuple(PaperPair(*couple, *numbers) for couple, numbers in zip(couples, q_and_p, strict=True))
+    return tuple(
+        PaperPair(*couple, *numbers)
+        for couple, numbers in zip(couples, q_and_p, strict=True)
+    )
 
 
 # by task: sums of squares and degrees of freedom, and F and p as printed
@@ -39,13 +44,20 @@ ANOVA = {
     "giraff_wander_1k": (Anova(31.73, 2, 55.26, 57), 16.36, 0.000002),
 }
 TUKEY = {
-    "wander_simple": _pairs((0.80, 0.820), (11.21, 0.001), (10.41, 0.001), order=("TOSL+SR", "TOSL+QBIASSR", "Q+SR")),
+    "wander_simple": _pairs(
+        (0.80, 0.820),
+        (11.21, 0.001),
+        (10.41, 0.001),
+        order=("TOSL+SR", "TOSL+QBIASSR", "Q+SR"),
+    ),
     "wander_1k": _pairs((6.17, 0.002), (11.17, 0.001), (5.00, 0.008)),
     "wander_4k": _pairs((7.92, 0.001), (10.97, 0.001), (3.05, 0.111)),
     "arm_1k": _pairs((1.68, 0.465), (6.20, 0.001), (4.52, 0.006)),
     "arm_4k": _pairs((2.60, 0.165), (9.33, 0.001), (6.73, 0.001)),
     "navigation_1k": _pairs((1.95, 0.410), (4.07, 0.063), (2.13, 0.354)),
-    "giraff_wander_1k": _pairs((4.3491, 0.0089151), (8.0827, 0.0010053), (3.7336, 0.0283548)),
+    "giraff_wander_1k": _pairs(
+        (4.3491, 0.0089151), (8.0827, 0.0010053), (3.7336, 0.0283548)
+    ),
 }
 # CPU time a step [s] in the sample-modelled wander-1K: method, traces, time
 COST = (

@@ -23,7 +23,10 @@ def block(name: str, content: str) -> str:
 
 def filled(page: str, made: Mapping[str, str]) -> str:
     """The page with what was made in its blocks; a block of which nothing was made stays as it is."""
-    return BLOCK.sub(lambda found: block(found[1], made[found[1]]) if found[1] in made else found[0], page)
+    return BLOCK.sub(
+        lambda found: block(found[1], made[found[1]]) if found[1] in made else found[0],
+        page,
+    )
 
 
 def write_page(folder: Path, pictures: Mapping[str, str], *, has_prose: bool) -> Path:
@@ -33,20 +36,49 @@ def write_page(folder: Path, pictures: Mapping[str, str], *, has_prose: bool) ->
     """
     about = json.loads((folder / "environment.json").read_text(encoding="utf-8"))
     outcomes = read_outcomes(folder / "averages.csv", EXPERIMENTS)
-    made = {"about": about_words(about, outcomes), **pictures, **write_figures(folder, outcomes), **tables(outcomes)}
+    made = {
+        "about": about_words(about, outcomes),
+        **pictures,
+        **write_figures(folder, outcomes),
+        **tables(outcomes),
+    }
     if costs := about["seconds a step"]:
         made["costs"] = in_markdown(cost_table(costs))
     path = folder / "README.md"
-    bare = "\n\n".join(["# The paper's experiments, run again", *(block(name, "") for name in made)]) + "\n"
-    write_whole(path, filled(path.read_text(encoding="utf-8") if has_prose and path.is_file() else bare, made))
+    bare = (
+        "\n\n".join(
+            [
+                "# The paper's experiments, run again",
+                *(block(name, "") for name in made),
+            ]
+        )
+        + "\n"
+    )
+    write_whole(
+        path,
+        filled(
+            path.read_text(encoding="utf-8") if has_prose and path.is_file() else bare,
+            made,
+        ),
+    )
     return path
 
 
 def about_words(about: Mapping, outcomes: Mapping) -> str:
     """With what the tables were made, and what is missing in them."""
-    lines = [f"`{about['command']}` with " + ", ".join(map(" ".join, about["versions"].items())) + "."]
+    lines = [
+        f"`{about['command']}` with "
+        + ", ".join(map(" ".join, about["versions"].items()))
+        + "."
+    ]
     lines += [f"Skipped: {key}: {reason}." for key, reason in about["skipped"].items()]
-    missing = [e.key for e in EXPERIMENTS if e.key not in outcomes and e.key not in about["skipped"]]
+    missing = [
+        e.key
+        for e in EXPERIMENTS
+        if e.key not in outcomes and e.key not in about["skipped"]
+    ]
     if missing:
-        lines.append(f"**{len(missing)} of {len(EXPERIMENTS)} experiments have not been run: {', '.join(missing)}.**")
+        lines.append(
+            f"**{len(missing)} of {len(EXPERIMENTS)} experiments have not been run: {', '.join(missing)}.**"
+        )
     return "\n\n".join(lines)

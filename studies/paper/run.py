@@ -57,12 +57,21 @@ def reproduce(
     only: keys of the experiments to run, see `experiments.EXPERIMENTS`; none: all
     """
     words = [*filter(None, [engine, "quick" if quick else ""])]
-    folder, stores = Path(folder, *words), Path(stores, "_".join(["reproduction", *words]))
+    folder, stores = (
+        Path(folder, *words),
+        Path(stores, "_".join(["reproduction", *words])),
+    )
     averages: list[tuple] = []
     skipped, pictures = {}, {}
-    wanted = [experiment for experiment in EXPERIMENTS if not only or experiment.key in only]
-    layout = "{desc} {percentage:3.0f} % |{bar}| {elapsed} passed, about {remaining} left"
-    with tqdm(total=sum(expected(e, quick) for e in wanted), bar_format=layout, smoothing=0.1) as bar:
+    wanted = [
+        experiment for experiment in EXPERIMENTS if not only or experiment.key in only
+    ]
+    layout = (
+        "{desc} {percentage:3.0f} % |{bar}| {elapsed} passed, about {remaining} left"
+    )
+    with tqdm(
+        total=sum(expected(e, quick) for e in wanted), bar_format=layout, smoothing=0.1
+    ) as bar:
         for number, experiment in enumerate(wanted, start=1):
             bar.set_description(f"{number} of {len(wanted)}: {experiment.key}")
             try:
@@ -73,12 +82,23 @@ def reproduce(
             else:
                 averages += _rows(experiment, result)
                 if experiment.key.startswith("robot_"):
-                    figure, name = result.plot(title=experiment.title), f"{experiment.key}.png"
+                    figure, name = (
+                        result.plot(title=experiment.title),
+                        f"{experiment.key}.png",
+                    )
                     write_whole(folder / name, figure.png())
                     pictures[name] = f"![{figure.alt}]({name})"
             bar.update(expected(experiment, quick))
-    about = {"command": "python studies/reproduce.py" + " --quick" * quick + f" --engine {engine}" * bool(engine)}
-    about |= {"versions": _versions(), "skipped": skipped, "seconds a step": [] if only or engine else measure_costs()}
+    about = {
+        "command": "python studies/reproduce.py"
+        + " --quick" * quick
+        + f" --engine {engine}" * bool(engine)
+    }
+    about |= {
+        "versions": _versions(),
+        "skipped": skipped,
+        "seconds a step": [] if only or engine else measure_costs(),
+    }
     write_whole(folder / "averages.csv", _as_csv(averages))
     write_whole(folder / "environment.json", json.dumps(about, indent=1) + "\n")
     path = write_page(folder, pictures, has_prose=not words)
@@ -90,10 +110,14 @@ def expected(experiment: Experiment, quick: bool) -> float:
     """About how long it takes on one core [s]; only the progress bar goes by it."""
     number, unit = experiment.lengths[-1]
     arm = experiment.task.startswith("arm")
-    steps = number * (1 if unit == "steps" else 120 if arm else 1500)  # an episode of navigation: more or less
+    steps = number * (
+        1 if unit == "steps" else 120 if arm else 1500
+    )  # an episode of navigation: more or less
     steps *= experiment.repetitions[quick]
     a_step = MODEL_STEP if experiment.on_model else ARM_STEP if arm else ROBOT_STEP
-    return BESIDES + steps * (a_step * len(experiment.methods) + FAULTY_STEP * experiment.faulty)
+    return BESIDES + steps * (
+        a_step * len(experiment.methods) + FAULTY_STEP * experiment.faulty
+    )
 
 
 def measure_costs(repetitions: int = 30, steps: int = 3600) -> list[float]:
@@ -103,7 +127,10 @@ def measure_costs(repetitions: int = 30, steps: int = 3600) -> list[float]:
     for seed in range(repetitions + 1):  # the first one compiles
         times.append([])
         for method, traces, _ in COST:
-            agent, env = Agent(model, method, traces=traces, seed=seed), make_env(model, seed)
+            agent, env = (
+                Agent(model, method, traces=traces, seed=seed),
+                make_env(model, seed),
+            )
             start = time.process_time()
             learn(agent, env, steps, progress=False)
             times[-1].append((time.process_time() - start) / steps)
@@ -116,10 +143,22 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
         raise LookupError(f"the task {experiment.task} is not here")
     task = load_task(experiment.task)
     engines = ROBOTS[task.robot].engines
-    make_env(task, engine=next(iter(engines))).close()  # the published one, and no other
-    if engine and not experiment.on_model and (engine not in engines or experiment.realism):
-        raise LookupError(f"engine={engine!r} does not simulate this robot, or not as it is to be here")
-    world = _model(experiment.task, stores, experiment.seed) if experiment.on_model else task
+    make_env(
+        task, engine=next(iter(engines))
+    ).close()  # the published one, and no other
+    if (
+        engine
+        and not experiment.on_model
+        and (engine not in engines or experiment.realism)
+    ):
+        raise LookupError(
+            f"engine={engine!r} does not simulate this robot, or not as it is to be here"
+        )
+    world = (
+        _model(experiment.task, stores, experiment.seed)
+        if experiment.on_model
+        else task
+    )
     if experiment.change:
         world = experiment.change(world)
     number, unit = experiment.lengths[-1]
@@ -130,22 +169,43 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
     )  # fmt: skip
     if not experiment.faulty:
         return result
-    faulty = _faulty_runs(world, repetitions, number, stores / f"{experiment.key}_faulty")
+    faulty = _faulty_runs(
+        world, repetitions, number, stores / f"{experiment.key}_faulty"
+    )
     return Comparison(world, {**result.groups, FAULTY: faulty})
 
 
-def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
+def _faulty_runs(
+    model: SampleModel, repetitions: int, steps: int, folder: Path
+) -> Runs:
     """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
-    facts = {"methods": {FAULTY: "Q+SR"}, "version": __version__, **facts_of(model), "seed": SEED, "steps": steps}
-    store, seeds = Store(folder, facts), np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions)
+    facts = {
+        "methods": {FAULTY: "Q+SR"},
+        "version": __version__,
+        **facts_of(model),
+        "seed": SEED,
+        "steps": steps,
+    }
+    store, seeds = (
+        Store(folder, facts),
+        np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions),
+    )
     store.begin(model)
-    jobs = {(FAULTY, i): partial(_faulty_run, model, steps, seed) for i, seed in enumerate(seeds)}
+    jobs = {
+        (FAULTY, i): partial(_faulty_run, model, steps, seed)
+        for i, seed in enumerate(seeds)
+    }
     return run(jobs, threads=False, store=store)[FAULTY]
 
 
-def _faulty_run(model: SampleModel, steps: int, seed: np.random.SeedSequence) -> History:
+def _faulty_run(
+    model: SampleModel, steps: int, seed: np.random.SeedSequence
+) -> History:
     agent_seed, env_seed = copy(seed).spawn(2)
-    agent, env = Agent(model, "Q+SR", seed=agent_seed), PreviousAction(make_env(model, env_seed))
+    agent, env = (
+        Agent(model, "Q+SR", seed=agent_seed),
+        PreviousAction(make_env(model, env_seed)),
+    )
     return learn(agent, env, steps, progress=False)
 
 
@@ -156,7 +216,9 @@ def _model(task: str, stores: Path, seed: int | None = None) -> SampleModel:
         recording = read_recording(own if own.is_dir() or seed is not None else task)
     except FileNotFoundError:
         seed = SEED if seed is None else seed
-        recording = record(Agent(task, "TOSL+SR", seed=seed), make_env(task, seed), RECORDED)
+        recording = record(
+            Agent(task, "TOSL+SR", seed=seed), make_env(task, seed), RECORDED
+        )
         recording.save(own)
     return SampleModel.from_recording(recording)
 
@@ -172,14 +234,22 @@ def _rows(experiment: Experiment, result: Comparison) -> list[tuple]:
 
 def shortened(result: Comparison, length: Length) -> Comparison:
     """The comparison of the same agents, stopped sooner."""
-    groups = {label: Runs(length.beginning(history) for history in runs) for label, runs in result.groups.items()}
+    groups = {
+        label: Runs(length.beginning(history) for history in runs)
+        for label, runs in result.groups.items()
+    }
     return Comparison(result.world, groups)
 
 
 def _as_csv(rows: list[tuple]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([("experiment", "length", "method", "repetition", "final_average_reward"), *rows])
+    writer.writerows(
+        [
+            ("experiment", "length", "method", "repetition", "final_average_reward"),
+            *rows,
+        ]
+    )
     return text.getvalue()
 
 

@@ -15,7 +15,12 @@ from rlrobot_edu.experiments.tables import Table
 
 Outcomes = Mapping[str, Outcome]
 SR, Q = paper.THREE[1:]
-CHANGES = ("walls", "contact", "traces", "evasion")  # experiments cause_..., each of which changes one thing of a task
+CHANGES = (
+    "walls",
+    "contact",
+    "traces",
+    "evasion",
+)  # experiments cause_..., each of which changes one thing of a task
 
 
 def tables(outcomes: Outcomes) -> dict[str, str]:
@@ -25,7 +30,10 @@ def tables(outcomes: Outcomes) -> dict[str, str]:
         made[f"pairs of {task}"] = pairs_table(outcomes, task)
         made[f"set-ups of {task}"] = set_ups_table(outcomes, task)
         made[f"changes in {task}"] = changes_table(outcomes, task)
-    made |= {"TOSL against Q-learning": order_table(outcomes), "few repetitions": few_table(outcomes)}
+    made |= {
+        "TOSL against Q-learning": order_table(outcomes),
+        "few repetitions": few_table(outcomes),
+    }
     made |= {"values": values_table(outcomes), "methods": methods_table(outcomes)}
     return {name: in_markdown(table) for name, table in made.items() if table.rows}
 
@@ -50,7 +58,17 @@ def pairs_table(outcomes: Outcomes, task: str) -> Table:
                 str(length), f"{its.better} less {its.worse}", paper.difference(task, its), its.q, its.p,
                 gain, n, exact(p), str(verdict),
             ] for its, gain, p, verdict in o.judged(length)]  # fmt: skip
-    columns = ["length", "pair", "the paper's difference", "its Q", "its p", "ours", "our n", "our p", "verdict"]
+    columns = [
+        "length",
+        "pair",
+        "the paper's difference",
+        "its Q",
+        "its p",
+        "ours",
+        "our n",
+        "our p",
+        "verdict",
+    ]
     return Table(f"{task}: differences of mean final average rewards", columns, rows)
 
 
@@ -60,13 +78,29 @@ def set_ups_table(outcomes: Outcomes, task: str) -> Table:
     for o in outcomes.values():
         if o.experiment.task == task and set(o.experiment.methods) == set(paper.THREE):
             for length, groups in o.final.items():
-                cells, anova = [mean_and_half(groups[label]) for label in paper.THREE], Anova.of(list(groups.values()))
-                rows.append([set_up(o.experiment), str(length), len(groups[Q]), *cells, anova.f, exact(anova.p)])
+                cells, anova = (
+                    [mean_and_half(groups[label]) for label in paper.THREE],
+                    Anova.of(list(groups.values())),
+                )
+                rows.append(
+                    [
+                        set_up(o.experiment),
+                        str(length),
+                        len(groups[Q]),
+                        *cells,
+                        anova.f,
+                        exact(anova.p),
+                    ]
+                )
     if task in paper.ANOVA:
         _, f, p = paper.ANOVA[task]
-        rows.insert(0, ["the paper", None, paper.repetitions(task), None, None, None, f, p])
+        rows.insert(
+            0, ["the paper", None, paper.repetitions(task), None, None, None, f, p]
+        )
     columns = ["set-up", "length", "n", *paper.THREE, "F", "p"]
-    return Table(f"{task}: final average reward, mean ± half of its 95 % interval", columns, rows)
+    return Table(
+        f"{task}: final average reward, mean ± half of its 95 % interval", columns, rows
+    )
 
 
 def changes_table(outcomes: Outcomes, task: str) -> Table:
@@ -81,7 +115,16 @@ def changes_table(outcomes: Outcomes, task: str) -> Table:
                         set_up(changed.experiment), str(length), f"{was.pair.better} less {was.pair.worse}",
                         was.gain, now.gain, exact(now.p), str(was.verdict), str(now.verdict),
                     ])  # fmt: skip
-    columns = ["what is changed", "length", "pair", "before", "after", "p after", "verdict before", "verdict after"]
+    columns = [
+        "what is changed",
+        "length",
+        "pair",
+        "before",
+        "after",
+        "p after",
+        "verdict before",
+        "verdict after",
+    ]
     return Table(f"{task}: one thing changed", columns, rows)
 
 
@@ -89,26 +132,44 @@ def order_table(outcomes: Outcomes) -> Table:
     """TOSL against Q-learning, both with softmax, wherever both were run in wander_1k."""
     rows = []
     for o in outcomes.values():
-        if o.experiment.task == "wander_1k" and {SR, Q} <= set(o.experiment.methods) <= set(paper.THREE):
+        if o.experiment.task == "wander_1k" and {SR, Q} <= set(
+            o.experiment.methods
+        ) <= set(paper.THREE):
             q = FAULTY if o.experiment.faulty else Q
             means, (difference, p) = o.means(), o.pair(SR, q)
-            rows.append([set_up(o.experiment), means[SR], means[q], difference, exact(p)])
-    return Table("TOSL+SR and Q+SR in wander_1k", ["set-up", SR, Q, f"{SR} less {Q}", "p"], rows)
+            rows.append(
+                [set_up(o.experiment), means[SR], means[q], difference, exact(p)]
+            )
+    return Table(
+        "TOSL+SR and Q+SR in wander_1k", ["set-up", SR, Q, f"{SR} less {Q}", "p"], rows
+    )
 
 
 def few_table(outcomes: Outcomes) -> Table:
     """Pairs that are significant only here: how often as few of our repetitions as the paper has find them."""
     rows = []
     for key, o in outcomes.items():
-        n = paper.repetitions(o.experiment.task) if key.startswith("robot_") and o.experiment.pairs else np.inf
+        n = (
+            paper.repetitions(o.experiment.task)
+            if key.startswith("robot_") and o.experiment.pairs
+            else np.inf
+        )
         for length, groups in o.final.items():
-            only_ours = [x for x in o.judged(length) if x.verdict.name == DIRECTION and x.p < LEVEL]
+            only_ours = [
+                x
+                for x in o.judged(length)
+                if x.verdict.name == DIRECTION and x.p < LEVEL
+            ]
             if only_ours and n < min(map(len, groups.values())):
                 share = significant_with(groups, int(n))
                 rows += [[o.experiment.task, str(length), x.pair.name, n,
                           f"{share[frozenset((x.pair.better, x.pair.worse))]:.0%}"] for x in only_ours]  # fmt: skip
     columns = ["task", "length", "pair", "the paper's repetitions", "significant in"]
-    return Table("Draws of only the paper's number of our repetitions in which a pair is significant", columns, rows)
+    return Table(
+        "Draws of only the paper's number of our repetitions in which a pair is significant",
+        columns,
+        rows,
+    )
 
 
 def values_table(outcomes: Outcomes) -> Table:
@@ -116,10 +177,20 @@ def values_table(outcomes: Outcomes) -> Table:
     rows = []
     for title, where, o in _preliminary(outcomes):
         if chosen := o.experiment.best:
-            means = ", ".join(f"{label}: {mean:.2f}" for label, mean in o.means().items())
+            means = ", ".join(
+                f"{label}: {mean:.2f}" for label, mean in o.means().items()
+            )
             name, best, loss, p = o.value()
             rows.append(
-                [title, where, means, f"{chosen} is {name}", best, loss or None, None if p is None else exact(p)]
+                [
+                    title,
+                    where,
+                    means,
+                    f"{chosen} is {name}",
+                    best,
+                    loss or None,
+                    None if p is None else exact(p),
+                ]
             )
     columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
     return Table("The values that the paper chose", columns, rows)
@@ -150,6 +221,22 @@ def cost_table(costs: Sequence[float]) -> Table:
     """CPU time a step: ours and the paper's, as measured and relative to Q+SR."""
     rows = []
     for (method, traces, its), ours in zip(paper.COST, costs, strict=True):
-        rows.append([method, traces, ours * 1e6, ours / costs[0], its * 1e6, its / paper.COST[0][2]])
-    columns = ["method", "traces", "µs a step", "relative to Q+SR", "paper's µs", "paper's relative"]
+        rows.append(
+            [
+                method,
+                traces,
+                ours * 1e6,
+                ours / costs[0],
+                its * 1e6,
+                its / paper.COST[0][2],
+            ]
+        )
+    columns = [
+        "method",
+        "traces",
+        "µs a step",
+        "relative to Q+SR",
+        "paper's µs",
+        "paper's relative",
+    ]
     return Table("CPU time a step, sample-modelled wander_1k", columns, rows)

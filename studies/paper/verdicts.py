@@ -40,8 +40,14 @@ def verdict(gain: float, p: float, paper_p: float | None) -> Verdict:
         if ours and papers:
             return Verdict(AGREES, untested)
         only = "only ours is significant" if ours else "only the paper's is significant"
-        return Verdict(DIRECTION, "ours is not significant; the paper gives no test" if untested else only)
-    return Verdict(REVERSED if ours else OPPOSITE, untested if papers else "the paper's is not significant")
+        return Verdict(
+            DIRECTION,
+            "ours is not significant; the paper gives no test" if untested else only,
+        )
+    return Verdict(
+        REVERSED if ours else OPPOSITE,
+        untested if papers else "the paper's is not significant",
+    )
 
 
 EVERYWHERE, SOMEWHERE, TENDENCY, NOT = "✔", "(✔)", "~", "✘"
@@ -56,7 +62,11 @@ def mark(verdicts: Iterable[Verdict]) -> str:
     return NOT if any(verdict.is_opposite for verdict in verdicts) else TENDENCY
 
 
-BEST, AS_GOOD, BEATEN = "the best here", "not the best here, but not significantly worse", "significantly worse here"
+BEST, AS_GOOD, BEATEN = (
+    "the best here",
+    "not the best here, but not significantly worse",
+    "significantly worse here",
+)
 
 
 class ValueVerdict(NamedTuple):
@@ -71,10 +81,14 @@ class ValueVerdict(NamedTuple):
     p: float | None = None
 
 
-def of_value(final: Mapping[str, np.ndarray], pairs: Iterable[Pair], chosen: str) -> ValueVerdict:
+def of_value(
+    final: Mapping[str, np.ndarray], pairs: Iterable[Pair], chosen: str
+) -> ValueVerdict:
     """The verdict on the chosen value; final: final average rewards by label, arrays (n,)."""
     best = max(final, key=lambda label: float(np.mean(final[label])))
     if best == chosen:
         return ValueVerdict(BEST, best)
     pair = next(p for p in pairs if {p.first, p.second} == {best, chosen})
-    return ValueVerdict(BEATEN if pair.p < LEVEL else AS_GOOD, best, abs(pair.difference), pair.p)
+    return ValueVerdict(
+        BEATEN if pair.p < LEVEL else AS_GOOD, best, abs(pair.difference), pair.p
+    )

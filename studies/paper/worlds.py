@@ -11,7 +11,11 @@ from rlrobot_edu.models.sample_model import SampleModel
 
 def lucky_pairs(model: SampleModel) -> np.ndarray:
     """Numbers of the pairs (s, a) in which `diagnose()` sees a well-rewarded loop that rests on few samples."""
-    pairs = [s * model.n_actions + a for loop in model.diagnose().loops for s, a in loop.pairs]
+    pairs = [
+        s * model.n_actions + a
+        for loop in model.diagnose().loops
+        for s, a in loop.pairs
+    ]
     return np.array(sorted(pairs), dtype=np.intp)
 
 
@@ -19,8 +23,13 @@ def without_lucky_loops(model: SampleModel, unseen: str = "uniform") -> SampleMo
     """The model as if these pairs had never been tried; then they do what every unknown pair does, `unseen`."""
     keep = ~np.isin(model.pair, lucky_pairs(model))
     outcomes = np.bincount(model.pair[keep], minlength=len(model.offsets) - 1)
-    columns = {name: getattr(model, name)[keep] for name in ("s_next", "r", "terminated", "cumulative")}
-    return dataclasses.replace(model, offsets=np.append(0, np.cumsum(outcomes)), unseen=unseen, **columns)
+    columns = {
+        name: getattr(model, name)[keep]
+        for name in ("s_next", "r", "terminated", "cumulative")
+    }
+    return dataclasses.replace(
+        model, offsets=np.append(0, np.cumsum(outcomes)), unseen=unseen, **columns
+    )
 
 
 class PreviousAction(gymnasium.Wrapper):
@@ -34,8 +43,12 @@ class PreviousAction(gymnasium.Wrapper):
     def __init__(self, env: SampleModelEnv) -> None:
         super().__init__(env)
         model, self._rewards, self._last = env.model, {}, None
-        for pair, s_next, r, n in zip(model.pair, model.s_next, model.r, model.count, strict=True):
-            self._rewards.setdefault((*divmod(int(pair), model.n_actions), int(s_next)), []).extend([float(r)] * int(n))
+        for pair, s_next, r, n in zip(
+            model.pair, model.s_next, model.r, model.count, strict=True
+        ):
+            self._rewards.setdefault(
+                (*divmod(int(pair), model.n_actions), int(s_next)), []
+            ).extend([float(r)] * int(n))
         self._any = [float(r) for r in model.rewards]
 
     def reset(self, **options):

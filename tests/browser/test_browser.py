@@ -68,7 +68,9 @@ CUT_OFF = """() => [...document.querySelectorAll('.rl-stepper .line, .rl-stepper
     .filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' ||
         e.getBoundingClientRect().right > e.closest('.rl-stepper').getBoundingClientRect().right + 1)
     .map(e => e.textContent)"""
-ALL_CELLS = {"@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"}}  # drawn, not only those in view
+ALL_CELLS = {
+    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"}
+}  # drawn, not only those in view
 
 
 SAVED = """
@@ -86,11 +88,16 @@ def show(name, i):
 
 def with_its_widgets_alone(notebook, name):
     """The notebook, in which cells without a part in a widget or a film show what they have saved: nbval runs them."""
-    cells = [(i, cell) for i, cell in enumerate(notebook.cells) if cell.cell_type == "code"]
+    cells = [
+        (i, cell) for i, cell in enumerate(notebook.cells) if cell.cell_type == "code"
+    ]
     needed = set()
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
-        shows = any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs) or "Film(" in cell.source
+        shows = (
+            any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs)
+            or "Film(" in cell.source
+        )
         shows = shows or "rl.watch(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
@@ -119,8 +126,16 @@ def lab(tmp_path_factory):
     (lessons / "saved.py").write_text(SAVED, encoding="utf-8")
     for name in DRIVEN:
         shutil.copy(NOTEBOOKS / name, lessons / f"{name}.saved")
-        nbformat.write(with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name), lessons / name)
-    folders = ("JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR")
+        nbformat.write(
+            with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name),
+            lessons / name,
+        )
+    folders = (
+        "JUPYTER_CONFIG_DIR",
+        "JUPYTER_RUNTIME_DIR",
+        "JUPYTERLAB_SETTINGS_DIR",
+        "JUPYTERLAB_WORKSPACES_DIR",
+    )
     command = [
         sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", "--port=0", "--allow-root",
         "--IdentityProvider.token=", f"--ServerApp.root_dir={home}", f"--LabApp.app_settings_dir={home}",
@@ -132,7 +147,13 @@ def lab(tmp_path_factory):
             env=os.environ | {folder: str(home / folder.lower()) for folder in folders},
         )  # fmt: skip
     try:
-        address = soon(lambda: address_in(home) if server.poll() is None else pytest.fail((home / "log").read_text()))
+        address = soon(
+            lambda: (
+                address_in(home)
+                if server.poll() is None
+                else pytest.fail((home / "log").read_text())
+            )
+        )
         yield Address(address, home)
     finally:
         server.terminate()
@@ -162,7 +183,9 @@ def soon(look, rest=lambda: time.sleep(0.2)):
 
 def is_error(said):
     """Whether a line of the browser's console is an error. JupyterLite's extension wants a service of its own site."""
-    return said.type == "error" and "jupyterlite" not in said.text + said.location["url"]
+    return (
+        said.type == "error" and "jupyterlite" not in said.text + said.location["url"]
+    )
 
 
 @contextlib.contextmanager
@@ -172,18 +195,32 @@ def lesson(browser, lab, name, before=lambda page: None):
     Any dialog of JupyterLab that lies over the page is answered (the kernel did not start; which one should it be?).
     A failure says which there were, and what was on the page. before: takes the page before it opens the notebook.
     """
-    page, errors, dialogs = browser.new_page(viewport={"width": 1400, "height": 1000}), [], []
+    page, errors, dialogs = (
+        browser.new_page(viewport={"width": 1400, "height": 1000}),
+        [],
+        [],
+    )
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: errors.append(str(error)))
-    page.on("console", lambda said: errors.append(said.text) if is_error(said) else None)
+    page.on(
+        "console", lambda said: errors.append(said.text) if is_error(said) else None
+    )
     page.add_locator_handler(
-        page.locator(".jp-Dialog").first, lambda: dialogs.extend(page.evaluate(ANSWER)), no_wait_after=True
+        page.locator(".jp-Dialog").first,
+        lambda: dialogs.extend(page.evaluate(ANSWER)),
+        no_wait_after=True,
     )
     before(page)
     try:
         page.goto(f"{lab}/lab/tree/notebooks/{name}?reset")
-        n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
-        soon(lambda: has_run_all(page, n_cells, dialogs, errors), rest=lambda: page.wait_for_timeout(1000))
+        n_cells = sum(
+            cell.cell_type == "code"
+            for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells
+        )
+        soon(
+            lambda: has_run_all(page, n_cells, dialogs, errors),
+            rest=lambda: page.wait_for_timeout(1000),
+        )
         yield page, errors
     except Exception as failure:
         seen = page.evaluate(SEEN) | {"answered dialogs": dialogs, "errors": errors}
@@ -202,7 +239,9 @@ def has_run_all(page, n_cells, dialogs, errors):
     new, seen = page.evaluate(ANSWER), page.evaluate(SEEN)
     dialogs.extend(new)
     have_run = [bool(re.search("[0-9]", prompt)) for prompt in seen["prompts"]]
-    if new and not any(have_run):  # one dialog may follow another, and widgets miss a kernel that comes after them
+    if new and not any(
+        have_run
+    ):  # one dialog may follow another, and widgets miss a kernel that comes after them
         page.reload()
         errors.clear()  # JupyterLab's own, about what it has just said in words
         return False
@@ -211,7 +250,11 @@ def has_run_all(page, n_cells, dialogs, errors):
         return True
     if len(have_run) < n_cells:
         return False
-    if seen["status"] == "idle" and seen["kernel"] != "No Kernel" and not any("*" in each for each in seen["prompts"]):
+    if (
+        seen["status"] == "idle"
+        and seen["kernel"] != "No Kernel"
+        and not any("*" in each for each in seen["prompts"])
+    ):
         page.click("text=Run >> nth=0")
         page.click("text=Run All Cells")
     return False
@@ -226,7 +269,9 @@ def shown_q(page):
 def press(page, button, expected):
     """Click a button of the stepper and wait for the step that it should show."""
     page.click(f".rl-stepper .rl-{button}")
-    page.wait_for_function(f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')")
+    page.wait_for_function(
+        f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')"
+    )
 
 
 def steps_forward_and_back(page, agent, at, folder):
@@ -246,10 +291,14 @@ def steps_forward_and_back(page, agent, at, folder):
 
 def looks_right(page, widget=".rl-stepper"):
     """At four widths: no equation is cut off, each picture says what it shows, and axe-core finds nothing serious."""
-    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
+    ).Axe()
     for width in WIDTHS:
         page.set_viewport_size({"width": width, "height": 900})
-        page.wait_for_timeout(500)  # the page lays itself out anew, which may take longer
+        page.wait_for_timeout(
+            500
+        )  # the page lays itself out anew, which may take longer
         page.locator(widget).first.scroll_into_view_if_needed()
         for _ in range(100):
             if not (cut := page.evaluate(CUT_OFF)):
@@ -259,14 +308,27 @@ def looks_right(page, widget=".rl-stepper"):
     shown = "[...document.querySelectorAll('.jp-OutputArea-output img')]"
     mute = f"{shown}.filter(i => !i.alt && i.naturalWidth > 1).map(i => i.outerHTML.slice(0, 200))"
     assert page.evaluate(mute) == []
-    found = axe.run(page, context=".jp-OutputArea-output", options={"resultTypes": ["violations"]})
-    serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
-    assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
+    found = axe.run(
+        page, context=".jp-OutputArea-output", options={"resultTypes": ["violations"]}
+    )
+    serious = [
+        each
+        for each in found.response["violations"]
+        if each["impact"] in ("serious", "critical")
+    ]
+    assert not serious, [
+        (each["id"], [node["html"][:200] for node in each["nodes"]][:3])
+        for each in serious
+    ]
 
 
-def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
+def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(
+    browser, lab, tmp_path
+):
     with lesson(browser, lab, "03_q_learning.ipynb") as (page, errors):
-        steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
+        steps_forward_and_back(
+            page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path
+        )
         looks_right(page)
         drags_a_slider(page, "γ (gamma)")
         assert errors == []
@@ -304,7 +366,9 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
         until(view_in(cell), f"{LEARNED} && caption.textContent.startsWith('step 600')")
         assert errors == []
         addresses = {address for address in asked if address[0] in ("http", "ws")}
-        assert addresses == {urlsplit(lab)[:2]}, "a page from elsewhere, behind a proxy, could not see it"
+        assert addresses == {urlsplit(lab)[:2]}, (
+            "a page from elsewhere, behind a proxy, could not see it"
+        )
 
         page.keyboard.press("Control+s")
         saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
@@ -322,7 +386,9 @@ def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
         until(view, "typeof viewer === 'object' && count >= 200")
         assert view.evaluate("body().position.length() > 0.5"), "the robot stands still"
         picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
-        assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
+        assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, (
+            "the frame is empty"
+        )
 
         assert errors == []
         ends_without_a_trace(page)
@@ -349,7 +415,11 @@ LEARNED = "typeof viewer === 'object' && count >= 600 && !!body()"
 
 def view_in(cell):
     """The page of the view in 3D that a cell shows."""
-    return cell.locator('iframe[title="A robot in 3D"]').first.element_handle().content_frame()
+    return (
+        cell.locator('iframe[title="A robot in 3D"]')
+        .first.element_handle()
+        .content_frame()
+    )
 
 
 def ends_without_a_trace(page):
@@ -358,15 +428,23 @@ def ends_without_a_trace(page):
     listening, theirs = [], []
     for process in ours:
         with contextlib.suppress(psutil.NoSuchProcess):  # it has just ended
-            listening += [c.laddr for c in process.net_connections() if c.status == psutil.CONN_LISTEN]
+            listening += [
+                c.laddr
+                for c in process.net_connections()
+                if c.status == psutil.CONN_LISTEN
+            ]
             if "ipykernel_launcher" in " ".join(process.cmdline()):
                 theirs += [process, *process.children(recursive=True)]
     assert listening and {address.ip for address in listening} <= {"127.0.0.1", "::1"}
     page.evaluate(STOP_KERNELS)
-    assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "something is left when the kernel has stopped"
+    assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], (
+        "something is left when the kernel has stopped"
+    )
 
 
-def test_lesson_14_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
+def test_lesson_14_takes_predictions_and_old_questions_and_films_a_robot_that_moves(
+    browser, lab
+):
     with lesson(browser, lab, "14_sample_models.ipynb") as (page, errors):
         cell = page.locator(".jp-CodeCell", has_text="Film(scenes, paid).show3d()")
         cell.scroll_into_view_if_needed()
@@ -397,28 +475,40 @@ def expect_bias(page, q, s):
     shown = " ".join(two_decimals(x) for x in np.transpose(means).flat)
     numbers = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent).join(' ')"
     page.wait_for_function(f"{numbers} === '{shown}'")
-    page.wait_for_function(f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')")
-    page.wait_for_function(f"document.querySelector('.said').textContent.startsWith('State {s} (')")
+    page.wait_for_function(
+        f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')"
+    )
+    page.wait_for_function(
+        f"document.querySelector('.said').textContent.startsWith('State {s} (')"
+    )
 
 
 def drags_a_slider(page, label):
     """Drag the slider with this label to the left: the curve beside it is drawn anew."""
     box = page.locator(".widget-vbox", has=page.get_by_text(label, exact=True)).last
-    handle = box.locator(".widget-slider", has=page.get_by_text(label, exact=True)).locator(".noUi-handle")
+    handle = box.locator(
+        ".widget-slider", has=page.get_by_text(label, exact=True)
+    ).locator(".noUi-handle")
     handle.scroll_into_view_if_needed()
     picture = box.locator("img[width]")
     before = picture.get_attribute("src")
     for i in range(PATIENCE // 200):
-        if i % 100 == 0:  # what is still being laid out may push the slider away from under the mouse
+        if (
+            i % 100 == 0
+        ):  # what is still being laid out may push the slider away from under the mouse
             place = handle.bounding_box()
-            page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+            page.mouse.move(
+                place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+            )
             page.mouse.down()
             page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
             page.mouse.up()
         page.wait_for_timeout(200)
         if picture.get_attribute("src") != before:
             return
-    raise AssertionError(f"the slider {label} was dragged, and the picture stayed as it was")
+    raise AssertionError(
+        f"the slider {label} was dragged, and the picture stayed as it was"
+    )
 
 
 def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(browser):
@@ -428,9 +518,17 @@ def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(brows
         "</button><main></main></div>"
     )
     given = "{ actions: { ArrowUp: 8 }, told: 'the arrows' }"
-    model = f"{{ get: (name) => ({given})[name], on: (_, hear) => {{ answer = hear; }} }}"
-    page.add_script_tag(content=Keyboard._esm.replace("export default", "window.answer = null; window.keyboard ="))
-    page.evaluate(f"keyboard.render({{ model: {model}, el: document.querySelector('main') }})")
+    model = (
+        f"{{ get: (name) => ({given})[name], on: (_, hear) => {{ answer = hear; }} }}"
+    )
+    page.add_script_tag(
+        content=Keyboard._esm.replace(
+            "export default", "window.answer = null; window.keyboard ="
+        )
+    )
+    page.evaluate(
+        f"keyboard.render({{ model: {model}, el: document.querySelector('main') }})"
+    )
     page.wait_for_selector("[aria-label='↑: ahead']")
     page.focus("button")
     for _ in range(3):  # held: the kernel has not answered yet

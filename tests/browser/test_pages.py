@@ -20,16 +20,26 @@ from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
-TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
+TABLES = {
+    name: np.random.default_rng(seed).normal(scale=5, size=(24, 3))
+    for seed, name in enumerate(("a <1>", "b"))
+}
 
 
-def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **options) -> rl.Stepper:
-    return rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options)
+def stepper_of(
+    task: str = "worked_example", method: str = "TOSL+QBIASSR", **options
+) -> rl.Stepper:
+    return rl.Stepper(
+        rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options
+    )
 
 
 def views_in(path) -> list[str]:
     """The views of a page, unpacked as its script unpacks them."""
-    packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
+    packed = re.search(
+        r'<script id="packed" type="text/plain">(.*)</script>',
+        path.read_text(encoding="utf-8"),
+    )[1]
     columns = json.loads(zlib.decompress(base64.b64decode(packed)))[1]
     for column in columns:
         for i, piece in enumerate(column):
@@ -39,10 +49,17 @@ def views_in(path) -> list[str]:
 
 def told_in(path) -> dict:
     """What a stepper's page is told, unpacked as the page unpacks it."""
-    packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
+    packed = re.search(
+        r'<script id="packed" type="text/plain">(.*)</script>',
+        path.read_text(encoding="utf-8"),
+    )[1]
     told = json.loads(zlib.decompress(base64.b64decode(packed)))["feed"]
     columns = told["frames"].items()
-    return told | {"frames": [{name: x[i] for name, x in columns} for i in range(len(told["frames"]["t"]))]}
+    return told | {
+        "frames": [
+            {name: x[i] for name, x in columns} for i in range(len(told["frames"]["t"]))
+        ]
+    }
 
 
 def test_a_page_begins_with_the_earliest_step_that_is_kept(tmp_path):
@@ -50,7 +67,9 @@ def test_a_page_begins_with_the_earliest_step_that_is_kept(tmp_path):
     stepper.back(5)
     stepper.save(path)
     told = told_in(path)
-    assert stepper.t == 55 == told["at"] and [told["frames"][i]["t"] + 1 for i in (0, -1)] == [41, 60]
+    assert stepper.t == 55 == told["at"] and [
+        told["frames"][i]["t"] + 1 for i in (0, -1)
+    ] == [41, 60]
     stepper.save(path, 90)
     assert stepper.t == 71, "the step shown has been dropped for newer ones"
     stepper.save(path, 75)
@@ -70,25 +89,38 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
     stepper.save(page)
     old = page.read_bytes()
     for steps in (-1, 20):
-        with pytest.raises(ValueError, match=rf"there is no step {steps} to show: the earliest that is kept is 21"):
+        with pytest.raises(
+            ValueError,
+            match=rf"there is no step {steps} to show: the earliest that is kept is 21",
+        ):
             stepper.save(page, steps)
-    with pytest.raises(IsADirectoryError, match="this is a folder; give the name of a file"):
+    with pytest.raises(
+        IsADirectoryError, match="this is a folder; give the name of a file"
+    ):
         stepper.save(tmp_path)
     with pytest.raises(ValueError, match="a film without steps shows nothing"):
         Film([], []).save(page)
     with pytest.raises(ValueError, match="it needs at least one step"):
         save_page(page, "nothing", [])
-    monkeypatch.setattr("rlrobot_edu.widgets.stepper.stepper.page_html", lambda *_: 1 / 0)
+    monkeypatch.setattr(
+        "rlrobot_edu.widgets.stepper.stepper.page_html", lambda *_: 1 / 0
+    )
     with pytest.raises(ZeroDivisionError):
         stepper.save(page, 35)
-    assert page.read_bytes() == old and stepper.t == 30 and list(tmp_path.iterdir()) == [page]
+    assert (
+        page.read_bytes() == old
+        and stepper.t == 30
+        and list(tmp_path.iterdir()) == [page]
+    )
 
 
 def test_the_frames_of_a_films_page_are_those_of_the_film(tmp_path):
     FILM.save(tmp_path / "film.html")
     expected = FILM._pictures([""] * 20)
     for view, whole in zip(views_in(tmp_path / "film.html"), expected, strict=True):
-        frame = Image.open(io.BytesIO(base64.b64decode(re.search(r'base64,([^"]*)', view)[1])))
+        frame = Image.open(
+            io.BytesIO(base64.b64decode(re.search(r'base64,([^"]*)', view)[1]))
+        )
         assert np.array_equal(frame.convert("RGB"), whole.convert("RGB"))
 
 
@@ -99,14 +131,21 @@ def opened(browser, tmp_path):
 
     def opened(thing, *arguments, link="", **settings):
         thing.save(tmp_path / "page.html", *arguments)
-        page = browser.new_page(**{"viewport": {"width": 1000, "height": 800}} | settings)
+        page = browser.new_page(
+            **{"viewport": {"width": 1000, "height": 800}} | settings
+        )
         pages.append(page)
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda said: faults.append(said.text))
-        page.on("request", lambda request: asked.add(request.url.split("#")[0].split(",")[0]))
+        page.on(
+            "request",
+            lambda request: asked.add(request.url.split("#")[0].split(",")[0]),
+        )
         page.goto((tmp_path / "page.html").as_uri() + link)
         if isinstance(thing, rl.BiasExplorer):
-            until(page, "!!document.querySelector('.rl-bias')")  # a page unpacks itself after it is loaded
+            until(
+                page, "!!document.querySelector('.rl-bias')"
+            )  # a page unpacks itself after it is loaded
         return page
 
     yield opened
@@ -118,7 +157,10 @@ def opened(browser, tmp_path):
 
 def stands(page, number: int, of: int = 30) -> None:
     """Wait until the page shows this number."""
-    until(page, f"where.textContent === 'step {number} of {of}' && slider.value === '{number}'")
+    until(
+        page,
+        f"where.textContent === 'step {number} of {of}' && slider.value === '{number}'",
+    )
 
 
 def shows(page, number: int, of: int = 30) -> None:
@@ -136,7 +178,9 @@ def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
     until(page, "at > 2")
     page.keyboard.press("ArrowLeft")
     until(page, "!player && play.textContent === '▶▶ Play'")
-    page.select_option("#speed", "2")  # so that a busy machine, too, looks while it plays
+    page.select_option(
+        "#speed", "2"
+    )  # so that a busy machine, too, looks while it plays
     page.evaluate("document.activeElement.blur()")
     page.keyboard.press(" ")
     until(page, "!!player && play.textContent === '‖ Pause'")
@@ -170,22 +214,33 @@ def all_columns(page) -> None:
     page.get_by_role("button", name="All columns").click()
 
 
-def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(opened):
+def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(
+    opened,
+):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     numbers, names = explorer.numbers, ("advance", "spin left", "spin right")
     best = int(numbers.bias.argmax())
     page = opened(explorer)
     for stage in range(5):
-        blocks = [name for name in names if page.get_by_role("group", name=name).is_visible()]
+        blocks = [
+            name for name in names if page.get_by_role("group", name=name).is_visible()
+        ]
         assert blocks == ([names[best]] if stage < 4 else list(names))
         block = page.get_by_role("group", name=names[best])
-        rows, means = block.locator("input:visible").count(), block.locator(".rl-means data:visible").count()
+        rows, means = (
+            block.locator("input:visible").count(),
+            block.locator(".rl-means data:visible").count(),
+        )
         marks = block.locator(".rl-row").first.locator(".rl-mark").all_inner_texts()
         assert (rows, means) == (1 if stage == 0 else 6, 4 if stage > 1 else 0)
-        assert marks == (["●", "▲", "■", "◆"] if stage else []), "the state itself is in every set"
+        assert marks == (["●", "▲", "■", "◆"] if stage else []), (
+            "the state itself is in every set"
+        )
         assert block.locator(".rl-sum b").is_visible() == (stage > 2)
         assert block.locator(".rl-chances").is_visible() == (stage > 3)
-        assert page.locator("button[value='1']").inner_text() == ("1●" if stage else "1")
+        assert page.locator("button[value='1']").inner_text() == (
+            "1●" if stage else "1"
+        )
         if stage == 2:
             page.keyboard.press("ArrowLeft")
             page.keyboard.press("ArrowRight")
@@ -198,11 +253,17 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
     page.get_by_role("button", name="Back").click()
     other = (best + 1) % 3
     page.get_by_role("combobox", name="action").select_option(names[other])
-    assert page.get_by_role("status").inner_text().endswith(f" / 4 = {two_decimals(numbers.bias[other])}.")
+    assert (
+        page.get_by_role("status")
+        .inner_text()
+        .endswith(f" / 4 = {two_decimals(numbers.bias[other])}.")
+    )
     field = page.get_by_role("spinbutton", name=f"Q of state 13, {names[other]}")
     field.focus()
     page.keyboard.press("ArrowRight")
-    assert not page.locator(".rl-chances").first.is_visible(), "in a field the key moves the cursor"
+    assert not page.locator(".rl-chances").first.is_visible(), (
+        "in a field the key moves the cursor"
+    )
 
 
 def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(opened):
@@ -245,10 +306,14 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     labels = page.evaluate(f"{buttons}.map((e) => [+e.value, e.textContent])")
     marked = {13: "13●▲■◆", 1: "1●", 19: "19▲", 15: "15■", 17: "17■", 12: "12◆"}
     assert dict(labels) == {s: marked.get(s, str(s)) for s in range(24)}
-    colours = dict(page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.background])"))
+    colours = dict(
+        page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.background])")
+    )
     assert {s for s in range(24) if colours[s]} == set(marked) - {13}
     assert len(set(colours.values())) == 1 + 4  # the two of θ are alike
-    assert page.evaluate("document.activeElement.value") == "13", "the keyboard stays where it was"
+    assert page.evaluate("document.activeElement.value") == "13", (
+        "the keyboard stays where it was"
+    )
     page.get_by_role("combobox", name="Q-table").select_option("b")
     explorer.widget.state, explorer.widget.table = 13, 1
     explored(page, explorer.numbers, "13-2")
@@ -269,7 +334,9 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
         page.get_by_role("spinbutton", name=f"Q of state {s}, {name}").fill("-20.125")
         page.keyboard.press("Enter")
         q[s, a] = -20.125
-    assert page.evaluate("document.activeElement.ariaLabel") == "Q of state 19, spin right"
+    assert (
+        page.evaluate("document.activeElement.ariaLabel") == "Q of state 19, spin right"
+    )
     explorer.widget.tables = [q.tolist(), explorer.widget.tables[1]]
     explored(page, explorer.numbers, "13-1")
     saved = opened(explorer)  # now it has the edits
@@ -277,14 +344,22 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     explored(saved, explorer.numbers, "13-1")
     page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("")
     page.keyboard.press("Tab")
-    assert page.input_value("[aria-label='Q of state 19, spin right']") == "-20.125", "nothing is no number"
+    assert page.input_value("[aria-label='Q of state 19, spin right']") == "-20.125", (
+        "nothing is no number"
+    )
     page.get_by_role("button", name="Reset Q").click()
     assert page.inner_text("main") == before
 
 
 def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
-    page, widget = browser.new_page(), rl.BiasExplorer("worked_example", TABLES, state=13).widget
-    told = {name: getattr(widget, name) for name in ("about", "state", "table", "tables", "stage")}
+    page, widget = (
+        browser.new_page(),
+        rl.BiasExplorer("worked_example", TABLES, state=13).widget,
+    )
+    told = {
+        name: getattr(widget, name)
+        for name in ("about", "state", "table", "tables", "stage")
+    }
     page.set_content("<main></main><main></main>")
     page.add_style_tag(content=widget._css)
     page.add_script_tag(content=widget._esm.replace("export default", "const shown ="))
@@ -318,16 +393,27 @@ def test_a_link_leads_to_a_state_and_a_table(opened):
     all_columns(page)
     explorer.widget.state, explorer.widget.table = 7, 1
     explored(page, explorer.numbers, "7-2")
-    for link, now in (("#3-1", "3-1"), ("#5", "5-1"), ("#6-9", "6-2"), ("#8-0", "8-1"), ("#99", "23-1")):
+    for link, now in (
+        ("#3-1", "3-1"),
+        ("#5", "5-1"),
+        ("#6-9", "6-2"),
+        ("#8-0", "8-1"),
+        ("#99", "23-1"),
+    ):
         page.evaluate("link => { location.hash = link; }", link)
         until(page, f"location.hash === '#{now}'")
         assert page.inner_text(".said").startswith(f"State {now[:-2]} (")
 
 
 def nine_actions() -> rl.BiasExplorer:
-    outputs = [rl.OutputVariable(f"{side}_wheel", values=[-1, 0, 1], unit="rad/s") for side in ("left", "right")]
+    outputs = [
+        rl.OutputVariable(f"{side}_wheel", values=[-1, 0, 1], unit="rad/s")
+        for side in ("left", "right")
+    ]
     task = replace(rl.load_task("wander_simple"), outputs=outputs)
-    return rl.BiasExplorer(task, {"random": np.random.default_rng(3).normal(-20, 5, size=(4, 9))})
+    return rl.BiasExplorer(
+        task, {"random": np.random.default_rng(3).normal(-20, 5, size=(4, 9))}
+    )
 
 
 @pytest.mark.parametrize("width", [400, 1000])
@@ -339,8 +425,13 @@ def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     picture.get_by_role("spinbutton").nth(7).focus()
     page.keyboard.press("Tab")
     right = "document.activeElement.getBoundingClientRect().right"
-    until(page, f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 1, left_wheel')")
-    assert picture.evaluate("(e) => e.scrollWidth <= e.clientWidth"), "nothing of the picture is hidden"
+    until(
+        page,
+        f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 1, left_wheel')",
+    )
+    assert picture.evaluate("(e) => e.scrollWidth <= e.clientWidth"), (
+        "nothing of the picture is hidden"
+    )
 
 
 def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
@@ -358,13 +449,23 @@ def test_on_no_screen_a_film_shows_what_is_yet_to_come(opened, scale):
     page = opened(FILM, link="#5", device_scale_factor=scale)
     shows(page, 5, 20)
     until(page, "view.querySelector('img').complete")
-    page.evaluate("document.querySelector('img.film').style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9'")
+    page.evaluate(
+        "document.querySelector('img.film').style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9'"
+    )
     clip = {"x": 0, "y": 0, "width": 360, "height": 360}
-    seen = np.asarray(Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int)
-    ours = FILM._pictures([""] * 20)[4].convert("RGB").resize(seen.shape[1::-1], Image.Resampling.NEAREST)
+    seen = np.asarray(
+        Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int
+    )
+    ours = (
+        FILM._pictures([""] * 20)[4]
+        .convert("RGB")
+        .resize(seen.shape[1::-1], Image.Resampling.NEAREST)
+    )
     off = np.abs(seen - np.asarray(ours)).max(axis=2) > 60
     # an edge may lie half a pixel beside ours; a robot that is not there yet would be a blot
-    assert not ndimage.binary_erosion(off, np.ones((3, 3))).any(), f"{off.sum()} pixels differ"
+    assert not ndimage.binary_erosion(off, np.ones((3, 3))).any(), (
+        f"{off.sum()} pixels differ"
+    )
 
 
 def test_a_replay_that_was_hidden_at_first_is_there_once_it_is_shown(browser, tmp_path):
@@ -379,16 +480,27 @@ def test_a_replay_that_was_hidden_at_first_is_there_once_it_is_shown(browser, tm
     page.evaluate("document.querySelector('iframe').style.display = 'block'")
     camera = "viewer.camera.aspect > 1 && viewer.camera.projectionMatrix.elements.every(isFinite)"
     until(frame, f"view.clientWidth === 400 && {camera}")
-    seen = np.asarray(Image.open(io.BytesIO(page.locator("iframe").screenshot())).convert("RGB"))
-    assert len(np.unique(seen[20:200, 20:380].reshape(-1, 3), axis=0)) > 50, "the room has many shades"
+    seen = np.asarray(
+        Image.open(io.BytesIO(page.locator("iframe").screenshot())).convert("RGB")
+    )
+    assert len(np.unique(seen[20:200, 20:380].reshape(-1, 3), axis=0)) > 50, (
+        "the room has many shades"
+    )
     page.close()
 
 
 def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):
     def rests(number: int) -> None:
-        until(page, f"live.textContent.startsWith('step {number} of 20') && location.hash === '#{number}'")
+        until(
+            page,
+            f"live.textContent.startsWith('step {number} of 20') && location.hash === '#{number}'",
+        )
 
-    page = opened(show_scene(SCENES, FILM.rewards), link="#7", viewport={"width": 400, "height": 300})
+    page = opened(
+        show_scene(SCENES, FILM.rewards),
+        link="#7",
+        viewport={"width": 400, "height": 300},
+    )
     rests(7)
     for key, number in (("ArrowRight", 8), ("Home", 1), ("End", 20), ("ArrowLeft", 19)):
         page.keyboard.press(key)
@@ -398,7 +510,9 @@ def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):
         rests(number)
     page.evaluate("location.hash = '#3'")
     until(page, "caption.textContent.startsWith('step 3 of 20')")
-    page.evaluate("document.activeElement.blur()")  # a button that has the focus takes the space for itself
+    page.evaluate(
+        "document.activeElement.blur()"
+    )  # a button that has the focus takes the space for itself
     page.keyboard.press(" ")
     until(page, "at > 3 && play.textContent === '‖ Pause'")
     page.click("#play")
@@ -412,9 +526,8 @@ def test_all_pages_name_their_controls_alike(opened):
     until(replay, "last === 19 && !bar.hidden && playing")
     replay.click("#play")
     until(replay, "play.textContent === '▶▶ Play'")
-    controls = (
-        "[...document.querySelectorAll('#bar button[name], #bar input')].map(e => [e.name, e.textContent, e.title, "
-    )
+    controls = "[...document.querySelectorAll('#bar button[name], #bar input')]"
+    controls += ".map(e => [e.name, e.textContent, e.title, "
     controls += "e.ariaLabel, e.min, e.max])"
     assert film.evaluate(controls) == replay.evaluate(controls)
 
@@ -431,33 +544,61 @@ REFUSED = """async () => {
 }"""
 
 
-@pytest.mark.parametrize("thing", [FILM, show_scene(SCENES)], ids=["film", "replay in 3D"])
-def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_path, thing):
+@pytest.mark.parametrize(
+    "thing", [FILM, show_scene(SCENES)], ids=["film", "replay in 3D"]
+)
+def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(
+    browser, tmp_path, thing
+):
     thing.save(tmp_path / "page.html")
     page = browser.new_page()
     page.goto((tmp_path / "page.html").as_uri())
-    assert page.evaluate(REFUSED) == ["connect-src", "frame-src", "img-src", "script-src", "script-src-elem"]
+    assert page.evaluate(REFUSED) == [
+        "connect-src",
+        "frame-src",
+        "img-src",
+        "script-src",
+        "script-src-elem",
+    ]
     page.close()
 
 
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1300), ("dark", 400)])
 def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
-    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
+    ).Axe()
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     things = [
         (stepper_of(at=25, hide=["a_next"]), [30], "!!window.stepper"),
-        (explorer, [], "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))"),
+        (
+            explorer,
+            [],
+            "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))",
+        ),
         (FILM, [], "!!views"),
         (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
     ]
     for thing, arguments, is_there in things:
-        page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
+        page = opened(
+            thing,
+            *arguments,
+            color_scheme=scheme,
+            viewport={"width": width, "height": 800},
+        )
         until(page, is_there)
         back = page.evaluate("getComputedStyle(document.body).backgroundColor")
         assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
         found = axe.run(page, options={"resultTypes": ["violations"]})
-        serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
-        assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
+        serious = [
+            each
+            for each in found.response["violations"]
+            if each["impact"] in ("serious", "critical")
+        ]
+        assert not serious, [
+            (each["id"], [node["html"][:200] for node in each["nodes"]][:3])
+            for each in serious
+        ]
         assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
@@ -466,5 +607,7 @@ def test_a_browser_that_cannot_unpack_says_so(opened, browser, tmp_path):
     page = browser.new_page()
     page.add_init_script("delete window.DecompressionStream")
     page.goto((tmp_path / "old.html").as_uri())
-    page.get_by_text("This page cannot be unpacked: the browser is older than 2023").wait_for()
+    page.get_by_text(
+        "This page cannot be unpacked: the browser is older than 2023"
+    ).wait_for()
     page.close()

@@ -20,7 +20,9 @@ def opened(browser, tmp_path):
     rl.playground(tmp_path / "page.html")
 
     def opened(link="", **settings):
-        page = browser.new_page(**{"viewport": {"width": 1280, "height": 800}} | settings)
+        page = browser.new_page(
+            **{"viewport": {"width": 1280, "height": 800}} | settings
+        )
         pages.append(page)
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda said: faults.append(said.text))
@@ -35,14 +37,20 @@ def opened(browser, tmp_path):
 
 
 def learned(task: str, method: str, steps: int, **parameters) -> np.ndarray:
-    agent, env = rl.Agent(task, method, seed=0, **parameters), rl.make_env(task, seed=0, engine="kinematic")
+    agent, env = (
+        rl.Agent(task, method, seed=0, **parameters),
+        rl.make_env(task, seed=0, engine="kinematic"),
+    )
     rl.learn(agent, env, steps=steps, progress=False)
     return agent.q
 
 
 def at(page, x: float, y: float) -> tuple[float, float]:
     """Where on the page a point of the floor is [m]."""
-    box, (left, top) = page.locator("#picture").bounding_box(), page.evaluate(f"view.at({x}, {y})")
+    box, (left, top) = (
+        page.locator("#picture").bounding_box(),
+        page.evaluate(f"view.at({x}, {y})"),
+    )
     return box["x"] + left, box["y"] + top
 
 
@@ -53,17 +61,26 @@ def drag(page, start, end) -> None:
     page.mouse.up()
 
 
-def test_it_learns_at_once_and_after_10000_steps_its_q_is_the_librarys_to_the_last_bit(opened):
+def test_it_learns_at_once_and_after_10000_steps_its_q_is_the_librarys_to_the_last_bit(
+    opened,
+):
     page = opened()
     until(page, "yours.life.t > 10 && find('update').textContent.includes('δ')")
-    np.testing.assert_array_equal(page.evaluate(LIVE, 10_000), learned("wander_1k", "TOSL+QBIASSR", 10_000))
+    np.testing.assert_array_equal(
+        page.evaluate(LIVE, 10_000), learned("wander_1k", "TOSL+QBIASSR", 10_000)
+    )
 
 
-def test_a_slider_starts_again_with_the_same_luck_and_the_run_before_stays_as_a_ghost(opened):
+def test_a_slider_starts_again_with_the_same_luck_and_the_run_before_stays_as_a_ghost(
+    opened,
+):
     page = opened("#task=wander_simple&method=SARSA%2BSR&speed=10")
     until(page, "yours.curve.steps > 0")
     page.get_by_role("slider", name="α").press("End")
-    until(page, "before !== null && find('mean').textContent.includes('the run before, with α 0.1')")
+    until(
+        page,
+        "before !== null && find('mean').textContent.includes('the run before, with α 0.1')",
+    )
     q = learned("wander_simple", "SARSA+SR", 500, alpha=1.0)
     np.testing.assert_array_equal(page.evaluate(LIVE, 500), q)
     assert "alpha=1&" in page.url
@@ -71,13 +88,25 @@ def test_a_slider_starts_again_with_the_same_luck_and_the_run_before_stays_as_a_
 
 
 def test_a_link_holds_all_settings_and_a_wrong_one_harms_nothing(opened):
-    page = opened("#task=navigation_1k&method=SL%2BSR&alpha=0.5&lam=0.3&luck=7&speed=100")
-    assert page.locator("#method").input_value() == "SL+SR" and page.locator("#luck").input_value() == "7"
+    page = opened(
+        "#task=navigation_1k&method=SL%2BSR&alpha=0.5&lam=0.3&luck=7&speed=100"
+    )
+    assert (
+        page.locator("#method").input_value() == "SL+SR"
+        and page.locator("#luck").input_value() == "7"
+    )
     again = opened("#" + page.url.partition("#")[2])
     assert again.evaluate("settings") == page.evaluate("settings")
-    wrong = opened("#task=__proto__&method=none&alpha=7&luck=-1&speed=x&walls=1:2,3;x;0,0,1,0;9,9,9,9")
-    until(wrong, "yours.life.t > 10 && settings.task === 'wander_1k' && settings.alpha === 0.1")
-    assert wrong.evaluate("walls") == [], "one would stand on the robot, the others are no walls"
+    wrong = opened(
+        "#task=__proto__&method=none&alpha=7&luck=-1&speed=x&walls=1:2,3;x;0,0,1,0;9,9,9,9"
+    )
+    until(
+        wrong,
+        "yours.life.t > 10 && settings.task === 'wander_1k' && settings.alpha === 0.1",
+    )
+    assert wrong.evaluate("walls") == [], (
+        "one would stand on the robot, the others are no walls"
+    )
 
 
 def test_the_button_that_copies_the_link_says_so(opened):
@@ -94,7 +123,9 @@ def test_a_wall_is_dragged_by_a_mouse_and_moved_by_keys(opened):
     wall = next(i for i, each in enumerate(before) if each[:2] == [-0.875, -0.9])
     drag(page, (-0.875, -0.9), (-1.5, -0.4))
     now = page.evaluate(f"inside()[{wall}]")
-    assert now[:2] == pytest.approx([-1.5, -0.4], abs=0.02) and now[2:] == before[wall][2:]
+    assert (
+        now[:2] == pytest.approx([-1.5, -0.4], abs=0.02) and now[2:] == before[wall][2:]
+    )
     page.locator("#picture").focus()
     page.keyboard.press("ArrowUp")
     page.keyboard.press("r")
@@ -103,29 +134,44 @@ def test_a_wall_is_dragged_by_a_mouse_and_moved_by_keys(opened):
     again = opened("#" + page.url.partition("#")[2])
     assert again.evaluate("inside()") == page.evaluate("inside()")
     rows = "Array.from(yours.world.walls, (wall) => Array.from(wall))"
-    assert again.evaluate(rows) == page.evaluate(rows), "to the last bit: so the link leads to the same life"
+    assert again.evaluate(rows) == page.evaluate(rows), (
+        "to the last bit: so the link leads to the same life"
+    )
 
 
-def test_walls_stay_in_the_room_and_off_the_robot_and_can_be_drawn_taken_away_and_put_back(opened):
+def test_walls_stay_in_the_room_and_off_the_robot_and_can_be_drawn_taken_away_and_put_back(
+    opened,
+):
     page = opened("#task=wander_1k" + PAUSED)
     until(page, "view !== null")
     page.get_by_role("button", name="Pause").click()
     n = page.evaluate("inside().length")
     drag(page, (-0.875, -0.9), (-7, -0.9))
-    assert min(x for x, *_ in page.evaluate("inside()")) == -2.85, "half its thickness from the wall of the room"
+    assert min(x for x, *_ in page.evaluate("inside()")) == -2.85, (
+        "half its thickness from the wall of the room"
+    )
     drag(page, (-2.85, -0.9), (0, 0))
     robot = page.evaluate("[yours.here[0], yours.here[1]]")
-    assert page.evaluate("Math.min(...inside().map((wall) => distanceTo(wall, ...yours.here)))") > 0.3, robot
+    assert (
+        page.evaluate(
+            "Math.min(...inside().map((wall) => distanceTo(wall, ...yours.here)))"
+        )
+        > 0.3
+    ), robot
     page.get_by_role("button", name="Draw a wall").click()
     drag(page, (-2.0, 0.5), (-2.0, 1.3))
-    assert page.evaluate("inside().at(-1)") == pytest.approx([-2.0, 0.9, 0.4, 90], abs=0.05)
+    assert page.evaluate("inside().at(-1)") == pytest.approx(
+        [-2.0, 0.9, 0.4, 90], abs=0.05
+    )
     assert page.evaluate("yours.world.walls.length") == n + 5
     page.get_by_role("button", name="Turn").click()
     assert page.evaluate("inside().at(-1)[3]") == pytest.approx(120, abs=3)
     page.get_by_role("button", name="Take away").click()
     assert page.evaluate("inside().length") == n
     page.get_by_role("button", name="Put the walls back").click()
-    assert page.evaluate("inside()") == page.evaluate("wallsInside(newLife(settings).world)")
+    assert page.evaluate("inside()") == page.evaluate(
+        "wallsInside(newLife(settings).world)"
+    )
     assert "walls=" not in page.url
 
 
@@ -136,13 +182,19 @@ def test_the_robot_is_set_elsewhere_by_hand_but_not_into_a_wall(opened):
     drag(page, page.evaluate("yours.here.slice(0, 2)"), (0.0, -1.2))
     there = page.evaluate("yours.here")
     assert there[:2] == pytest.approx([0, -1.2], abs=0.03)
-    assert page.evaluate("yours.life.pending[0] === yours.world.stateOf(yours.world.sense(yours.here))")
+    assert page.evaluate(
+        "yours.life.pending[0] === yours.world.stateOf(yours.world.sense(yours.here))"
+    )
     drag(page, (0.0, -1.2), (-0.025, -2.4))
     assert page.evaluate("isFree(yours.world, yours.here, inside())")
 
 
-@pytest.mark.parametrize(("name", "steps"), [("after an hour", 3_600), ("after a day", 86_400)])
-def test_a_button_leads_to_a_stage_of_its_life_with_the_numbers_of_its_single_steps(opened, name, steps):
+@pytest.mark.parametrize(
+    ("name", "steps"), [("after an hour", 3_600), ("after a day", 86_400)]
+)
+def test_a_button_leads_to_a_stage_of_its_life_with_the_numbers_of_its_single_steps(
+    opened, name, steps
+):
     page = opened("#task=wander_simple&method=TOSL%2BSR" + PAUSED)
     arrived = f"yours.life.t >= {steps}"  # seen in the same frame
     look = f"function look() {{ if ({arrived}) leapt = [yours.life.t, {Q}]; else requestAnimationFrame(look); }}"
@@ -168,7 +220,11 @@ def test_two_robots_race_with_the_same_luck(opened):
 
 
 def test_a_finger_sees_what_the_robot_would_do_and_moves_a_wall(opened):
-    page = opened("#task=wander_1k" + PAUSED, has_touch=True, viewport={"width": 390, "height": 844})
+    page = opened(
+        "#task=wander_1k" + PAUSED,
+        has_touch=True,
+        viewport={"width": 390, "height": 844},
+    )
     until(page, "view !== null")
     page.touchscreen.tap(*at(page, 2.3, 1.0))
     page.locator("#tip").wait_for()
@@ -180,10 +236,14 @@ def test_a_finger_sees_what_the_robot_would_do_and_moves_a_wall(opened):
 
 def test_the_page_around_gets_the_height_of_the_page_and_gives_it_its_colours(browser):
     """As a notebook shows it: in a frame that may do nothing but run scripts."""
-    page = browser.new_page(viewport={"width": 900, "height": 700}, color_scheme="light")
+    page = browser.new_page(
+        viewport={"width": 900, "height": 700}, color_scheme="light"
+    )
     try:
         widget = rl.playground(task="wander_simple").widget
-        page.set_content("<body style='background: rgb(17, 18, 19)'><div id='el'></div></body>")
+        page.set_content(
+            "<body style='background: rgb(17, 18, 19)'><div id='el'></div></body>"
+        )
         script = widget._esm.replace("export default", "const shown =")
         page.add_script_tag(content=f"{script}; window.shown = shown;")
         page.evaluate(
@@ -193,8 +253,13 @@ def test_the_page_around_gets_the_height_of_the_page_and_gives_it_its_colours(br
         page.frame_locator("iframe").get_by_text("Nobody tells this robot").wait_for()
         frame = page.frames[1]
         until(frame, "document.documentElement.dataset.theme === 'dark'")
-        assert frame.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(17, 18, 19)"
-        fits = "Math.abs(innerHeight - document.body.getBoundingClientRect().height) <= 1"
+        assert (
+            frame.evaluate("getComputedStyle(document.body).backgroundColor")
+            == "rgb(17, 18, 19)"
+        )
+        fits = (
+            "Math.abs(innerHeight - document.body.getBoundingClientRect().height) <= 1"
+        )
         until(frame, fits)
         page.evaluate("document.body.style.background = 'white'")
         until(frame, "document.documentElement.dataset.theme === 'light'")
@@ -209,24 +274,45 @@ def test_pointing_at_the_floor_tells_the_row_of_the_state_there(opened):
     until(page, "view !== null")
     page.get_by_role("button", name="Pause").click()
     page.mouse.move(*at(page, 1.5, -1.5))
-    until(page, "find('where').textContent.includes('where you point') && pointed !== null")
+    until(
+        page,
+        "find('where').textContent.includes('where you point') && pointed !== null",
+    )
     env = rl.make_env("navigation_1k", engine="kinematic")
     _, info = env.reset()
     there = info["readings"] | {"x": 1.5 - 0.045, "y": -1.5}
     state, expected = page.evaluate("pointed"), env.unwrapped.task.states.encode(there)
-    assert env.unwrapped.task.states.bins(state)[:2] == env.unwrapped.task.states.bins(expected)[:2]
+    assert (
+        env.unwrapped.task.states.bins(state)[:2]
+        == env.unwrapped.task.states.bins(expected)[:2]
+    )
     assert page.locator("#actions tbody tr").count() == env.action_space.n
 
 
-@pytest.mark.parametrize(("scheme", "width"), [("light", 1920), ("light", 1280), ("dark", 390)])
+@pytest.mark.parametrize(
+    ("scheme", "width"), [("light", 1920), ("light", 1280), ("dark", 390)]
+)
 def test_all_can_use_it(opened, scheme, width):
-    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
+    ).Axe()
     for task in ("wander_1k", "cliff", "worked_example"):
-        page = opened(f"#task={task}", color_scheme=scheme, viewport={"width": width, "height": 844})
+        page = opened(
+            f"#task={task}",
+            color_scheme=scheme,
+            viewport={"width": width, "height": 844},
+        )
         until(page, "yours.life.t > 10 && (picture.ariaLabel || '').length > 10")
         found = axe.run(page, options={"resultTypes": ["violations"]})
-        serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
-        assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
+        serious = [
+            each
+            for each in found.response["violations"]
+            if each["impact"] in ("serious", "critical")
+        ]
+        assert not serious, [
+            (each["id"], [node["html"][:200] for node in each["nodes"]][:3])
+            for each in serious
+        ]
         assert page.evaluate("document.documentElement.scrollWidth") == width
         seen = "[...document.querySelectorAll('button, select, input')].filter((e) => e.offsetParent)"
         assert page.evaluate(f"{seen}.filter((e) => e.offsetHeight < 28).length") == 0

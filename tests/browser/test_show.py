@@ -44,7 +44,10 @@ from rlrobot_edu.widgets.sliders import ParameterSliders
 def scene(angle: float = 0.0) -> Scene:
     """A room of 2 by 2 metres in which a robot has come `angle` [rad] along a circle."""
     at = pose(0, 0, 0, angle) @ pose(0.5, 0, 0.13, math.pi / 2)
-    beams = [(at[:3, 3] + 0.22 * way, at[:3, 3] + 0.3 * way) for way in (at[:3, 0], at[:3, 1], -at[:3, 1])]
+    beams = [
+        (at[:3, 3] + 0.22 * way, at[:3, 3] + 0.3 * way)
+        for way in (at[:3, 0], at[:3, 1], -at[:3, 1])
+    ]
     solids = (
         Solid("wall/north", "box", (2, 0.04, 0.3), pose(0, 1, 0.15), "wall"),
         Solid("wall/west", "box", (0.04, 2, 0.3), pose(-1, 0, 0.15), "wall"),
@@ -62,7 +65,9 @@ FILM = Film(SCENES, [10.0 if i % 3 else -2.0 for i in range(20)])
 
 def shown(data: dict[str, str]) -> tuple[str, str, bytes]:
     """Alt text, kind of file and file of the picture in what a notebook keeps."""
-    alt, mime, file = re.search(r'<img alt="([^"]*)".* src="data:([^;]*);base64,([^"]*)"', data["text/html"]).groups()
+    alt, mime, file = re.search(
+        r'<img alt="([^"]*)".* src="data:([^;]*);base64,([^"]*)"', data["text/html"]
+    ).groups()
     return html.unescape(alt), mime, base64.b64decode(file)
 
 
@@ -84,12 +89,16 @@ def test_the_shadow_of_each_shape_has_its_size():
     lying = Solid("w", "cylinder", (0.1, 0.04), quarter_turn, "wheel")
     assert np.allclose(np.ptp(footprint(lying), axis=0), (0.2, 0.04))
     hull = Solid("h", *PIONEER.body(), pose(1, 2, 0.16), "robot")
-    assert {tuple(corner) for corner in footprint(hull)} == {(1 + x, 2 + y) for x, y in PIONEER.hull}
+    assert {tuple(corner) for corner in footprint(hull)} == {
+        (1 + x, 2 + y) for x, y in PIONEER.hull
+    }
 
 
 def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
     ax = plot_scene(SCENES).axes[0]
-    assert {"wall/north", "robot/body", "robot/wheel", "goal"} <= {patch.get_label() for patch in ax.patches}
+    assert {"wall/north", "robot/body", "robot/wheel", "goal"} <= {
+        patch.get_label() for patch in ax.patches
+    }
     (beams,) = ax.collections
     assert len(beams.get_segments()) == 3
     (path,) = [line for line in ax.lines if line.get_label() == "path"]
@@ -131,7 +140,11 @@ def test_a_still_page_works_offline_and_holds_the_scene():
     view = rl.meshcat(scene())
     assert isinstance(view, meshcat.Visualizer)
     library, commands, rewards = unpacked(view.html)
-    assert not re.search(r"<(script|link|img)[^>]+(src|href)", view.html) and "MeshCat" in library and rewards == []
+    assert (
+        not re.search(r"<(script|link|img)[^>]+(src|href)", view.html)
+        and "MeshCat" in library
+        and rewards == []
+    )
     told = [umsgpack.unpackb(base64.b64decode(command)) for command in commands]
     assert told == list(commands_of(view).values())
     body = commands_of(view)["/meshcat/robot/body", "set_transform", ""]
@@ -148,29 +161,51 @@ def test_a_saved_notebook_keeps_a_small_picture_and_words(tmp_path):
     view = show_scene(SCENES, FILM.rewards)
     assert repr(view) == repr(show_scene(SCENES)) and "20 steps" in repr(view)
     view.save(tmp_path / "room.html")
-    assert unpacked((tmp_path / "room.html").read_text(encoding="utf-8"))[2] == FILM.rewards
+    assert (
+        unpacked((tmp_path / "room.html").read_text(encoding="utf-8"))[2]
+        == FILM.rewards
+    )
     data = view._repr_mimebundle_()
-    assert sum(len(str(value)) for value in data.values()) < 50_000 and data["text/plain"] == view.text
+    assert (
+        sum(len(str(value)) for value in data.values()) < 50_000
+        and data["text/plain"] == view.text
+    )
     assert shown(data)[0] == view.text
 
 
 def test_a_replay_is_an_animation_of_meshcat_with_a_key_for_every_scene():
     view = show_scene(SCENES, FILM.rewards)
     animation = commands_of(view)["", "set_animation", ""]["animations"]
-    clips = {each["path"]: {track["name"]: track["keys"] for track in each["clip"]["tracks"]} for each in animation}
+    clips = {
+        each["path"]: {track["name"]: track["keys"] for track in each["clip"]["tracks"]}
+        for each in animation
+    }
     assert "/meshcat/wall/north" not in clips
     for i, each in enumerate(SCENES):
-        assert np.allclose(clips["/meshcat/robot/body"][".position"][i]["value"], each.solids[4].pose[:3, 3])
+        assert np.allclose(
+            clips["/meshcat/robot/body"][".position"][i]["value"],
+            each.solids[4].pose[:3, 3],
+        )
         start, end = each.beams[2]
-        assert np.allclose(clips["/meshcat/beams/2"][".position"][i]["value"], (start + end) / 2)
-        assert clips["/meshcat/beams/2"][".scale"][i]["value"][1] == pytest.approx(np.linalg.norm(end - start))
+        assert np.allclose(
+            clips["/meshcat/beams/2"][".position"][i]["value"], (start + end) / 2
+        )
+        assert clips["/meshcat/beams/2"][".scale"][i]["value"][1] == pytest.approx(
+            np.linalg.norm(end - start)
+        )
     with pytest.raises(ValueError, match="3 rewards for 20 scenes"):
         show_scene(SCENES, FILM.rewards[:3])
 
 
 def test_a_robot_that_is_put_elsewhere_does_not_glide_there():
-    animation = commands_of(show_scene([scene(), scene(math.pi)]))["", "set_animation", ""]["animations"]
-    (body,) = [each["clip"]["tracks"] for each in animation if each["path"] == "/meshcat/robot/body"]
+    animation = commands_of(show_scene([scene(), scene(math.pi)]))[
+        "", "set_animation", ""
+    ]["animations"]
+    (body,) = [
+        each["clip"]["tracks"]
+        for each in animation
+        if each["path"] == "/meshcat/robot/body"
+    ]
     assert [key["time"] for key in body[0]["keys"]] == [0, 0.99, 1]
     assert body[0]["keys"][1]["value"] == body[0]["keys"][0]["value"]
 
@@ -206,19 +241,36 @@ def test_a_notebook_is_sent_what_is_new_in_few_messages():
             view.update(scene(0.01 * i), reward=1.0)
         assert 1 <= len(sent) <= 1 + (time.monotonic() - begun) / PAUSE
         before = len(sent)
-        time.sleep(2 * PAUSE)  # as in a cell that runs on: nothing else is called meanwhile
+        time.sleep(
+            2 * PAUSE
+        )  # as in a cell that runs on: nothing else is called meanwhile
         view.update(scene(1.99), reward=1.0)
         assert len(sent) > before
         await asyncio.sleep(4 * PAUSE)
 
     asyncio.run(move())
     told = sent[-1][0] | {"keys": [key for news, _ in sent for key in news["keys"]]}
-    news = {key: packed for each, buffers in sent for key, packed in zip(each["keys"], buffers, strict=True)}
+    news = {
+        key: packed
+        for each, buffers in sent
+        for key, packed in zip(each["keys"], buffers, strict=True)
+    }
     place = news["/meshcat/robot/body", "set_transform", ""]
     assert np.allclose(pose_of(umsgpack.unpackb(place)), scene(1.99).solids[4].pose)
     assert told["count"] == 200 and told["rewards"] == 200 * [1.0]
-    assert len({key[0] for key in told["keys"] if re.fullmatch("/meshcat/trail/[0-9]+", key[0])}) == 10
-    assert view.widget.get_state("scene")["scene"]["count"] == 200, "so a page that comes back has no hole"
+    assert (
+        len(
+            {
+                key[0]
+                for key in told["keys"]
+                if re.fullmatch("/meshcat/trail/[0-9]+", key[0])
+            }
+        )
+        == 10
+    )
+    assert view.widget.get_state("scene")["scene"]["count"] == 200, (
+        "so a page that comes back has no hole"
+    )
 
 
 IN_COLAB = """
@@ -237,7 +289,9 @@ for view in (rl.meshcat(env), rl.Stepper(rl.Agent(env, "Q+SR", seed=0), env)):
 
 
 def test_colab_is_told_where_its_widgets_come_from():
-    run = subprocess.run([sys.executable, "-c", IN_COLAB], capture_output=True, text=True)
+    run = subprocess.run(
+        [sys.executable, "-c", IN_COLAB], capture_output=True, text=True
+    )
     assert run.stdout.splitlines() == 2 * ["https://"], run.stderr
 
 
@@ -245,7 +299,9 @@ def test_another_room_takes_the_place_of_the_old_one():
     view = rl.meshcat(scene())
     view.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
     paths = {key[0] for key in commands_of(view)}
-    assert "/meshcat/wall/west/body" in paths and "/meshcat/wall/north/body" not in paths
+    assert (
+        "/meshcat/wall/west/body" in paths and "/meshcat/wall/north/body" not in paths
+    )
 
 
 def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
@@ -256,9 +312,15 @@ def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
         return {**told, "packed": [base64.b64encode(each).decode() for each in buffers]}
 
     state = view.widget.get_state()
-    told = {"page": state["page"], "height": 480, "scene": plain(state["scene"], state["scene"]["packed"])}
+    told = {
+        "page": state["page"],
+        "height": 480,
+        "scene": plain(state["scene"], state["scene"]["packed"]),
+    }
     page.set_content("<main></main>")
-    page.add_script_tag(content=view.widget._esm.replace("export default", "window.carried ="))
+    page.add_script_tag(
+        content=view.widget._esm.replace("export default", "window.carried =")
+    )
     page.evaluate(
         """told => {
             const bytes = text => new DataView(Uint8Array.from(atob(text), sign => sign.charCodeAt()).buffer);
@@ -281,7 +343,10 @@ def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
     view.widget.tell()
     page.evaluate("sent => sent.forEach(arrive)", sent)
     moved = f"Math.abs(body().position.x - {0.5 * math.cos(0.5)}) < 1e-6"
-    until(page.frames[1], f"{moved} && caption.textContent === 'step 1: reward +1 · mean of the last 1: +1'")
+    until(
+        page.frames[1],
+        f"{moved} && caption.textContent === 'step 1: reward +1 · mean of the last 1: +1'",
+    )
     until(page.frames[1], "!!node(['meshcat', 'extra', '<object>'])")
     page.evaluate(
         "hide(); document.querySelector('main').replaceChildren(); void show()"
@@ -308,17 +373,25 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
     figure = plot_learning(history("Q+SR", 9), repetitions)
     (ax,), (legend,) = figure.axes, figure.legends
     assert [line.get_linestyle() for line in ax.lines] == ["-", "--"]
-    assert [text.get_text() for text in legend.get_texts()] == ["Q+SR", "TOSL+SR (5 repetitions)"]
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "Q+SR",
+        "TOSL+SR (5 repetitions)",
+    ]
     assert "95 %" in legend.get_title().get_text()
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("step", "average reward per step")
     assert len(ax.collections) == 1
-    assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
+    assert np.allclose(
+        ax.lines[1].get_ydata(),
+        np.mean([h.average_reward for h in repetitions], axis=0),
+    )
 
 
 def test_a_figure_says_in_words_what_it_shows():
     alt, mime, file = shown(plot_learning(history("Q+SR", 9))._repr_mimebundle_())
     assert mime == "image/png" and "Q+SR ends at" in alt
-    assert Image.open(io.BytesIO(file)).size == (2 * 585, 2 * 378), "twice as fine as it is shown"
+    assert Image.open(io.BytesIO(file)).size == (2 * 585, 2 * 378), (
+        "twice as fine as it is shown"
+    )
 
 
 def test_signs_in_an_alt_text_are_no_html():
@@ -341,7 +414,9 @@ def test_the_leap_at_the_start_does_not_squeeze_the_rest_of_a_curve():
     rewards[0], rewards[500:] = 100.0, 2.0
     plot_learning(history_of(rewards), ax=ax)
     low, high = ax.get_ylim()
-    assert 0 < low < 1.2 and 2 < high < 7, "from step 20 on: 100 at the start is off the picture"
+    assert 0 < low < 1.2 and 2 < high < 7, (
+        "from step 20 on: 100 at the start is off the picture"
+    )
     ax = Figure().subplots()
     plot_learning(history_of(np.linspace(0, 1, 1000)), ax=ax)
     assert ax.get_ylim()[0] <= 0, "where nothing leaps, all is shown"
@@ -359,7 +434,9 @@ def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_
 
 
 @in_a_thread
-def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(wander_model):
+def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(
+    wander_model,
+):
     sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
 
     async def drag() -> tuple[str, str]:
@@ -370,14 +447,21 @@ def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(wa
         return draft, sliders.widget.children[-1].value
 
     draft, fine = asyncio.run(drag())
-    assert "temperature 3" in draft and "temperature 3" in fine and len(draft) != len(fine)
+    assert (
+        "temperature 3" in draft and "temperature 3" in fine and len(draft) != len(fine)
+    )
     assert fine == sliders._repr_mimebundle_()["text/html"]
-    sizes = [Image.open(io.BytesIO(shown({"text/html": page})[2])).width for page in (draft, fine)]
+    sizes = [
+        Image.open(io.BytesIO(shown({"text/html": page})[2])).width
+        for page in (draft, fine)
+    ]
     assert sizes[0] < sizes[1] == 1170
 
 
 def test_sliders_are_those_that_were_asked_for(wander_model):
-    sliders = ParameterSliders(wander_model, "Q+SR", ["alpha"], steps=300, repetitions=2)
+    sliders = ParameterSliders(
+        wander_model, "Q+SR", ["alpha"], steps=300, repetitions=2
+    )
     assert list(sliders.sliders) == ["alpha"]
     assert "1 slider, α" in sliders._repr_mimebundle_()["text/plain"]
     for parameters in (["beta"], [], "alpha"):
@@ -386,11 +470,16 @@ def test_sliders_are_those_that_were_asked_for(wander_model):
 
 
 def test_sliders_also_let_a_robot_of_geometry_learn_but_none_that_is_too_slow_to_follow():
-    sliders = ParameterSliders("wander_1k", parameters=["gamma"], steps=300, repetitions=1, engine="kinematic")
+    sliders = ParameterSliders(
+        "wander_1k", parameters=["gamma"], steps=300, repetitions=1, engine="kinematic"
+    )
     first = sliders.widget.children[-1].value
     sliders.sliders["gamma"].value = 0.0
     assert sliders.widget.children[-1].value != first
-    with pytest.raises(ValueError, match="fast enough, a SampleModel, or a task with engine='kinematic'"):
+    with pytest.raises(
+        ValueError,
+        match="fast enough, a SampleModel, or a task with engine='kinematic'",
+    ):
         ParameterSliders("wander_1k")
 
 
@@ -420,7 +509,9 @@ for wish in (film.show3d, lambda: rl.meshcat(film), lambda: rl.watch(agent, env,
 
 
 def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
-    run = subprocess.run([sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True)
+    run = subprocess.run(
+        [sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True
+    )
     assert run.returncode == 0, run.stderr
     assert run.stdout.splitlines() == 3 * [
         "3D views need meshcat: run pip install meshcat; everything else works without it"
@@ -460,12 +551,23 @@ def test_a_browser_draws_the_replay_and_moves_it(opened):
     page.click("#play")
     page.evaluate("go(3)")
     until(page, "caption.textContent.startsWith('step 3 of 20')")
-    first, trail = seen(page), page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count")
+    first, trail = (
+        seen(page),
+        page.evaluate(
+            "node(['meshcat', 'trail', '<object>']).geometry.drawRange.count"
+        ),
+    )
     page.evaluate("go(16)")
-    until(page, "caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5'")
+    until(
+        page,
+        "caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5'",
+    )
     until(page, f"Math.abs(body().position.x - {0.5 * math.cos(1.5)}) < 1e-6")
     assert seen(page).tobytes() != first.tobytes()
-    assert page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count") > trail
+    assert (
+        page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count")
+        > trail
+    )
 
 
 def test_a_page_that_is_told_something_does_not_go_on_talking_to_itself(opened):
@@ -494,7 +596,10 @@ INSIDE = """node(["meshcat", "robot"]).children.every(part => {
 })"""
 
 
-@pytest.mark.parametrize("task", ["wander_1k", "giraff_wander_1k", "navigation_1k", "arm_1k", "mobile_arm_2k"])
+@pytest.mark.parametrize(
+    "task",
+    ["wander_1k", "giraff_wander_1k", "navigation_1k", "arm_1k", "mobile_arm_2k"],
+)
 def test_the_whole_robot_is_in_the_picture(opened, task):
     if "arm" in task:
         pytest.importorskip("pybullet")
@@ -505,16 +610,34 @@ def test_the_whole_robot_is_in_the_picture(opened, task):
 
 def test_a_hull_in_3d_is_closed_and_shows_its_outer_sides():
     base, height = np.array(PIONEER.hull), 0.16
-    one, two, three = np.reshape(looks.prism(base, height).vertices, (-1, 3, 3)).swapaxes(0, 1).astype(float)
-    area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
-    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height, rel=1e-5)  # the divergence theorem
-    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
+    one, two, three = (
+        np.reshape(looks.prism(base, height).vertices, (-1, 3, 3))
+        .swapaxes(0, 1)
+        .astype(float)
+    )
+    area = (
+        np.sum(
+            base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]
+        )
+        / 2
+    )
+    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(
+        area * height, rel=1e-5
+    )  # the divergence theorem
+    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(
+        np.zeros(3), abs=1e-6
+    )
 
 
-def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_robot(opened):
+def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_robot(
+    opened,
+):
     distance = "viewer.camera.position.length()"  # from where it looks
     page = opened(show_scene(SCENES, FILM.rewards), 500, 300)
-    until(page, "last === 19 && !bar.hidden && view.clientHeight === viewer.renderer.domElement.clientHeight")
+    until(
+        page,
+        "last === 19 && !bar.hidden && view.clientHeight === viewer.renderer.domElement.clientHeight",
+    )
     whole = page.evaluate(distance)
     page.mouse.move(100, 150)
     page.mouse.wheel(0, 300)
@@ -527,19 +650,29 @@ def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_rob
     page.click("#chase")
     page.evaluate("go(11)")
     aim = "node(['Cameras', 'default']).position"
-    until(page, f"Math.hypot({aim}.x - body().position.x, {aim}.y - body().position.y) < 1e-6")
+    until(
+        page,
+        f"Math.hypot({aim}.x - body().position.x, {aim}.y - body().position.y) < 1e-6",
+    )
     assert page.evaluate(distance) < 0.8 * whole
     page.click("#chase")
     until(page, f"Math.abs({distance} - {away}) < 1e-6")
 
 
-def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(browser, monkeypatch):
+def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
+    browser, monkeypatch
+):
     view = show_scene(SCENES)
     monkeypatch.setenv("RLROBOT_EDU_STILLS", "3d")
-    monkeypatch.setattr(photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES))
+    monkeypatch.setattr(
+        photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES)
+    )
     solid, image = view.still(), view.get_image()
     assert solid.alt == view.text and image.size == (2 * 585, 2 * 378)
-    assert sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90) > 100, "no robot"
+    assert (
+        sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90)
+        > 100
+    ), "no robot"
     monkeypatch.setattr(photograph, "NAMES", ())
     flat = view.still()
     assert flat.alt == view.text and flat.data != solid.data
@@ -548,7 +681,10 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
 
 
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
-    assert Film(SCENES[:2], [10, -2], notes=["T = 1", "T = 6.25"])._captions()[1] == "step 2 of 2: reward -2, T = 6.25"
+    assert (
+        Film(SCENES[:2], [10, -2], notes=["T = 1", "T = 6.25"])._captions()[1]
+        == "step 2 of 2: reward -2, T = 6.25"
+    )
     assert Film(SCENES[:1], [0.5])._captions() == ["step 1 of 1: reward +0.5"]
     noted = dataclasses.replace(FILM, notes=[f"T = {i}" for i in range(20)])
     assert noted.gif() != FILM.gif()
@@ -558,9 +694,15 @@ def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
 
 def test_a_beam_is_a_cylinder_from_its_start_to_its_end_even_without_a_length():
     rng = np.random.default_rng(0)
-    for start, end in [*rng.normal(size=(20, 2, 3)), ((0, 0, 0), (0, 0, 1)), ((1, 2, 3), (1, 2, 3))]:
+    for start, end in [
+        *rng.normal(size=(20, 2, 3)),
+        ((0, 0, 0), (0, 0, 1)),
+        ((1, 2, 3), (1, 2, 3)),
+    ]:
         place = looks.beam(np.array(start, dtype=float), np.array(end, dtype=float))
         turn = place[:3, :3] / np.linalg.norm(place[:3, :3], axis=0)
-        assert np.allclose(turn.T @ turn, np.eye(3)) and np.linalg.det(turn) == pytest.approx(1)
+        assert np.allclose(turn.T @ turn, np.eye(3)) and np.linalg.det(
+            turn
+        ) == pytest.approx(1)
         assert np.allclose(place @ [0, 0.5, 0, 1], [*end, 1], atol=1e-5)
         assert np.allclose(place @ [0, -0.5, 0, 1], [*start, 1], atol=1e-5)

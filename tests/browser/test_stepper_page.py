@@ -15,8 +15,12 @@ Q = "[...document.querySelectorAll('section.q td')].map((td) => td.textContent.r
 STANDS = "stepper.tape.t === {0} && stepper.find('slider').value === '{0}' && stepper.find('go').value === '{0}'"
 
 
-def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **options) -> rl.Stepper:
-    return rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options)
+def stepper_of(
+    task: str = "worked_example", method: str = "TOSL+QBIASSR", **options
+) -> rl.Stepper:
+    return rl.Stepper(
+        rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options
+    )
 
 
 @pytest.fixture
@@ -26,7 +30,9 @@ def opened(browser, tmp_path):
 
     def opened(stepper, steps=None, link="", **settings):
         stepper.save(tmp_path / "page.html", steps)
-        page = browser.new_page(**{"viewport": {"width": 1000, "height": 800}} | settings)
+        page = browser.new_page(
+            **{"viewport": {"width": 1000, "height": 800}} | settings
+        )
         pages.append(page)
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda said: faults.append(said.text))
@@ -50,10 +56,23 @@ def stands(page, t: int) -> None:
 def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     page = opened(stepper_of(at=5, hide=["a_next"]), 30)
     stands(page, 5)
-    for name, t in (("step", 6), ("back", 5), ("last", 30), ("step", 30), ("first", 0), ("back", 0)):
+    for name, t in (
+        ("step", 6),
+        ("back", 5),
+        ("last", 30),
+        ("step", 30),
+        ("first", 0),
+        ("back", 0),
+    ):
         page.click(f"button[name={name}]")
         stands(page, t)
-    for key, t in (("ArrowRight", 1), ("ArrowRight", 2), ("End", 30), ("ArrowLeft", 29), ("Home", 0)):
+    for key, t in (
+        ("ArrowRight", 1),
+        ("ArrowRight", 2),
+        ("End", 30),
+        ("ArrowLeft", 29),
+        ("Home", 0),
+    ):
         page.keyboard.press(key)
         stands(page, t)
     page.focus(".rl-slider")
@@ -64,9 +83,14 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     stands(page, 12)
     agent = rl.Agent("worked_example", "TOSL+QBIASSR", seed=0)
     rl.learn(agent, rl.make_env("worked_example", seed=0), steps=12, progress=False)
-    numbers = [short(value) if n else "·" for value, n in zip(agent.q.flat, agent.visits.flat, strict=True)]
+    numbers = [
+        short(value) if n else "·"
+        for value, n in zip(agent.q.flat, agent.visits.flat, strict=True)
+    ]
     assert page.evaluate(Q) == numbers
-    assert "take a′" not in page.inner_text(".rl-stepper") and "a′ =" not in page.inner_text(".said")
+    assert "take a′" not in page.inner_text(
+        ".rl-stepper"
+    ) and "a′ =" not in page.inner_text(".said")
     page.focus("summary")
     page.keyboard.press(" ")  # opens what is covered, and plays nothing
     until(page, "document.querySelector('details').open && !stepper.player")
@@ -76,7 +100,10 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
 def test_a_link_leads_to_its_step_and_a_wrong_one_to_what_was_shown(opened):
     page = opened(stepper_of(at=5), 30, link="#31")
     stands(page, 30)  # there are no more
-    until(page, "location.hash === '#30' && stepper.find('live').textContent.startsWith('Step 30 (')")
+    until(
+        page,
+        "location.hash === '#30' && stepper.find('live').textContent.startsWith('Step 30 (')",
+    )
     page.evaluate("location.hash = '#17'")
     stands(page, 17)
     page.evaluate("location.hash = '#nonsense'")
@@ -94,7 +121,9 @@ def test_it_plays_to_the_end_and_a_key_or_a_click_stops_it(opened):
     until(page, "!stepper.player && stepper.find('play').textContent === '▶▶ Play'")
     page.evaluate("document.activeElement.blur()")
     page.keyboard.press(" ")
-    until(page, "stepper.find('play').textContent === '‖ Pause' || stepper.tape.t === 30")
+    until(
+        page, "stepper.find('play').textContent === '‖ Pause' || stepper.tape.t === 30"
+    )
     stands(page, 30)
     until(page, "!stepper.player")
 
@@ -106,8 +135,13 @@ def test_another_alpha_is_learned_anew_on_the_page_and_back_again(opened):
     until(page, "stepper.find('parted').textContent.includes('With α = 0.5')")
     agent = rl.Agent("worked_example", "TOSL+SR", alpha=0.5, seed=0)
     rl.learn(agent, rl.make_env("worked_example", seed=0), steps=40, progress=False)
-    np.testing.assert_array_equal(page.evaluate("stepper.tape.q.map((row) => [...row])"), agent.q)
-    assert "goes another way from step" in page.inner_text(".rl-parted") and page.evaluate(Q) != before
+    np.testing.assert_array_equal(
+        page.evaluate("stepper.tape.q.map((row) => [...row])"), agent.q
+    )
+    assert (
+        "goes another way from step" in page.inner_text(".rl-parted")
+        and page.evaluate(Q) != before
+    )
     page.click("button[name=last]")
     stands(page, 60)
     page.click("button[name=step]")  # beyond what was saved: the page lives on
@@ -120,26 +154,47 @@ def test_another_alpha_is_learned_anew_on_the_page_and_back_again(opened):
     assert page.evaluate(Q) == before and page.inner_text(".rl-parted") == ""
 
 
-def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_else_it_paid(opened):
+def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_else_it_paid(
+    opened,
+):
     page = opened(stepper_of(method="TOSL+SR", at=200))
     assert page.inner_text(".rl-paid") == ""
     page.click(f"section.q td[data-at='{13 * 3 + 1}']")
     page.get_by_role("combobox", name="rather than").select_option("0")
     said = page.inner_text(".rl-paid p[role=status]")
-    credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=0), rl.make_env("worked_example", seed=0), 200)
+    credit = rl.credit(
+        rl.Agent("worked_example", "TOSL+SR", seed=0),
+        rl.make_env("worked_example", seed=0),
+        200,
+    )
     left, ahead = credit.shares(13, 1), credit.shares(13, 0)
     most, second, third = np.argsort(-abs(left - ahead))[:3]
     its = credit.steps[most]
-    assert f"= {(left - ahead).sum():.2f}. {np.count_nonzero(left - ahead)} of 200 steps paid for it; most: " in said
     assert (
-        f"step {most + 1}, a = {its.a} (advance) in s = {its.s} for r = {its.r:g}: +{(left - ahead)[most]:.2f}" in said
+        f"= {(left - ahead).sum():.2f}. {np.count_nonzero(left - ahead)} of 200 steps paid for it; most: "
+        in said
     )
-    assert f"+{(left - ahead)[second]:.3f} (spin left +{left[second]:.3f}, advance {ahead[second]:.2f})" in said
-    assert page.locator("svg .lit").count() == 12 and f"What step {most + 1} has paid" in page.inner_text(".rl-paid")
+    assert (
+        f"step {most + 1}, a = {its.a} (advance) in s = {its.s} for r = {its.r:g}: +{(left - ahead)[most]:.2f}"
+        in said
+    )
+    assert (
+        f"+{(left - ahead)[second]:.3f} (spin left +{left[second]:.3f}, advance {ahead[second]:.2f})"
+        in said
+    )
+    assert page.locator(
+        "svg .lit"
+    ).count() == 12 and f"What step {most + 1} has paid" in page.inner_text(".rl-paid")
     page.click(f".rl-paid .time rect[data-step='{second + 1}']")
-    until(page, f"document.querySelector('.rl-paid').textContent.includes('What step {second + 1} has paid')")
+    until(
+        page,
+        f"document.querySelector('.rl-paid').textContent.includes('What step {second + 1} has paid')",
+    )
     page.get_by_role("button", name=f"step {third + 1}").click()
-    until(page, f"document.querySelector('.rl-paid').textContent.includes('What step {third + 1} has paid')")
+    until(
+        page,
+        f"document.querySelector('.rl-paid').textContent.includes('What step {third + 1} has paid')",
+    )
     assert "By Q alone, at T = 1, that makes spin left" in page.inner_text(".rl-paid")
     page.click(f".rl-paid [data-go='{third + 1}']")
     stands(page, third + 1)
@@ -155,7 +210,11 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
 
 def test_a_click_on_a_bias_tells_whose_advice_it_was(opened):
     page = opened(stepper_of(at=24))
-    *_, step = rl.steps(rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), rl.make_env("worked_example", seed=0), 24)
+    *_, step = rl.steps(
+        rl.Agent("worked_example", "TOSL+QBIASSR", seed=0),
+        rl.make_env("worked_example", seed=0),
+        24,
+    )
     words = ("advance", "spin left", "spin right")
 
     def of(a):
@@ -167,7 +226,9 @@ def test_a_click_on_a_bias_tells_whose_advice_it_was(opened):
     page.locator(".rl-paid [data-at]").first.click()
     assert "steps paid for it" in page.inner_text(".rl-paid p[role=status]")
     page.get_by_role("button", name="Whose advice was the bias?").click()
-    assert of(step.a) in page.inner_text(".rl-paid p[role=status]"), "of the action that was chosen"
+    assert of(step.a) in page.inner_text(".rl-paid p[role=status]"), (
+        "of the action that was chosen"
+    )
 
 
 def test_a_fork_shows_both_futures_side_by_side(opened):
@@ -175,18 +236,33 @@ def test_a_fork_shows_both_futures_side_by_side(opened):
     a = page.evaluate("stepper.tape.frame.a")
     page.get_by_role("button", name="from the step shown").click()
     assert page.evaluate("stepper.tape === stepper.recorded"), "nothing was changed yet"
-    page.get_by_role("combobox", name="in that step a =").select_option(str((a + 1) % 3))
-    assert "in step 60 and the same luck it goes another way from step 60 on" in page.inner_text(".rl-parted")
-    assert page.evaluate("[stepper.tape.frame.a, stepper.recorded.frame.a]") == [(a + 1) % 3, a]
-    assert page.locator(".rl-futures section").count() == 2 and "they part in step 60" in page.inner_text(".rl-futures")
+    page.get_by_role("combobox", name="in that step a =").select_option(
+        str((a + 1) % 3)
+    )
+    assert (
+        "in step 60 and the same luck it goes another way from step 60 on"
+        in page.inner_text(".rl-parted")
+    )
+    assert page.evaluate("[stepper.tape.frame.a, stepper.recorded.frame.a]") == [
+        (a + 1) % 3,
+        a,
+    ]
+    assert page.locator(
+        ".rl-futures section"
+    ).count() == 2 and "they part in step 60" in page.inner_text(".rl-futures")
     page.get_by_role("combobox", name="in that step a =").select_option("")
     page.get_by_role("spinbutton", name="r =").fill("50")
     page.keyboard.press("Enter")
     until(page, "stepper.find('parted').textContent.includes('r = 50 in step 60')")
     page.get_by_role("combobox", name="learn by").select_option(label="SARSA")
-    until(page, "stepper.find('futures').textContent.includes('What if, step 60: SARSA')")
+    until(
+        page, "stepper.find('futures').textContent.includes('What if, step 60: SARSA')"
+    )
     page.get_by_role("button", name="As it was").click()
-    assert page.evaluate("stepper.tape === stepper.recorded") and page.inner_text(".rl-futures") == ""
+    assert (
+        page.evaluate("stepper.tape === stepper.recorded")
+        and page.inner_text(".rl-futures") == ""
+    )
 
 
 class Notebook:
@@ -199,14 +275,19 @@ class Notebook:
         made = f"window.stepper = new Stepper({told}, lives, (question) => asked.push(question));"
         text = f"{stepper._script()}\n{made}"
         page.add_style_tag(content=style())
-        page.add_script_tag(content=text + "stepper.mount(document.querySelector('main'));")
+        page.add_script_tag(
+            content=text + "stepper.mount(document.querySelector('main'));"
+        )
 
     def answer(self) -> None:
         """Answer the oldest question with what the library says to it."""
         until(self.page, "asked.length > 0")
         (end,), question = [self.stepper._tape.end], self.page.evaluate("asked.shift()")
         self.stepper._hear(question)
-        frames = [tell_frame(frame, self.stepper._tape) for frame in self.stepper._tape.since(end)]
+        frames = [
+            tell_frame(frame, self.stepper._tape)
+            for frame in self.stepper._tape.since(end)
+        ]
         self.page.evaluate("news => stepper.hear(news)", {"frames": frames})
 
 
@@ -233,7 +314,9 @@ def test_held_keys_wait_for_the_kernel_and_what_is_there_needs_none(notebook):
     for key, t in (("ArrowLeft", 12), ("Home", 0), ("End", 13)):
         page.keyboard.press(key)
         stands(page, t)
-    until(page, "asked.at(-1)?.at === 13")  # the kernel hears where the view rests, and of nothing else
+    until(
+        page, "asked.at(-1)?.at === 13"
+    )  # the kernel hears where the view rests, and of nothing else
     assert "take" not in json.dumps(page.evaluate("asked"))
 
 
@@ -261,7 +344,9 @@ def test_a_kernel_that_does_not_answer_is_missed_and_the_steps_stay(notebook):
 def test_a_jump_far_ahead_goes_in_slices_and_can_be_stopped(notebook):
     one = notebook(stepper_of(at=1))
     page = one.page
-    page.evaluate("window.setTimeout = () => 0")  # a busy machine may answer late: the page shall not give it up
+    page.evaluate(
+        "window.setTimeout = () => 0"
+    )  # a busy machine may answer late: the page shall not give it up
     page.fill(".rl-go", "250")
     page.keyboard.press("Enter")
     for _ in range(3):
@@ -279,7 +364,12 @@ def test_a_jump_far_ahead_goes_in_slices_and_can_be_stopped(notebook):
 def test_nothing_is_cut_off_at_any_width_and_terms_point_at_their_cells(notebook):
     page = notebook(stepper_of(at=12)).page
     page.hover(".line .to-pair")
-    assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
+    assert (
+        page.evaluate(
+            "getComputedStyle(document.querySelector('.q td.pair')).outlineWidth"
+        )
+        == "4px"
+    )
     for width in (390, *range(460, 1900, 120)):
         page.set_viewport_size({"width": width, "height": 900})
         cut = page.evaluate(

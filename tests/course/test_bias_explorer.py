@@ -12,18 +12,24 @@ from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
 TASK = rl.load_task("worked_example")
 SHAPE = TASK.states.shape
-PAPER_STATE = TASK.states.number((1, 1, 1, 1))  # (X, Y, theta, d) = (1, 1, 90, T), the paper's example
+PAPER_STATE = TASK.states.number(
+    (1, 1, 1, 1)
+)  # (X, Y, theta, d) = (1, 1, 90, T), the paper's example
 Q = np.random.default_rng(7).normal(scale=5, size=(24, 3))
 
 
 def explorer(state: int = PAPER_STATE, **settings) -> rl.BiasExplorer:
-    return rl.BiasExplorer(TASK, {"random": Q, "zeros": np.zeros((24, 3))}, state=state, **settings)
+    return rl.BiasExplorer(
+        TASK, {"random": Q, "zeros": np.zeros((24, 3))}, state=state, **settings
+    )
 
 
 def axis_means(q: np.ndarray, s: int) -> np.ndarray:
     """The mean of Q along each axis at state `s`, array (inputs, A): the oracle."""
     box, bins = q.reshape(*SHAPE, -1), list(TASK.states.bins(s))
-    return np.array([box.mean(axis=i)[tuple(bins[:i] + bins[i + 1 :])] for i in range(len(SHAPE))])
+    return np.array(
+        [box.mean(axis=i)[tuple(bins[:i] + bins[i + 1 :])] for i in range(len(SHAPE))]
+    )
 
 
 def softmax(x: np.ndarray) -> np.ndarray:
@@ -40,29 +46,47 @@ def test_every_number_shown_is_a_mean_along_an_axis_or_a_softmax():
         numbers, means, said = explorer(s).numbers, axis_means(Q, s), found["said"]
         bias = means.mean(axis=0)
         # Qmax = Rmax / (1 - gamma) = 100 in this task, so the factor is 1
-        expected = {"means": means, "bias": bias, "sr": softmax(Q[s]), "qbiassr": softmax(Q[s] + bias)}
+        expected = {
+            "means": means,
+            "bias": bias,
+            "sr": softmax(Q[s]),
+            "qbiassr": softmax(Q[s] + bias),
+        }
         for name, value in expected.items():
             assert np.allclose(getattr(numbers, name), value, atol=1e-12), name
             assert np.allclose(found[name], value, atol=1e-12), name
-        for a, (own, _, means_said, bias_said, choice) in enumerate(map(plain, stages) for stages in said):
+        for a, (own, _, means_said, bias_said, choice) in enumerate(
+            map(plain, stages) for stages in said
+        ):
             assert f"says {two_decimals(Q[s, a])} for {TASK.actions.label(a)}" in own
-            assert re.findall(r" = ([−\d.]+)[;.]", means_said) == [two_decimals(mean) for mean in means[:, a]]
+            assert re.findall(r" = ([−\d.]+)[;.]", means_said) == [
+                two_decimals(mean) for mean in means[:, a]
+            ]
             assert bias_said.endswith(f") / 4 = {two_decimals(bias[a])}.")
             assert vector(bias) in choice and vector(Q[s] + bias) in choice
-            assert choice.endswith(f"P = {', '.join(f'{100 * p:.1f} %' for p in numbers.qbiassr)}.")
+            assert choice.endswith(
+                f"P = {', '.join(f'{100 * p:.1f} %' for p in numbers.qbiassr)}."
+            )
 
 
 def test_the_sums_are_those_of_the_papers_example():
-    q = np.arange(72.0).reshape(24, 3) - 40  # of an action, the value of a state tells which state it is
+    q = (
+        np.arange(72.0).reshape(24, 3) - 40
+    )  # of an action, the value of a state tells which state it is
     said = explored(rl.BiasExplorer(TASK, {"q": q}))[PAPER_STATE]["said"][1]
     sets, sums = plain(said[1]), plain(said[2])
     for name, members in (
         ("X", {9: "(0,1,90,1)", 21: "(1,1,90,1)"}), ("Y", {15: "(1,0,90,1)", 21: "(1,1,90,1)"}),
         ("θ", {19: "(1,1,0,1)", 21: "(1,1,90,1)", 23: "(1,1,−90,1)"}), ("d", {20: "(1,1,90,0)", 21: "(1,1,90,1)"}),
     ):  # fmt: skip
-        assert f"{name}: {', '.join(f'{k} {text}' for k, text in members.items())}" in sets
+        assert (
+            f"{name}: {', '.join(f'{k} {text}' for k, text in members.items())}" in sets
+        )
         terms = [two_decimals(q[k, 1]) for k in members]
-        brackets = [terms[0], *(f"({term})" if term.startswith("−") else term for term in terms[1:])]
+        brackets = [
+            terms[0],
+            *(f"({term})" if term.startswith("−") else term for term in terms[1:]),
+        ]
         assert f"{name}: ({' + '.join(brackets)}) / {len(members)} = " in sums
 
 
@@ -71,7 +95,9 @@ def edited(shown: rl.BiasExplorer, s: int, a: int, value: float) -> None:
     q = shown.q
     q[s, a] = value
     at = shown.widget.table
-    shown.widget.tables = [q.tolist() if i == at else table for i, table in enumerate(shown.widget.tables)]
+    shown.widget.tables = [
+        q.tolist() if i == at else table for i, table in enumerate(shown.widget.tables)
+    ]
 
 
 def test_an_edit_changes_the_bias_of_its_table_alone_and_not_the_readers_array():
@@ -83,14 +109,22 @@ def test_an_edit_changes_the_bias_of_its_table_alone_and_not_the_readers_array()
     shown.widget.table = 1
     assert shown.table == "zeros" and not shown.numbers.bias.any()
     shown.widget.table = 0
-    assert np.allclose(shown.numbers.bias - before, [0, 0, 1])  # edits wait for the reader's return
-    assert np.array_equal(Q, kept) and np.array_equal(shown.widget.about["originals"][0]["q"], Q)
+    assert np.allclose(
+        shown.numbers.bias - before, [0, 0, 1]
+    )  # edits wait for the reader's return
+    assert np.array_equal(Q, kept) and np.array_equal(
+        shown.widget.about["originals"][0]["q"], Q
+    )
 
 
 def test_the_state_itself_counts_in_each_of_its_sets():
     shown = rl.BiasExplorer(TASK, {"zeros": np.zeros((24, 3))}, state=PAPER_STATE)
-    shown.widget.tables = [[[12 * (s == PAPER_STATE), 0, 0] for s in range(24)]]  # whole numbers, as a browser has them
-    assert np.allclose(shown.numbers.means[:, 0], [6, 6, 4, 6]) and np.isclose(shown.numbers.bias[0], 5.5)
+    shown.widget.tables = [
+        [[12 * (s == PAPER_STATE), 0, 0] for s in range(24)]
+    ]  # whole numbers, as a browser has them
+    assert np.allclose(shown.numbers.means[:, 0], [6, 6, 4, 6]) and np.isclose(
+        shown.numbers.bias[0], 5.5
+    )
     assert shown.q.dtype == float
 
 
@@ -99,7 +133,9 @@ def test_an_agent_is_shown_as_it_would_choose():
     rl.learn(agent, rl.make_env(TASK, seed=0), 200, progress=False)
     agent.begin_episode(PAPER_STATE)
     numbers = rl.BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
-    assert np.allclose(numbers.qbiassr, agent.probabilities) and np.allclose(numbers.bias, agent.bias)
+    assert np.allclose(numbers.qbiassr, agent.probabilities) and np.allclose(
+        numbers.bias, agent.bias
+    )
 
 
 def test_numbers_of_numpys_are_taken_and_the_page_can_be_saved(tmp_path):
@@ -111,14 +147,18 @@ def test_numbers_of_numpys_are_taken_and_the_page_can_be_saved(tmp_path):
 
 def test_any_small_task_can_be_shown():
     shown = rl.BiasExplorer("wander_simple", {"zeros": np.zeros((4, 4))})
-    assert explored(shown)[3]["html"].count("<button value") == 4 and shown.picture().png()
+    assert (
+        explored(shown)[3]["html"].count("<button value") == 4 and shown.picture().png()
+    )
 
 
 def test_a_task_of_one_input_can_be_shown():
     task = replace(TASK, inputs=TASK.inputs[2:3], goal=None)
     shown = rl.BiasExplorer(task, {"q": Q[:3]}, state=1)
     found = explored(shown)
-    assert found[1]["members"] == [[1, None], [0, 0], [2, 0]] and np.allclose(found[1]["bias"], Q[:3].mean(axis=0))
+    assert found[1]["members"] == [[1, None], [0, 0], [2, 0]] and np.allclose(
+        found[1]["bias"], Q[:3].mean(axis=0)
+    )
     assert found[1]["html"].count("<button value") == 3 and shown.picture().png()
 
 
@@ -127,24 +167,38 @@ def test_a_task_of_one_input_can_be_shown():
     [
         ({"task": "wander_1k"}, "wander_1k has 1024 states .* at most 64"),
         ({"tables": {}}, "at least one Q-table"),
-        ({"tables": {"short": np.zeros((4, 3))}}, "'short' must hold .* 24 states .* shape .4, 3."),
-        ({"tables": {"bad": np.full((24, 3), np.nan)}}, "'bad' must hold finite numbers"),
+        (
+            {"tables": {"short": np.zeros((4, 3))}},
+            "'short' must hold .* 24 states .* shape .4, 3.",
+        ),
+        (
+            {"tables": {"bad": np.full((24, 3), np.nan)}},
+            "'bad' must hold finite numbers",
+        ),
         ({"state": 24}, "state 24 does not exist"),
         ({"temperature": 0.0}, "temperature must be"),
     ],
 )
 def test_what_does_not_fit_is_refused_in_words(arguments, message):
     with pytest.raises(ValueError, match=message):
-        rl.BiasExplorer(**{"task": TASK, "tables": {"zeros": np.zeros((24, 3))}, **arguments})
+        rl.BiasExplorer(
+            **{"task": TASK, "tables": {"zeros": np.zeros((24, 3))}, **arguments}
+        )
 
 
 def test_the_saved_output_is_a_picture_with_a_description_and_a_text_that_stays():
     data = explorer()._repr_mimebundle_()
-    assert "data:image/png;base64," in data["text/html"] and "application/vnd.jupyter.widget-view+json" in data
+    assert (
+        "data:image/png;base64," in data["text/html"]
+        and "application/vnd.jupyter.widget-view+json" in data
+    )
     assert data["text/plain"] == repr(explorer()) and "0x" not in data["text/plain"]
     assert "state 21 (X 1, Y 1, θ 90°, d 1)" in data["text/plain"]
     alt = data["text/html"]
-    assert "X: 9, 21; Y: 15, 21; θ: 19, 21, 23; d: 20, 21" in alt and vector(explorer().numbers.bias) in alt
+    assert (
+        "X: 9, 21; Y: 15, 21; θ: 19, 21, 23; d: 20, 21" in alt
+        and vector(explorer().numbers.bias) in alt
+    )
 
 
 def drawn(figure) -> list[str]:
@@ -154,21 +208,34 @@ def drawn(figure) -> list[str]:
 def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
     shown = explorer()
     numbers, best = shown.numbers, int(shown.numbers.bias.argmax())
-    means, bias = [two_decimals(mean) for mean in numbers.means[:, best]], two_decimals(numbers.bias[best])
+    means, bias = (
+        [two_decimals(mean) for mean in numbers.means[:, best]],
+        two_decimals(numbers.bias[best]),
+    )
     for stage in (1, 2, 3):
         texts = drawn(shown.picture(stage))
-        assert [name for name in texts if name in TASK.actions.outputs[0].words] == [TASK.actions.label(best)]
+        assert [name for name in texts if name in TASK.actions.outputs[0].words] == [
+            TASK.actions.label(best)
+        ]
         own = [text for text in texts if text.startswith(f"{PAPER_STATE} ")]
-        assert own == [f"{PAPER_STATE} {two_decimals(Q[PAPER_STATE, best]):>15}"], "a row of its own, once"
-        assert [text for text in texts if text in "●▲■◆"] == list("●▲■◆"), "the state itself has the mark of each set"
-        boxes = [text[1:].strip() for text in texts if re.fullmatch(r"[●▲■◆] +\S+", text)]
+        assert own == [f"{PAPER_STATE} {two_decimals(Q[PAPER_STATE, best]):>15}"], (
+            "a row of its own, once"
+        )
+        assert [text for text in texts if text in "●▲■◆"] == list("●▲■◆"), (
+            "the state itself has the mark of each set"
+        )
+        boxes = [
+            text[1:].strip() for text in texts if re.fullmatch(r"[●▲■◆] +\S+", text)
+        ]
         assert boxes == (means if stage > 1 else [])
         assert (bias in texts) == (stage == 3)
         assert (vector(numbers.bias) in shown.picture(stage).alt) == (stage == 3)
         assert not any(text.endswith("%") for text in texts)
     texts = drawn(shown.picture())
     assert [text for text in texts if text.endswith(" %")][1:] == [
-        f"{100 * p:.0f} %" for pair in zip(numbers.sr, numbers.qbiassr, strict=True) for p in pair
+        f"{100 * p:.0f} %"
+        for pair in zip(numbers.sr, numbers.qbiassr, strict=True)
+        for p in pair
     ]
     assert all(two_decimals(x) in texts for x in numbers.bias)
 
@@ -177,7 +244,14 @@ def test_in_the_picture_a_line_leads_from_each_state_to_each_of_its_sets_and_fro
     ax = explorer().picture(3).axes[0]
     starts = [line.get_ydata()[0] for line in ax.lines if line.get_xdata()[0] < 20]
     heights = sorted(set(starts))
-    assert len(heights) == 6 and [starts.count(y) for y in heights] == [4, 1, 1, 1, 1, 1]
+    assert len(heights) == 6 and [starts.count(y) for y in heights] == [
+        4,
+        1,
+        1,
+        1,
+        1,
+        1,
+    ]
     to_bias = [line for line in ax.lines if line.get_xdata()[0] > 20]
     assert len(to_bias) == 4 and len({line.get_ydata()[1] for line in to_bias}) == 1
 
@@ -189,4 +263,8 @@ def test_a_stage_that_does_not_exist_is_refused(stage):
 
 
 def test_numbers_have_a_true_minus_and_no_negative_zero():
-    assert (two_decimals(-1.5), two_decimals(-0.001), two_decimals(0.125001)) == ("−1.50", "0.00", "0.13")
+    assert (two_decimals(-1.5), two_decimals(-0.001), two_decimals(0.125001)) == (
+        "−1.50",
+        "0.00",
+        "0.13",
+    )

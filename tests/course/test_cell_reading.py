@@ -42,7 +42,9 @@ def test_below_magics_a_cell_is_read_as_without_them(magic):
     assert cell.handed_in(source) == {"f"}
     assert cell.hints_asked([source], "f") == 1
     assert "g" in cell.calls_in([source])["f"]
-    assert cell.changes_checks(f"{magic}check.f = print") and not cell.changes_checks(source)
+    assert cell.changes_checks(f"{magic}check.f = print") and not cell.changes_checks(
+        source
+    )
 
 
 CODE = (
@@ -67,17 +69,30 @@ AS_TEXT = (
 @pytest.mark.parametrize("text", AS_TEXT)
 def test_code_in_a_comment_a_text_or_what_cannot_be_read_says_nothing(code, text):
     source = text.format(code)
-    assert cell.lessons_imported(source) == [] and cell.made_for(source) == "" and cell.handed_in(source) == set()
+    assert (
+        cell.lessons_imported(source) == []
+        and cell.made_for(source) == ""
+        and cell.handed_in(source) == set()
+    )
     assert "f" not in cell.bound(source) and cell.hints_asked([source], "f") == 0
     assert not cell.changes_checks(source)
 
 
 @settings(max_examples=200, deadline=None)
-@given(st.text(alphabet=st.sampled_from("%!?#'\"\\\n\r\t\0 ()=[]{}:@.,abcheck.f\ud800é")))
+@given(
+    st.text(alphabet=st.sampled_from("%!?#'\"\\\n\r\t\0 ()=[]{}:@.,abcheck.f\ud800é"))
+)
 def test_any_text_can_be_asked_about(source):
-    assert isinstance(cell.bound(source), set) and isinstance(cell.handed_in(source), set)
+    assert isinstance(cell.bound(source), set) and isinstance(
+        cell.handed_in(source), set
+    )
     assert cell.hints_asked([source], "f") >= 0 and cell.made_for(source) is not None
-    cell.changes_checks(source), cell.calls_in([source]), cell.lessons_imported(source), cell.handed_in_last(source)
+    (
+        cell.changes_checks(source),
+        cell.calls_in([source]),
+        cell.lessons_imported(source),
+        cell.handed_in_last(source),
+    )
 
 
 DEEP = "1" + "+1" * 3000
@@ -90,8 +105,14 @@ MADE_TO_BREAK = (
 @pytest.mark.parametrize("source", MADE_TO_BREAK, ids=range(len(MADE_TO_BREAK)))
 def test_a_cell_that_is_made_to_break_the_reading_does_not(tmp_path, source):
     one = read_submission(write(tmp_path / "x.ipynb", [HEAD, source]))
-    assert one.lesson == "03" and one.answered_by(0, []) is not None and one.called_by("f")
-    cell.defined_in(source, "f"), cell.hints_asked([source], "f"), cell.changes_checks(source)
+    assert (
+        one.lesson == "03" and one.answered_by(0, []) is not None and one.called_by("f")
+    )
+    (
+        cell.defined_in(source, "f"),
+        cell.hints_asked([source], "f"),
+        cell.changes_checks(source),
+    )
 
 
 @pytest.mark.parametrize(
@@ -121,14 +142,24 @@ def test_the_last_line_of_a_cell_of_the_course_is_its_check():
         return checked(nbformat.v4.new_code_cell(source))
 
     assert last("f = 1\n\ncheck.f(f)") == last("check.f(f)\n\n# the end\n") == "f"
-    for source in ("check.f(g)", "check.f(f)\n1", "# check.f(f)", "'''\ncheck.f(f)'''", "check.f(f", ""):
+    for source in (
+        "check.f(g)",
+        "check.f(f)\n1",
+        "# check.f(f)",
+        "'''\ncheck.f(f)'''",
+        "check.f(f",
+        "",
+    ):
         assert last(source) == ""
 
 
 def as_json(sources, **more):
     """A notebook with the least that Jupyter's format wants; more: of the notebook."""
     parts = [{"cell_type": "markdown", "source": ["# The ", "heading"]}]
-    parts += [{"cell_type": "code", "source": source, "outputs": [], "metadata": {}} for source in sources]
+    parts += [
+        {"cell_type": "code", "source": source, "outputs": [], "metadata": {}}
+        for source in sources
+    ]
     return {"cells": parts, "metadata": {}, "nbformat": 4, "nbformat_minor": 5} | more
 
 
@@ -137,15 +168,24 @@ def with_cells(**more):
 
     def changed(sources):
         told = as_json(sources)
-        told["cells"][1:] = [{k: v for k, v in (cell | more).items() if v != "no"} for cell in told["cells"][1:]]
+        told["cells"][1:] = [
+            {k: v for k, v in (cell | more).items() if v != "no"}
+            for cell in told["cells"][1:]
+        ]
         return json.dumps(told)
 
     return changed
 
 
 def of_format_3(sources):
-    parts = [{"cell_type": "heading", "level": 1, "source": "no"}, {"cell_type": "markdown", "source": "# The heading"}]
-    parts += [{"cell_type": "code", "input": source.splitlines(True), "language": "python"} for source in sources]
+    parts = [
+        {"cell_type": "heading", "level": 1, "source": "no"},
+        {"cell_type": "markdown", "source": "# The heading"},
+    ]
+    parts += [
+        {"cell_type": "code", "input": source.splitlines(True), "language": "python"}
+        for source in sources
+    ]
     return json.dumps({"nbformat": 3, "worksheets": [{"cells": parts}]})
 
 
@@ -169,9 +209,15 @@ WRITTEN = {
 
 @pytest.mark.parametrize("program", WRITTEN)
 def test_a_notebook_is_read_as_any_program_writes_it(tmp_path, program):
-    (tmp_path / "x.ipynb").write_text(WRITTEN[program](list(cells().values())), encoding="utf-8")
+    (tmp_path / "x.ipynb").write_text(
+        WRITTEN[program](list(cells().values())), encoding="utf-8"
+    )
     one = read_submission(tmp_path / "x.ipynb")
-    assert (one.lesson, [source for source in one.cells if source], one.problem) == ("03", list(cells().values()), "")
+    assert (one.lesson, [source for source in one.cells if source], one.problem) == (
+        "03",
+        list(cells().values()),
+        "",
+    )
     assert set(sections_of(tmp_path / "x.ipynb").values()) == {"The heading"}
 
 
@@ -210,7 +256,9 @@ def test_a_script_that_was_exported_from_a_notebook_is_read_like_it(tmp_path, pr
     one = read_submission(path)
     assert is_notebook(path) and one.lesson == "03"
     assert all(len(places) == 1 for places in one.answered_in.values())
-    assert all(one.answered_in[name] >= one.defined_in[name] for name in one.answered_in)
+    assert all(
+        one.answered_in[name] >= one.defined_in[name] for name in one.answered_in
+    )
 
 
 @pytest.mark.parametrize(
@@ -221,26 +269,38 @@ def test_a_script_that_was_exported_from_a_notebook_is_read_like_it(tmp_path, pr
         ("my_functions.py", "def target(): pass", False), ("x.py", HEAD, True), ("x.csv", HEAD, False),
     ],
 )  # fmt: skip
-def test_a_file_is_a_notebook_by_its_name_or_by_what_is_in_it(tmp_path, name, text, expected):
+def test_a_file_is_a_notebook_by_its_name_or_by_what_is_in_it(
+    tmp_path, name, text, expected
+):
     (tmp_path / name).write_text(text, encoding="utf-8")
     assert is_notebook(tmp_path / name) is expected
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"])
+@pytest.mark.parametrize(
+    "encoding",
+    ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"],
+)
 def test_a_notebook_is_read_in_each_encoding(tmp_path, encoding):
     text = json.dumps(as_json([*cells().values(), "# é"]), ensure_ascii=False)
     (tmp_path / "x.ipynb").write_bytes(text.encode(encoding))
     assert read_submission(tmp_path / "x.ipynb").cells == [*cells().values(), "# é"]
 
 
-def test_outputs_do_not_count_and_what_is_too_large_is_told_what_to_do(tmp_path, monkeypatch):
+def test_outputs_do_not_count_and_what_is_too_large_is_told_what_to_do(
+    tmp_path, monkeypatch
+):
     path = tmp_path / "x.ipynb"
     output = {"output_type": "stream", "text": "a film " * 2_000_000}
-    path.write_text(with_cells(outputs=[output])(list(cells().values())), encoding="utf-8")
+    path.write_text(
+        with_cells(outputs=[output])(list(cells().values())), encoding="utf-8"
+    )
     assert path.stat().st_size > 66 * 2**20
     assert read_submission(path).cells == list(cells().values())
     monkeypatch.setattr(submission, "LARGEST", 1 << 20)
-    assert "more than 1 MB: choose “Clear Outputs of All Cells”" in read_submission(path).problem
+    assert (
+        "more than 1 MB: choose “Clear Outputs of All Cells”"
+        in read_submission(path).problem
+    )
 
 
 def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
@@ -263,5 +323,7 @@ def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
         ("9_mine", "1 + 1", ""),
     ],
 )
-def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_file(tmp_path, name, source, lesson):
+def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_file(
+    tmp_path, name, source, lesson
+):
     assert read_submission(write(tmp_path / f"{name}.ipynb", [source])).lesson == lesson

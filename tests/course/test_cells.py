@@ -16,7 +16,14 @@ from rlrobot_course.homework.submission import read_submission
 
 pytest.importorskip("jupyter_client")
 
-MAGICS = ("%%time\n", "%%capture\n", "%matplotlib inline\n", "!ls\n", "files = !ls\n", "\n\n%%time\n")
+MAGICS = (
+    "%%time\n",
+    "%%capture\n",
+    "%matplotlib inline\n",
+    "!ls\n",
+    "files = !ls\n",
+    "\n\n%%time\n",
+)
 MORE = (
     "# check.target(target)\n", "'''\ncheck.update(update)\n'''", "print('check.learn(learn) was green')", "exit()",
     "quit", "exit", "import sys\nsys.exit(0)", "%pip install x", "!pip3 install x", "x = (", "1 / 0", "target?", "!ls",
@@ -48,17 +55,35 @@ def wrapped(rng, sources):
 
 def decorated(rng, sources):
     i = rng.choice([i for i, one in enumerate(sources) if "\ndef " in f"\n{one}"])
-    sources[i] = re.sub(r"^def ", "@(lambda function: function)\ndef ", sources[i], count=1, flags=re.MULTILINE)
+    sources[i] = re.sub(
+        r"^def ",
+        "@(lambda function: function)\ndef ",
+        sources[i],
+        count=1,
+        flags=re.MULTILINE,
+    )
 
 
 def under_another_name(rng, sources):
-    i = rng.choice([i for i, one in enumerate(sources) if "check.target(target)" in one])
-    sources[i] = sources[i].replace("check.target(target)", "mine = target\ncheck.target(mine)")
+    i = rng.choice(
+        [i for i, one in enumerate(sources) if "check.target(target)" in one]
+    )
+    sources[i] = sources[i].replace(
+        "check.target(target)", "mine = target\ncheck.target(mine)"
+    )
 
 
 def checks_under_another_name(rng, sources):
-    sources[:] = [re.sub(r"import check$", "import (\n    check as c,\n)", one, flags=re.MULTILINE) for one in sources]
-    sources[:] = [re.sub(r"\bcheck\.", "c.", one) if "was green" not in one else one for one in sources]
+    sources[:] = [
+        re.sub(
+            r"import check$", "import (\n    check as c,\n)", one, flags=re.MULTILINE
+        )
+        for one in sources
+    ]
+    sources[:] = [
+        re.sub(r"\bcheck\.", "c.", one) if "was green" not in one else one
+        for one in sources
+    ]
 
 
 def moved(rng, sources):
@@ -83,18 +108,31 @@ CHANGES = (
 
 def by_chance(seed: int, folder: Path) -> Path:
     rng, sources = random.Random(seed), list(cells().values())
-    for change in [*rng.sample(CHANGES, 6), below_a_magic]:  # a magic cannot stand in an if
+    for change in [
+        *rng.sample(CHANGES, 6),
+        below_a_magic,
+    ]:  # a magic cannot stand in an if
         before = list(sources)
         try:
             change(rng, sources)
         except (IndexError, ValueError):  # no cell is left to which this applies
             sources = before
     folder.mkdir()
-    return write(folder / rng.choice(["03_q_learning.ipynb", "Copy of it (1).ipynb", "hausübung.ipynb"]), sources)
+    return write(
+        folder
+        / rng.choice(
+            ["03_q_learning.ipynb", "Copy of it (1).ipynb", "hausübung.ipynb"]
+        ),
+        sources,
+    )
 
 
 @pytest.mark.long
 def test_whatever_changes_nothing_costs_nothing(tmp_path):
     paths = [by_chance(seed, tmp_path / str(seed)) for seed in range(12)]
-    for path, one in zip(paths, marked_files(paths, "", 7, Limits(seconds=600, memory=2048), jobs=2), strict=True):
+    for path, one in zip(
+        paths,
+        marked_files(paths, "", 7, Limits(seconds=600, memory=2048), jobs=2),
+        strict=True,
+    ):
         assert points(one) == ALL, (path, read_submission(path).cells, one)

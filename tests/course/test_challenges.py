@@ -15,7 +15,15 @@ import challenges as study
 
 from rlrobot_course import challenge as shared
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.challenge import Challenge, Score, Watched, array, best_scores, landmarks, number
+from rlrobot_course.challenge import (
+    Challenge,
+    Score,
+    Watched,
+    array,
+    best_scores,
+    landmarks,
+    number,
+)
 
 NOTEBOOKS = lessons(Path(__file__).parents[2])
 LESSONS = list(study.ANSWERS)
@@ -23,8 +31,16 @@ LESSONS = list(study.ANSWERS)
 
 def toy(**changed) -> Challenge:
     """A challenge whose score is a number from 0 to 10, and one more for each seed."""
-    given = {"lesson": "15", "rules": "Give a number.", "unit": "points", "read": number(0, 10), "seeds": 4}
-    return Challenge(**(given | {"trial": lambda answer, seed: answer + seed % 10} | changed))
+    given = {
+        "lesson": "15",
+        "rules": "Give a number.",
+        "unit": "points",
+        "read": number(0, 10),
+        "seeds": 4,
+    }
+    return Challenge(
+        **(given | {"trial": lambda answer, seed: answer + seed % 10} | changed)
+    )
 
 
 @pytest.fixture
@@ -47,11 +63,15 @@ def test_each_landmark_is_clearly_better_than_the_one_before(lesson):
     known = list(landmarks()[lesson].values())
     assert len(known) > 1
     for worse, better in itertools.pairwise(known):
-        assert sign * (better.mean - worse.mean) > worse.half + better.half, "luck could decide"
+        assert sign * (better.mean - worse.mean) > worse.half + better.half, (
+            "luck could decide"
+        )
 
 
 def test_the_shipped_landmarks_repeat():
-    for (_, name, mean, half), shipped in zip(study.rows_of("15"), landmarks()["15"].items(), strict=True):
+    for (_, name, mean, half), shipped in zip(
+        study.rows_of("15"), landmarks()["15"].items(), strict=True
+    ):
         assert (name, Score(float(mean), float(half))) == shipped
 
 
@@ -66,15 +86,31 @@ def test_the_shipped_landmarks_of_robots_repeat(lesson):
 @pytest.mark.long
 def test_the_same_answer_has_the_same_score_in_another_process():
     code = "import challenges as s; print(*s.challenge_of('15').score(s.sequential))"
-    around = {"PYTHONPATH": f"{Path(study.__file__).parent}:{Path(study.__file__).parents[1]}", "PYTHONHASHSEED": "7"}
-    done = subprocess.run([sys.executable, "-c", code], env=around, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == [str(x) for x in study.challenge_of("15").score(study.sequential)]
+    around = {
+        "PYTHONPATH": f"{Path(study.__file__).parent}:{Path(study.__file__).parents[1]}",
+        "PYTHONHASHSEED": "7",
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env=around,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.split() == [
+        str(x) for x in study.challenge_of("15").score(study.sequential)
+    ]
 
 
 def test_a_score_is_a_mean_with_its_interval_and_the_best_is_kept(learner):
     verdict = toy()(3)
-    assert verdict.text == "4.50 ± 2.05 points, over 4 seeds: your best so far." and verdict.status == "score"
-    assert toy()(1).text.endswith("your best is 4.50 ± 2.05.") and toy()(5).text.endswith("your best so far.")
+    assert (
+        verdict.text == "4.50 ± 2.05 points, over 4 seeds: your best so far."
+        and verdict.status == "score"
+    )
+    assert toy()(1).text.endswith("your best is 4.50 ± 2.05.") and toy()(
+        5
+    ).text.endswith("your best so far.")
     assert best_scores()["15"].mean == 6.5
     for answer in (5, 2):
         assert toy(lesson="18", least_wins=True)(answer).text.endswith("best so far.")
@@ -88,7 +124,11 @@ def test_who_gives_no_answer_is_told_what_counts_and_the_landmarks(learner):
 
     for answer in (..., None, unfinished):
         verdict = toy()(answer)
-        assert verdict.status == "waiting" and "Give a number." in verdict.text and "a guess: 59.00" in verdict.gained
+        assert (
+            verdict.status == "waiting"
+            and "Give a number." in verdict.text
+            and "a guess: 59.00" in verdict.gained
+        )
     assert not list(learner.iterdir())
 
 
@@ -101,13 +141,20 @@ def test_who_gives_no_answer_is_told_what_counts_and_the_landmarks(learner):
 ])  # fmt: skip
 def test_an_answer_that_does_not_fit_is_told_in_a_sentence(read, answer, told):
     verdict = toy(read=read, trial=lambda answer, seed: 0.0)(answer)
-    assert verdict.status == "wrong" and told in verdict.text and verdict.text.startswith("No score: ")
+    assert (
+        verdict.status == "wrong"
+        and told in verdict.text
+        and verdict.text.startswith("No score: ")
+    )
 
 
 def watched(answer):
     """The verdict on a function that should return a number from 0 to 10."""
     read = number(0, 10)
-    return toy(read=lambda rule: Watched(rule, "my_rule(x)", read), trial=lambda rule, seed: rule(seed))(answer)
+    return toy(
+        read=lambda rule: Watched(rule, "my_rule(x)", read),
+        trial=lambda rule, seed: rule(seed),
+    )(answer)
 
 
 def raises(x):
@@ -160,6 +207,12 @@ def test_each_challenge_refuses_what_it_cannot_score(lesson, answer, told):
 def test_the_notebook_has_it_once_waiting_and_without_an_answer(lesson):
     path = NOTEBOOKS[lesson]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    (cell,) = (cell for cell in cells if "challenge" in cell["metadata"].get("tags", []))
-    assert f"lesson_{lesson}.challenge import challenge" in "".join(cell["source"]) and "..." in "".join(cell["source"])
-    assert "".join(cell["outputs"][-1]["data"]["text/plain"]) == repr(study.challenge_of(lesson)(...))
+    (cell,) = (
+        cell for cell in cells if "challenge" in cell["metadata"].get("tags", [])
+    )
+    assert f"lesson_{lesson}.challenge import challenge" in "".join(
+        cell["source"]
+    ) and "..." in "".join(cell["source"])
+    assert "".join(cell["outputs"][-1]["data"]["text/plain"]) == repr(
+        study.challenge_of(lesson)(...)
+    )

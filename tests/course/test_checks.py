@@ -23,7 +23,10 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import edited
 from rlrobot_course.lesson_03.exercises import target, update
 
-LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py"))
+LESSONS = sorted(
+    path.parent.name
+    for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py")
+)
 
 
 def exercises(lesson: str) -> dict:
@@ -35,9 +38,15 @@ def wrong_answers(lesson: str) -> dict:
     """By the names of its exercises: wrong answers, each with the id that its verdict must have."""
     wrong = {}
     for name, exercise in exercises(lesson).items():
-        wrong[name] = [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
+        wrong[name] = [
+            (answer, known)
+            for known, answers in exercise.witnesses.items()
+            for answer in answers
+        ]
         if isinstance(exercise, Question):
-            wrong[name] += [(mistake.wrong, mistake.id) for mistake in exercise.mistakes]
+            wrong[name] += [
+                (mistake.wrong, mistake.id) for mistake in exercise.mistakes
+            ]
     return wrong
 
 
@@ -52,7 +61,10 @@ WRONG = [
 
 def some_long(rows: list[tuple]) -> list:
     """The rows as parameters of a test that judges answers: with those of lesson 10, which learn, it takes seconds."""
-    return [pytest.param(*row, marks=[pytest.mark.long] * (row[0] == "lesson_10")) for row in rows]
+    return [
+        pytest.param(*row, marks=[pytest.mark.long] * (row[0] == "lesson_10"))
+        for row in rows
+    ]
 
 
 @functools.cache
@@ -72,7 +84,9 @@ def half_done_answer(*_):
 
 def test_an_exercise_has_a_name_of_its_own():
     names = [name for _, name in EVERY]
-    assert {name for name in names if names.count(name) > 1} <= {"learn"}, "the whole learner, of lessons 03 and 10"
+    assert {name for name in names if names.count(name) > 1} <= {"learn"}, (
+        "the whole learner, of lessons 03 and 10"
+    )
 
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
@@ -83,7 +97,9 @@ def test_the_solution_is_right(lesson, name):
     assert repr(verdict).startswith("✓ ")
 
 
-@pytest.mark.parametrize(("lesson", "name"), [(lesson, name) for lesson in RIGHT for name in RIGHT[lesson]])
+@pytest.mark.parametrize(
+    ("lesson", "name"), [(lesson, name) for lesson in RIGHT for name in RIGHT[lesson]]
+)
 def test_another_right_answer_is_right_too(lesson, name):
     verdict = exercises(lesson)[name](RIGHT[lesson][name])
     assert verdict, verdict
@@ -92,7 +108,9 @@ def test_another_right_answer_is_right_too(lesson, name):
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_an_unsolved_exercise_waits(lesson, name):
     exercise = exercises(lesson)[name]
-    answers = [..., None] + ([waiting_answer, half_done_answer] if isinstance(exercise, Exercise) else [])
+    answers = [..., None] + (
+        [waiting_answer, half_done_answer] if isinstance(exercise, Exercise) else []
+    )
     for answer in answers:
         assert exercise(answer).status == "waiting"
         assert "waits for your answer" in repr(exercise(answer))
@@ -108,7 +126,10 @@ def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
 
 @pytest.mark.parametrize(("lesson", "name", "i"), some_long(WRONG))
 def test_a_typical_mistake_gets_its_hint(lesson, name, i):
-    verdict, known = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
+    verdict, known = (
+        verdict_on_wrong(lesson, name, i),
+        wrong_answers(lesson)[name][i][1],
+    )
     assert verdict.status == "wrong" and verdict.id == known and verdict.hint, verdict
 
 
@@ -126,12 +147,22 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
-    others = set(DETECTORS) | {"exception", "spoilt", "form", "formula", "no_number", "remembers", "rule"}
+    others = set(DETECTORS) | {
+        "exception",
+        "spoilt",
+        "form",
+        "formula",
+        "no_number",
+        "remembers",
+        "rule",
+    }
     for name, exercise in exercises(lesson).items():
         ids = [mistake.id for mistake in exercise.mistakes]
         assert all(ids) and len(set(ids)) == len(ids)
         unknown = exercise.witnesses.keys() - ids - others
-        assert not {known for known in unknown if not set(known.split("+")) <= set(ids)}, name
+        assert not {
+            known for known in unknown if not set(known.split("+")) <= set(ids)
+        }, name
 
 
 PAGE = """# twice
@@ -185,13 +216,19 @@ def twice(x):
 def test_a_page_has_all_that_is_text_in_an_exercise(tmp_path):
     (tmp_path / "twice.md").write_text(PAGE)
     exercise = Exercise(twice, [{"x": 1}, {"x": 3}], returns="twice")
-    check = with_pages({"__file__": str(tmp_path / "exercises.py"), "given": 4}, twice=exercise).twice
+    check = with_pages(
+        {"__file__": str(tmp_path / "exercises.py"), "given": 4}, twice=exercise
+    ).twice
     assert (check.task, check.gained) == ("return twice the number", "You can count.")
-    assert check.hints == ["It is a sum.", "Of x and x."] and check.lenders == {"y": "there is none"}
+    assert check.hints == ["It is a sum.", "Of x and x."] and check.lenders == {
+        "y": "there is none"
+    }
     assert [mistake.id for mistake in check.mistakes] == ["half", "other"]
     assert [wrong(5) for wrong in check.wrong_functions] == [5, 4]
     assert [*check.witnesses] == ["half", "exception"]
-    assert check.witnesses["half"][0](7) == 7, "of several definitions the last is the answer"
+    assert check.witnesses["half"][0](7) == 7, (
+        "of several definitions the last is the answer"
+    )
     with pytest.raises(ZeroDivisionError) as error:
         check.witnesses["half"][1](7)
     assert traceback.extract_tb(error.value.__traceback__)[-1].line == "return 1 / 0"
@@ -201,10 +238,26 @@ def test_a_page_has_all_that_is_text_in_an_exercise(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("- **other** ", "* other: ", r"twice\.md, line 32: a mistake .* not by '\* other: this"),
-        ("# twice\n", "# once\n", "must begin with the line '# twice' and, below it, the task"),
-        ("      return y\n  ```\n", "      return y\n", "line 38: this block of Python has no end"),
-        ("  ```python\n  def twice(x):\n      return given\n  ```\n", "", "below other there must be an edit"),
+        (
+            "- **other** ",
+            "* other: ",
+            r"twice\.md, line 32: a mistake .* not by '\* other: this",
+        ),
+        (
+            "# twice\n",
+            "# once\n",
+            "must begin with the line '# twice' and, below it, the task",
+        ),
+        (
+            "      return y\n  ```\n",
+            "      return y\n",
+            "line 38: this block of Python has no end",
+        ),
+        (
+            "  ```python\n  def twice(x):\n      return given\n  ```\n",
+            "",
+            "below other there must be an edit",
+        ),
     ],
 )
 def test_what_is_wrong_with_a_page_is_told(old, new, told, tmp_path):
@@ -223,24 +276,45 @@ target_for_edits.best = max
 
 
 def test_an_edit_changes_the_body_wherever_the_text_occurs_and_all_at_once():
-    assert edited(update, {"gamma": "1", "alpha": "2"}).__code__.co_varnames[6:8] == ("alpha", "gamma")
-    assert edited(target_for_edits, {"r +": "gamma +", "gamma *": "r *"})([[5.0]], 10.0, 0, False, 0.5) == 50.5
-    assert edited(target_for_edits, {"(0 if": "(1 if"})([[5.0]], 10.0, 0, False, 0.5) == 12.5, "it calls the right one"
+    assert edited(update, {"gamma": "1", "alpha": "2"}).__code__.co_varnames[6:8] == (
+        "alpha",
+        "gamma",
+    )
+    assert (
+        edited(target_for_edits, {"r +": "gamma +", "gamma *": "r *"})(
+            [[5.0]], 10.0, 0, False, 0.5
+        )
+        == 50.5
+    )
+    assert (
+        edited(target_for_edits, {"(0 if": "(1 if"})([[5.0]], 10.0, 0, False, 0.5)
+        == 12.5
+    ), "it calls the right one"
 
 
 def test_an_edit_that_fits_no_longer_is_told_when_the_lesson_is_loaded():
-    with pytest.raises(ValueError, match=r"'np\.max\(' does not occur in the body of target"):
-        Exercise(target, [], mistakes={"none": Mistake("no such text", {"np.max(": "np.argmax("})})
+    with pytest.raises(
+        ValueError, match=r"'np\.max\(' does not occur in the body of target"
+    ):
+        Exercise(
+            target,
+            [],
+            mistakes={"none": Mistake("no such text", {"np.max(": "np.argmax("})},
+        )
 
 
 def test_a_verdict_names_the_first_wrong_step_with_both_values():
     check = exercises("lesson_03")["update"]
     text = repr(check(check.witnesses["past_the_end"][0]))
     assert "Step 5 of 11" in text
-    assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(text.split())
+    assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(
+        text.split()
+    )
     row = next(line for line in text.splitlines() if "q[0, 1]" in line)
     before = 2.0 + 0.1 * (10 + 0.9 * 5.5 - 2.0)  # step 1
-    assert float(row.split()[-2]) == pytest.approx(before + 0.1 * (10 - before), abs=1e-3)
+    assert float(row.split()[-2]) == pytest.approx(
+        before + 0.1 * (10 - before), abs=1e-3
+    )
     assert float(row.split()[-1]) > float(row.split()[-2])
 
 
@@ -259,7 +333,10 @@ def test_what_should_only_be_read_may_not_be_changed_even_where_the_result_is_ri
         return r if terminated else r + q[s_next].max()
 
     verdict = check(spoils)
-    assert verdict.status == "wrong" and "changes q, which it should only read" in verdict.text
+    assert (
+        verdict.status == "wrong"
+        and "changes q, which it should only read" in verdict.text
+    )
     assert "q.copy()" in verdict.hint
     assert check(target), "the next answer gets inputs of its own"
 
@@ -281,7 +358,12 @@ def answer(q, *_):
 
 
 @pytest.mark.parametrize(
-    "source", ["def answer(*_):\n    while True: pass", "def answer(*_):\n    while True:\n        pass", STUBBORN]
+    "source",
+    [
+        "def answer(*_):\n    while True: pass",
+        "def answer(*_):\n    while True:\n        pass",
+        STUBBORN,
+    ],
 )
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
     monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
@@ -301,27 +383,43 @@ def answer(env, q, choose, update, steps):
 """
 
 
-def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(monkeypatch):
+def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(
+    monkeypatch,
+):
     monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
     text = exercises("lesson_03")["learn"](learner(CALLS)).text
     assert "has not ended" in text and "in the line “" in text
 
 
 def test_chance_in_an_answer_is_told():
-    dice = learner("def answer(p, u):\n    return np.random.choice(len(p), p=p) * (u < 2)")
+    dice = learner(
+        "def answer(p, u):\n    return np.random.choice(len(p), p=p) * (u < 2)"
+    )
     assert exercises("lesson_04")["draw"](dice).hint.endswith("Is there chance in it?")
-    draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
-    assert "asked is an array of 5" in exercises("lesson_04")["epsilon_greedy"](draws).hint
+    draws = learner(
+        "def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)"
+    )
+    assert (
+        "asked is an array of 5" in exercises("lesson_04")["epsilon_greedy"](draws).hint
+    )
 
 
 def test_probabilities_that_do_not_sum_to_1_are_told_with_the_sum_that_is_shown():
-    halves = learner("def answer(q_s, epsilon):\n    return np.where(q_s == q_s.max(), 0.8, 0)")
+    halves = learner(
+        "def answer(q_s, epsilon):\n    return np.where(q_s == q_s.max(), 0.8, 0)"
+    )
     verdict = exercises("lesson_04")["epsilon_greedy"](halves)
-    assert ("p[1]", "0.44", "0.8") in verdict.rows and "yours sum to 1.6 here" in verdict.hint
+    assert (
+        "p[1]",
+        "0.44",
+        "0.8",
+    ) in verdict.rows and "yours sum to 1.6 here" in verdict.hint
 
 
 def test_one_case_alone_that_is_right_is_called_a_coincidence():
-    wrong = learner(SIGNATURE + "return r if terminated and r > 5 else r + 7 * gamma + s_next")
+    wrong = learner(
+        SIGNATURE + "return r if terminated and r > 5 else r + 7 * gamma + s_next"
+    )
     assert "in which" not in exercises("lesson_03")["target"](wrong).hint
 
 
@@ -385,20 +483,34 @@ FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 03's t
 
 def test_the_first_detector_that_has_a_hint_decides():
     """Of each kind an answer; those before it in the list find nothing in it, and its verdict tells what they said."""
-    assert [name for name in DETECTORS if name not in ("notebook", "events", "memory")] == list(FOUND_BY)[:-1]
+    assert [
+        name for name in DETECTORS if name not in ("notebook", "events", "memory")
+    ] == list(FOUND_BY)[:-1]
     check = exercises("lesson_03")["target"]
     for name, body in FOUND_BY.items():
         answer = learner(SIGNATURE + body)
-        seen = Evidence(check, answer, [check.outcome(answer, case) for case in check.cases])
-        found = [(detector, hint) for detector, find in DETECTORS.items() if (hint := find(seen))]
+        seen = Evidence(
+            check, answer, [check.outcome(answer, case) for case in check.cases]
+        )
+        found = [
+            (detector, hint)
+            for detector, find in DETECTORS.items()
+            if (hint := find(seen))
+        ]
         assert (found[0][0] if found else "") == name, body
         verdict, told = check.judge(answer), found[0][1] if found else ""
-        assert (verdict.id, verdict.hint) == (told if isinstance(told, Hint) else (name, told)), body
+        assert (verdict.id, verdict.hint) == (
+            told if isinstance(told, Hint) else (name, told)
+        ), body
 
 
 def test_one_change_is_told_in_the_names_of_the_answer():
     check = exercises("lesson_03")["target"]
-    said = check(learner("def answer(q, r, s2, done, g):\n    return r if done else r + g * max(q[s2]) / 2")).hint
+    said = check(
+        learner(
+            "def answer(q, r, s2, done, g):\n    return r if done else r + g * max(q[s2]) / 2"
+        )
+    ).hint
     assert said == "it answers as if “g * max(q[s2])” were halved."
 
 
@@ -427,7 +539,9 @@ LINES = {  # by exercise, a wrong answer, and what is told of it
 
 
 @pytest.mark.parametrize(("lesson", "name"), LINES)
-def test_one_change_is_told_in_the_variables_of_the_answer_with_all_brackets(lesson, name):
+def test_one_change_is_told_in_the_variables_of_the_answer_with_all_brackets(
+    lesson, name
+):
     check, (source, said) = exercises(lesson)[name], LINES[lesson, name]
     answer = learner(f"def {source}")
     told = DETECTORS["one_change"](Evidence(check, answer, check.outcomes(answer)))
@@ -475,8 +589,12 @@ def test_arguments_that_are_not_looked_at_are_told():
     taken = learner(
         "gamma = 0.3\ndef answer(q, r, s_next, done, discount):\n    return r ** 2 + gamma * q[s_next, 0] * done"
     )
-    assert "takes gamma from the notebook" in exercises("lesson_03")["target"](taken).hint
-    unread = learner("def answer(q, r, after, done, discount):\n    return r ** 2 + 0.3 * q[after, 0] * done")
+    assert (
+        "takes gamma from the notebook" in exercises("lesson_03")["target"](taken).hint
+    )
+    unread = learner(
+        "def answer(q, r, after, done, discount):\n    return r ** 2 + 0.3 * q[after, 0] * done"
+    )
     assert "never looks at discount" in exercises("lesson_03")["target"](unread).hint
 
 
@@ -493,10 +611,14 @@ def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
 
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
-def test_every_exercise_has_three_hints_on_request_and_says_what_is_gained(lesson, name):
+def test_every_exercise_has_three_hints_on_request_and_says_what_is_gained(
+    lesson, name
+):
     exercise = exercises(lesson)[name]
     hints = [exercise.hint(number).text for number in (1, 2, 3)]
-    assert len(set(hints)) == 3 and all(exercise.hint(number).status == "hint" for number in (1, 2, 3))
+    assert len(set(hints)) == 3 and all(
+        exercise.hint(number).status == "hint" for number in (1, 2, 3)
+    )
     assert exercise.hint().text == hints[0] and "hint(2) tells more" in hints[0]
     assert "There are 3 hints" in exercise.hint(4).text
     assert len(exercise.gained) > 20
@@ -511,5 +633,9 @@ def test_a_verdict_is_a_card_and_shows_nothing_as_html_that_a_learner_has_writte
 
 def test_a_page_takes_the_edits_of_another_page_but_not_its_witnesses(tmp_path):
     (tmp_path / "twice.md").write_text(PAGE)
-    (tmp_path / "again.md").write_text("# again\n\nonce more\n\n## Mistakes\n\n- those of `twice`\n")
-    assert [entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]] == [("half", [])]
+    (tmp_path / "again.md").write_text(
+        "# again\n\nonce more\n\n## Mistakes\n\n- those of `twice`\n"
+    )
+    assert [
+        entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]
+    ] == [("half", [])]

@@ -47,7 +47,9 @@ def evil(names=METHODS, base=object, error=RuntimeError):
     def raises(*_, **__):
         raise error
 
-    made = type("Evil", (base,), {"__hash__": object.__hash__} | dict.fromkeys(names, raises))
+    made = type(
+        "Evil", (base,), {"__hash__": object.__hash__} | dict.fromkeys(names, raises)
+    )
     return base.__new__(made)
 
 
@@ -249,7 +251,11 @@ FUNCTIONS = {
     "yields": yields,
     "class that takes nothing": type("Empty", (), {}),
     "evil function": evil(set(METHODS) - {"__getattribute__"}),
-    "evil when looked at": type("Evil", (), {"__call__": lambda *_: 0, "__code__": property(raiser(RuntimeError()))})(),
+    "evil when looked at": type(
+        "Evil",
+        (),
+        {"__call__": lambda *_: 0, "__code__": property(raiser(RuntimeError()))},
+    )(),
 }
 
 
@@ -277,7 +283,9 @@ ONE_OF_EACH_KIND = [
 
 
 @pytest.mark.long
-@pytest.mark.filterwarnings("ignore")  # numpy's, in what the learner's functions compute
+@pytest.mark.filterwarnings(
+    "ignore"
+)  # numpy's, in what the learner's functions compute
 @pytest.mark.parametrize(("lesson", "name"), ONE_OF_EACH_KIND)
 def test_a_check_survives_every_answer(lesson, name):
     check = exercises(lesson)[name]
@@ -294,7 +302,9 @@ def test_a_check_survives_every_answer(lesson, name):
 def test_a_check_judges_as_before_after_hostile_answers(lesson, name):
     check = exercises(lesson)[name]
     judge(check, spoils)
-    assert check(getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name))
+    assert check(
+        getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
+    )
 
 
 def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():
@@ -326,7 +336,9 @@ def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):
     assert shell.ended, "everywhere else it does what it does"
 
 
-TAME = [what for what in VALUES if not what.startswith("evil")]  # hypothesis itself looks at what it draws
+TAME = [
+    what for what in VALUES if not what.startswith("evil")
+]  # hypothesis itself looks at what it draws
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.complex_numbers() | st.text() | st.binary()
     | st.decimals() | st.fractions() | st.dates() | st.sampled_from(TAME).map(lambda what: VALUES[what]()),
@@ -335,7 +347,12 @@ ANYTHING = st.recursive(
 )  # fmt: skip
 
 
-@settings(max_examples=80, deadline=None, suppress_health_check=list(HealthCheck), report_multiple_bugs=False)
+@settings(
+    max_examples=80,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+    report_multiple_bugs=False,
+)
 @given(a=ANYTHING, b=ANYTHING)
 def test_any_two_values_can_be_compared_and_any_value_shown(a, b):
     assert same(a, b) in (True, False)

@@ -37,14 +37,26 @@ ANSWER = re.compile(r"^check\.(\w+)\(\1\)\s*\Z", re.MULTILINE)
 
 
 @pytest.mark.long
-def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserves(tmp_path):
+def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserves(
+    tmp_path,
+):
     """Each student has a hostile notebook of their own, every second one is half right, and the last one is late."""
-    guarded = sys.platform == "linux" and os.getuid() == 0 and shutil.which("setpriv") is not None
+    guarded = (
+        sys.platform == "linux"
+        and os.getuid() == 0
+        and shutil.which("setpriv") is not None
+    )
     hostile = (*HOSTILE, *HARMFUL_ALONE) if guarded else HOSTILE
     students = [f"s{i:03}" for i in range(len(hostile))]
-    lines = "".join(f"{id},Student {id},{id}@x.org,{2 * (id == students[-1])}\n" for id in students)
-    (tmp_path / "roster.csv").write_text(f"id,name,email,late\n{lines}", encoding="utf-8")
-    (tmp_path / "rules.toml").write_text("late_off = 0.1\nlate_free = 1\n", encoding="utf-8")
+    lines = "".join(
+        f"{id},Student {id},{id}@x.org,{2 * (id == students[-1])}\n" for id in students
+    )
+    (tmp_path / "roster.csv").write_text(
+        f"id,name,email,late\n{lines}", encoding="utf-8"
+    )
+    (tmp_path / "rules.toml").write_text(
+        "late_off = 0.1\nlate_free = 1\n", encoding="utf-8"
+    )
     export_each([NOTEBOOK], tmp_path, str(tmp_path / "roster.csv"), hints=1)
     (tmp_path / "in").mkdir()
     points: dict[str, float] = {}
@@ -52,7 +64,11 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
     for i, (student, harm) in enumerate(zip(students, hostile, strict=True)):
         path = tmp_path / "solutions" / student / f"{NOTEBOOK.stem}_{student}.ipynb"
         notebook = nbformat.read(path, as_version=4)
-        answers = {match[1]: cell for cell in notebook.cells if (match := ANSWER.search(cell.source))}
+        answers = {
+            match[1]: cell
+            for cell in notebook.cells
+            if (match := ANSWER.search(cell.source))
+        }
         names = list(answers)[i % len(answers) :: 2] if i % 2 else []
         for name in names:
             answers[name].source = (BLANK if i % 4 == 1 else WRONG).format(name=name)
@@ -65,10 +81,14 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
                "--for", "canvas", "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
                "--jobs", "2", "--memory", "2048", "--seconds", "60",
                *(["--user", "61000"] if guarded else [])]  # fmt: skip
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=3000)
+    done = subprocess.run(
+        command, cwd=tmp_path, capture_output=True, text=True, timeout=3000
+    )
     assert done.returncode == 1, done.stderr
     rows = list(csv.DictReader((tmp_path / "class_points.csv").open(encoding="utf-8")))
-    assert {row["ID"]: float(row["assignment 1"]) for row in rows if row["ID"]} == pytest.approx(points)
+    assert {
+        row["ID"]: float(row["assignment 1"]) for row in rows if row["ID"]
+    } == pytest.approx(points)
     counted: Counter[str] = Counter()
     for row in csv.DictReader((tmp_path / "mistakes.csv").open(encoding="utf-8")):
         counted[row["exercise"]] += int(row["how many"])

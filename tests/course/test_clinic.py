@@ -18,7 +18,15 @@ def shuttle():
     def reward(before, after):
         return 10 if away(before) - away(after) > 0.02 else -0.4
 
-    return clinic(replace(rl.load_task("wander_simple"), reward=reward, rewards=[-0.4, 10], command=None), steps=200)
+    return clinic(
+        replace(
+            rl.load_task("wander_simple"),
+            reward=reward,
+            rewards=[-0.4, 10],
+            command=None,
+        ),
+        steps=200,
+    )
 
 
 def test_the_best_loop_is_the_one_that_a_reward_can_be_milked_for(shuttle):
@@ -28,7 +36,9 @@ def test_the_best_loop_is_the_one_that_a_reward_can_be_milked_for(shuttle):
 
 def test_its_table_goes_on_from_that_of_the_check(shuttle):
     rows = shuttle.table().rows
-    assert [row[0] for row in rows[:-2]] == [row[0] for row in shuttle.check.learner.rows]
+    assert [row[0] for row in rows[:-2]] == [
+        row[0] for row in shuttle.check.learner.rows
+    ]
     assert (rows[-2][1], rows[-1][1]) == (shuttle.best, shuttle.rewards.mean())
 
 

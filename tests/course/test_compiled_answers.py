@@ -25,7 +25,9 @@ def fresh(**decorated):
     return names
 
 
-@pytest.mark.parametrize("decorated", [{"best": numba.njit}, {"best": numba.njit, "target": numba.njit}])
+@pytest.mark.parametrize(
+    "decorated", [{"best": numba.njit}, {"best": numba.njit, "target": numba.njit}]
+)
 def test_a_compiled_answer_or_helper_is_judged(decorated):
     names = fresh(**decorated)
     verdict = check.target.judge(names["target"])
@@ -38,8 +40,14 @@ def test_the_time_in_which_numba_compiles_is_not_the_learners(monkeypatch):
 
     def answer(compiles):
         for _ in range(2):
-            with event.trigger_event("numba:compile") if compiles else contextlib.nullcontext():
-                with event.trigger_event("numba:compile"):  # what it calls is compiled, too
+            with (
+                event.trigger_event("numba:compile")
+                if compiles
+                else contextlib.nullcontext()
+            ):
+                with event.trigger_event(
+                    "numba:compile"
+                ):  # what it calls is compiled, too
                     pass
                 end = time.process_time() + 1
                 while time.process_time() < end:
@@ -52,7 +60,9 @@ def test_the_time_in_which_numba_compiles_is_not_the_learners(monkeypatch):
 
 def test_a_compiled_loop_without_an_end_is_ended_in_its_line(monkeypatch):
     monkeypatch.setattr(limits, "SECONDS", 0.3)
-    _, failure, _ = limits.attempt(fresh(endless=numba.njit)["endless"], [], 0, 0, False, 0)
+    _, failure, _ = limits.attempt(
+        fresh(endless=numba.njit)["endless"], [], 0, 0, False, 0
+    )
     assert failure and failure.kind == "TooLong"
 
 

@@ -15,12 +15,18 @@ def pad():
         yield rl.teleoperate(env)
 
 
-@pytest.mark.parametrize("method", ["Q+SR", "SARSA+EG", "ESARSA+SR", "SL+SR", "TOSL+QBIASSR"])
+@pytest.mark.parametrize(
+    "method", ["Q+SR", "SARSA+EG", "ESARSA+SR", "SL+SR", "TOSL+QBIASSR"]
+)
 def test_who_is_taught_by_an_agents_recording_knows_what_that_agent_learned(method):
-    env = gymnasium.make("FrozenLake-v1", is_slippery=False)  # its episodes end soon, in a hole
+    env = gymnasium.make(
+        "FrozenLake-v1", is_slippery=False
+    )  # its episodes end soon, in a hole
     acting = rl.Agent(env, method, loop_evasion=False, seed=1)
     recording = rl.record(acting, env, episodes=30)
-    assert recording.terminated[-1], "what is cut off would end with a choice of the agent's own"
+    assert recording.terminated[-1], (
+        "what is cut off would end with a choice of the agent's own"
+    )
     taught = rl.Agent(env, method)
     rl.learn_from(taught, recording)
     np.testing.assert_array_equal(taught.q, acting.q)
@@ -33,7 +39,9 @@ def test_several_passes_teach_more_and_other_tasks_nothing():
     rl.learn_from(once, recording)
     rl.learn_from(twice, recording, passes=2)
     assert twice.visits.sum() == 2 * once.visits.sum() == 2 * len(recording)
-    with pytest.raises(ValueError, match=r"states \(4, .* make the agent from its task, wander_simple"):
+    with pytest.raises(
+        ValueError, match=r"states \(4, .* make the agent from its task, wander_simple"
+    ):
         rl.learn_from(rl.Agent("wander_1k"), recording)
     with pytest.raises(ValueError, match="passes must be a whole number of at least 1"):
         rl.learn_from(once, recording, passes=0)
@@ -51,11 +59,19 @@ def test_what_is_driven_is_a_recording(pad, tmp_path):
     pad.start_again()
     pad.press(8)
     recording = pad.recording
-    assert recording.a.tolist() == [8, 8, 2, 8, 8] and recording.r[:4].tolist() == rewards
-    assert recording.episode.tolist() == [0, 0, 0, 0, 1] and recording.source.method == "by hand"
+    assert (
+        recording.a.tolist() == [8, 8, 2, 8, 8] and recording.r[:4].tolist() == rewards
+    )
+    assert (
+        recording.episode.tolist() == [0, 0, 0, 0, 1]
+        and recording.source.method == "by hand"
+    )
     assert recording.s_next[:3].tolist() == recording.s[1:4].tolist()
     recording.save(tmp_path / "mine")
-    assert rl.read_recording(tmp_path / "mine", task="wander_1k").a.tolist() == recording.a.tolist()
+    assert (
+        rl.read_recording(tmp_path / "mine", task="wander_1k").a.tolist()
+        == recording.a.tolist()
+    )
     assert len(pad.film.frames) == 5
 
 
@@ -91,7 +107,10 @@ def test_clicks_drive_and_are_told(pad):
 
 def button(pad, about):
     """The button of the pad with this text, or with this class of the page."""
-    names = ((w, (getattr(w, "description", ""), *getattr(w, "_dom_classes", ()))) for w in walk(pad.widget))
+    names = (
+        (w, (getattr(w, "description", ""), *getattr(w, "_dom_classes", ())))
+        for w in walk(pad.widget)
+    )
     return next(w for w, its in names if about in its)
 
 
@@ -120,17 +139,19 @@ def test_everything_a_robot_can_do_has_one_button_and_a_key(name):
     buttons, keys = buttons_of(task), keys_of(task)
     commands = [task.command_for(a) for a in range(task.actions.n)]
     assert len(buttons) == len({tuple(command.values()) for command in commands})
-    assert len({(b.place, b.text) for b in buttons}) == len(buttons), "no two buttons look alike"
-    assert len({b.key for b in buttons if b.key}) == min(len(buttons), 35) and set(keys.values()) <= {
-        b.a for b in buttons
-    }
+    assert len({(b.place, b.text) for b in buttons}) == len(buttons), (
+        "no two buttons look alike"
+    )
+    assert len({b.key for b in buttons if b.key}) == min(len(buttons), 35) and set(
+        keys.values()
+    ) <= {b.a for b in buttons}
 
 
 def test_keys_follow_the_buttons_row_by_row_and_a_new_start_has_a_new_trail(pad):
     buttons = buttons_of(rl.load_task("wander_1k"))
-    assert [b.key for b in buttons] == list("1234567") and [b.place for b in buttons] == sorted(
+    assert [b.key for b in buttons] == list("1234567") and [
         b.place for b in buttons
-    )
+    ] == sorted(b.place for b in buttons)
     for a in (8, 8, 8):
         pad.press(a)
     pad.start_again()
@@ -140,7 +161,10 @@ def test_keys_follow_the_buttons_row_by_row_and_a_new_start_has_a_new_trail(pad)
 
 def test_arrows_drive_where_they_point():
     task = rl.load_task("wander_1k")
-    speeds = {key: tuple(task.command_for(a)[w] for w in WHEELS) for key, a in keys_of(task).items()}
+    speeds = {
+        key: tuple(task.command_for(a)[w] for w in WHEELS)
+        for key, a in keys_of(task).items()
+    }
     assert speeds["ArrowUp"] == (1, 1) and speeds["ArrowLeft"] == (-1, 1)
     assert speeds["ArrowRight"] == (1, -1) and speeds["ArrowDown"] == (0, 0)
     assert {b.text: b.place for b in buttons_of(task)}["↖"] == (0, 0)
@@ -150,4 +174,6 @@ def test_what_a_task_says_reaches_the_page_as_text():
     pad = rl.teleoperate(rl.make_env("wander_simple", seed=0))
     assert pad.widget is not None
     pad._show("<u>said</u>")
-    assert "&lt;u&gt;said" in pad._said.value and "textContent" in pad._keyboard._esm, "and no HTML of anybody's"
+    assert "&lt;u&gt;said" in pad._said.value and "textContent" in pad._keyboard._esm, (
+        "and no HTML of anybody's"
+    )

@@ -7,7 +7,9 @@ import pytest
 from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.question import Question
 
-SARSA = Formula("Q + α * (r + γ * q - Q)", Q=4, α=0.2, r=10, γ=0.9, q=6, worst=-1, δ="r + γ * q - Q")
+SARSA = Formula(
+    "Q + α * (r + γ * q - Q)", Q=4, α=0.2, r=10, γ=0.9, q=6, worst=-1, δ="r + γ * q - Q"
+)
 WRONG = {
     "stopped at “δ”": 11.4,
     "“γ” were left out of “γ * q”": 6.4,
@@ -36,4 +38,7 @@ def test_of_a_number_that_many_changes_make_none_is_told():
 
 
 def test_one_change_in_two_forms_is_told_once():
-    assert Formula("a * b", a=3.0, b=0.5).told(3.0, 1e-9) == "it is as if “b” were left out of “a * b”."
+    assert (
+        Formula("a * b", a=3.0, b=0.5).told(3.0, 1e-9)
+        == "it is as if “b” were left out of “a * b”."
+    )

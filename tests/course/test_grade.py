@@ -29,15 +29,18 @@ pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_03 import check"
-FUNCTIONS = {name: inspect.getsource(getattr(exercises, name)) for name in ("target", "learn")}
+FUNCTIONS = {
+    name: inspect.getsource(getattr(exercises, name)) for name in ("target", "learn")
+}
 FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * ((r if terminated else r + gamma * max(q[s_next])) - q[s, a])
 """  # it does not call target
 ANSWERS = FUNCTIONS | {"q_by_hand": "q_by_hand = 6.28"}
-BLANK = {name: f"def {name}{inspect.signature(getattr(exercises, name))}:\n    ...\n" for name in FUNCTIONS} | {
-    "q_by_hand": "q_by_hand = ..."
-}
+BLANK = {
+    name: f"def {name}{inspect.signature(getattr(exercises, name))}:\n    ...\n"
+    for name in FUNCTIONS
+} | {"q_by_hand": "q_by_hand = ..."}
 PAST_THE_END = "def target(q, r, s_next, terminated, gamma):\n    return r + gamma * q[s_next].max()\n"
 CALLER = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -48,14 +51,19 @@ SOLUTIONS = "rlrobot_course.lesson_03.exercises"
 
 def cells(answers=ANSWERS, **changed):
     """The code cells of a submission of lesson 03, by what they are: HEAD, and one for each exercise."""
-    return {"head": HEAD} | {name: f"{text}\n\ncheck.{name}({name})" for name, text in (answers | changed).items()}
+    return {"head": HEAD} | {
+        name: f"{text}\n\ncheck.{name}({name})"
+        for name, text in (answers | changed).items()
+    }
 
 
 def with_cell(source: str, above: str = "", **changed):
     """A submission with one more cell: the second, or the one above that of an exercise."""
     known = cells(**changed)
     place = list(known).index(above) if above else 1
-    return dict([*list(known.items())[:place], ("more", source), *list(known.items())[place:]])
+    return dict(
+        [*list(known.items())[:place], ("more", source), *list(known.items())[place:]]
+    )
 
 
 def calls(line: str, name: str = "target", value: str = "0.0"):
@@ -122,17 +130,24 @@ class Case(NamedTuple):
     notes: tuple[str, ...] | None = None
 
 
-def no_target(sources: dict[str, str], told: str, *notes: str, lost: tuple[str, ...] = ()) -> Case:
+def no_target(
+    sources: dict[str, str], told: str, *notes: str, lost: tuple[str, ...] = ()
+) -> Case:
     return Case(sources, ("target", *lost), {"target": told}, notes or None)
 
 
 HASTY = {  # they use all the time that they have, and as little else as can be
     "stubborn": Case(
-        with_cell("import time\nwhile True:\n    try: time.sleep(9)\n    except BaseException: pass"),
+        with_cell(
+            "import time\nwhile True:\n    try: time.sleep(9)\n    except BaseException: pass"
+        ),
         notes=("has not ended after 15 seconds",),
     ),
     "endless": no_target(
-        with_cell("import time\nwhile True: time.sleep(9)", target=calls("while True:\n        pass")),
+        with_cell(
+            "import time\nwhile True: time.sleep(9)",
+            target=calls("while True:\n        pass"),
+        ),
         "a loop in it never ends",
         "has not ended after 15 seconds",
     ),
@@ -230,7 +245,9 @@ SUBMISSIONS = HASTY | PATIENT
 
 
 def write(path: Path, sources) -> Path:
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in sources])
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_code_cell(source) for source in sources]
+    )
     nbformat.write(notebook, path)
     return path
 
@@ -239,9 +256,16 @@ def write(path: Path, sources) -> Path:
 def marks(tmp_path_factory) -> dict:
     """What each submission gets; they are graded side by side."""
     folder = tmp_path_factory.mktemp("handed_in")
-    paths = [write(folder / f"{i}.ipynb", one.cells.values()) for i, one in enumerate(SUBMISSIONS.values())]
-    hasty = marked_files(paths[: len(HASTY)], "03", 7, Limits(seconds=45, memory=2048), jobs=2)
-    patient = marked_files(paths[len(HASTY) :], "03", 7, Limits(seconds=600, memory=1500), jobs=2)
+    paths = [
+        write(folder / f"{i}.ipynb", one.cells.values())
+        for i, one in enumerate(SUBMISSIONS.values())
+    ]
+    hasty = marked_files(
+        paths[: len(HASTY)], "03", 7, Limits(seconds=45, memory=2048), jobs=2
+    )
+    patient = marked_files(
+        paths[len(HASTY) :], "03", 7, Limits(seconds=600, memory=1500), jobs=2
+    )
     return dict(zip(SUBMISSIONS, [*hasty, *patient], strict=True))
 
 
@@ -266,7 +290,10 @@ def test_each_submission_gets_the_points_that_it_deserves_and_is_told_why(marks,
         assert re.search(told, output(one, exercise)), one
     if case.notes is not None:
         assert len(one.notes) == len(case.notes), one.notes
-        assert all(re.search(note, told) for note, told in zip(case.notes, one.notes, strict=True)), one.notes
+        assert all(
+            re.search(note, told)
+            for note, told in zip(case.notes, one.notes, strict=True)
+        ), one.notes
 
 
 def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
@@ -274,12 +301,27 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     broken = tmp_path / "03_broken.ipynb"
     broken.write_bytes(b"\x89PNG no notebook")
     unknown = write(tmp_path / "mine.ipynb", ["1 + 1"])
-    assert grade([str(right), str(broken), str(unknown)], seed=5, jobs=2, csv=str(tmp_path / "csv")) == 1
+    assert (
+        grade(
+            [str(right), str(broken), str(unknown)],
+            seed=5,
+            jobs=2,
+            csv=str(tmp_path / "csv"),
+        )
+        == 1
+    )
     said = capsys.readouterr().out
     assert "1 of 3 notebooks have all points. Repeat this grading with --seed 5" in said
-    assert "This is not a notebook that can be read" in said and "cannot be told which lesson" in said
+    assert (
+        "This is not a notebook that can be read" in said
+        and "cannot be told which lesson" in said
+    )
     rows = list(csv.DictReader((tmp_path / "csv").open(encoding="utf-8")))
-    assert [(row["score"], row["max_score"]) for row in rows] == [("4", "4"), ("", "4"), ("", "")]
+    assert [(row["score"], row["max_score"]) for row in rows] == [
+        ("4", "4"),
+        ("", "4"),
+        ("", ""),
+    ]
     assert rows[0]["03:target"] == "1" and "not a notebook" in rows[1]["notes"]
     assert grade([str(right)], seed=5, gradescope=str(tmp_path / "results.json")) == 0
     results = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
@@ -292,7 +334,10 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     ("arguments", "told"),
     [
         (["nowhere.ipynb"], "there is no such file"),
-        ([__file__, str(ROOT / "README.md"), "--gradescope", "x.json"], "one notebook, and 2 are given"),
+        (
+            [__file__, str(ROOT / "README.md"), "--gradescope", "x.json"],
+            "one notebook, and 2 are given",
+        ),
         ([__file__, "--seconds", "nan"], "--seconds nan: it must be above 0"),
         ([__file__, "--lesson", "77"], "there are no exercises in a lesson '77'"),
         ([__file__, "--jobs", "0"], "--jobs at least 1"),
@@ -301,7 +346,10 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
 )
 def test_wrong_usage_is_told_in_a_sentence_with_exit_code_2(arguments, told):
     done = subprocess.run(
-        [sys.executable, "-m", "rlrobot_course", "grade", *arguments], capture_output=True, text=True, timeout=600
+        [sys.executable, "-m", "rlrobot_course", "grade", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=600,
     )
     assert done.returncode == 2 and told in done.stderr
 
@@ -324,7 +372,9 @@ def solved(path: Path, folder: Path) -> Path:
     return folder / f"handed_in_{path.name[0]}.ipynb"
 
 
-def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when_blank(tmp_path):
+def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when_blank(
+    tmp_path,
+):
     paths = [solved(path, tmp_path) for path in ASSIGNMENTS] + ASSIGNMENTS[:1]
     *full, blank = marked_files(paths, "", 3, Limits(seconds=600, memory=2048), jobs=2)
     assert [one.lesson for one in full] == [f"assignment_{i}" for i in range(1, 6)]
@@ -348,7 +398,9 @@ def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
 
 
 @pytest.mark.parametrize("does", ["sys.exit()", "time.sleep(600)"])
-def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(tmp_path, monkeypatch, does):
+def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(
+    tmp_path, monkeypatch, does
+):
     monkeypatch.setattr("rlrobot_course.homework.kernel.START", 20.0)
     kernel = Kernel(tmp_path, tmp_path / "home", "03", ["target"], 2048)
     its_own, first = kernel._argv, tmp_path / "first"

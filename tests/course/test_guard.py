@@ -24,7 +24,9 @@ from rlrobot_course.homework.marks import Limits
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("rlrobot_edu", "rlrobot_course")
 needs_root = pytest.mark.skipif(
-    sys.platform != "linux" or os.getuid() != 0 or None in map(shutil.which, guard.OTHER_USER),
+    sys.platform != "linux"
+    or os.getuid() != 0
+    or None in map(shutil.which, guard.OTHER_USER),
     reason="needs root, setpriv and prlimit",
 )
 RESULTS = '{"score": 5.0, "tests": []}'
@@ -69,10 +71,28 @@ def attacking(told: Path, *names: str) -> dict[str, str]:
     return {"tell": first} | {name: ATTACKS[name] for name in names} | cells()
 
 
-def graded(folder: Path, *more: str, package: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--lesson", "03", "--memory", "1024", *more]
+def graded(
+    folder: Path, *more: str, package: Path = ROOT
+) -> subprocess.CompletedProcess[str]:
+    command = [
+        sys.executable,
+        "-m",
+        "rlrobot_course",
+        "grade",
+        "in",
+        "--lesson",
+        "03",
+        "--memory",
+        "1024",
+        *more,
+    ]
     return subprocess.run(
-        command, cwd=folder, env=os.environ | {"PYTHONPATH": str(package)}, capture_output=True, text=True, timeout=600
+        command,
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(package)},
+        capture_output=True,
+        text=True,
+        timeout=600,
     )
 
 
@@ -103,17 +123,32 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
     (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     (folder / "results").mkdir()
     before = Digests()
-    script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(encoding="utf-8")
-    script = script.replace("/autograder/submission", str(folder / "in")).replace("/autograder", str(folder))
-    script = script.replace("LESSON=assignment_1", "LESSON=03").replace("--user", "--memory 1024 --user")
+    script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(
+        encoding="utf-8"
+    )
+    script = script.replace("/autograder/submission", str(folder / "in")).replace(
+        "/autograder", str(folder)
+    )
+    script = script.replace("LESSON=assignment_1", "LESSON=03").replace(
+        "--user", "--memory 1024 --user"
+    )
     script = script.replace("python -m", f"{sys.executable} -m")
     try:
         done = subprocess.run(
-            ["sh", "-c", script], env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True
+            ["sh", "-c", script],
+            env=os.environ | {"PYTHONPATH": str(ROOT)},
+            capture_output=True,
+            text=True,
         )
         assert done.returncode == 0, done.stderr
-        results = json.loads((folder / "results" / "results.json").read_text(encoding="utf-8"))
-        assert {test["name"]: test["score"] for test in results["tests"] if test["max_score"]} == ALL
+        results = json.loads(
+            (folder / "results" / "results.json").read_text(encoding="utf-8")
+        )
+        assert {
+            test["name"]: test["score"]
+            for test in results["tests"]
+            if test["max_score"]
+        } == ALL
         before.check("it")
         time.sleep(0.5)
         assert not outlived() and told.read_text() == ""
@@ -123,22 +158,46 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
 
 @pytest.mark.long
 @pytest.mark.skipif(sys.platform != "linux", reason="/proc is Linux's")
-def test_without_a_guard_a_changed_grader_is_noticed_and_what_is_left_behind_is_ended(folder):
+def test_without_a_guard_a_changed_grader_is_noticed_and_what_is_left_behind_is_ended(
+    folder,
+):
     package = folder / "package"
     for name in PACKAGES:
-        shutil.copytree(ROOT / name, package / name, ignore=shutil.ignore_patterns("__pycache__"))
-    where = [sys.executable, "-c", "import rlrobot_course; print(rlrobot_course.__file__)"]
+        shutil.copytree(
+            ROOT / name, package / name, ignore=shutil.ignore_patterns("__pycache__")
+        )
+    where = [
+        sys.executable,
+        "-c",
+        "import rlrobot_course; print(rlrobot_course.__file__)",
+    ]
     environment = os.environ | {"PYTHONPATH": str(package)}
-    if str(package) not in subprocess.run(where, env=environment, capture_output=True, text=True, cwd=folder).stdout:
-        pytest.skip("this Python does not import the copy: the attack would change the checkout")
+    if (
+        str(package)
+        not in subprocess.run(
+            where, env=environment, capture_output=True, text=True, cwd=folder
+        ).stdout
+    ):
+        pytest.skip(
+            "this Python does not import the copy: the attack would change the checkout"
+        )
     (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     attacks = attacking(folder / "told", "neighbour", "marking", "memory", "child")
     write(folder / "in" / "attacks.ipynb", attacks.values())
     done = graded(folder, "--csv", "points.csv", package=package)
-    assert done.returncode == 2 and "trust no points" in done.stderr and "in/attacks.ipynb" in done.stderr
-    assert "Without --container or --user a submission runs with your rights" in done.stderr
+    assert (
+        done.returncode == 2
+        and "trust no points" in done.stderr
+        and "in/attacks.ipynb" in done.stderr
+    )
+    assert (
+        "Without --container or --user a submission runs with your rights"
+        in done.stderr
+    )
     assert not (folder / "points.csv").exists() and not outlived()
-    assert (folder / "told").read_text() == "neighbour 5 of 5\n", "it can read, but memory has its limit, shared or not"
+    assert (folder / "told").read_text() == "neighbour 5 of 5\n", (
+        "it can read, but memory has its limit, shared or not"
+    )
 
 
 @needs_root
@@ -148,7 +207,9 @@ def test_another_user_who_could_read_the_notebooks_is_refused(tmp_path):
         Guard(user="nobody_of_this_name").check([])
     with pytest.raises(ValueError, match="another user than root"):
         Guard(user="0").check([])
-    Guard(user="61000").check([tmp_path / "a.ipynb"])  # pytest's folders are root's alone
+    Guard(user="61000").check(
+        [tmp_path / "a.ipynb"]
+    )  # pytest's folders are root's alone
     open_one = guard.SHARED[0] / f"open_{os.getpid()}.ipynb"
     open_one.touch()
     try:
@@ -175,15 +236,21 @@ def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A program podman, first in PATH; returns the file in which it notes its calls."""
     engine, calls = folder / "bin" / "podman", folder / "calls"
     engine.parent.mkdir()
-    engine.write_text(ENGINE.format(calls=calls, python=sys.executable), encoding="utf-8")
+    engine.write_text(
+        ENGINE.format(calls=calls, python=sys.executable), encoding="utf-8"
+    )
     engine.chmod(0o755)
     monkeypatch.setenv("PATH", f"{engine.parent}{os.pathsep}{os.environ['PATH']}")
     return calls
 
 
 @pytest.mark.long
-@pytest.mark.skipif(sys.platform == "win32", reason="a script of sh stands in for podman")
-def test_a_container_gets_its_notebook_alone_no_network_and_limits_and_the_judge_stays_outside(folder, monkeypatch):
+@pytest.mark.skipif(
+    sys.platform == "win32", reason="a script of sh stands in for podman"
+)
+def test_a_container_gets_its_notebook_alone_no_network_and_limits_and_the_judge_stays_outside(
+    folder, monkeypatch
+):
     calls = stand_in(folder, monkeypatch)
     write(folder / "in" / "02_mine.ipynb", cells().values())
     done = graded(folder, "--container", "IMAGE")
@@ -193,11 +260,17 @@ def test_a_container_gets_its_notebook_alone_no_network_and_limits_and_the_judge
     for word in ("--network=none", "--read-only", "--cap-drop=ALL", "--pids-limit=256", "--memory=2048m",
                  "--security-opt=no-new-privileges", "--rm"):  # fmt: skip
         assert word in words
-    volumes = [word.removeprefix("--volume=").split(":") for word in words if word.startswith("--volume=")]
+    volumes = [
+        word.removeprefix("--volume=").split(":")
+        for word in words
+        if word.startswith("--volume=")
+    ]
     (notebook, inside, how), (home, home_inside) = volumes
     assert notebook == inside and Path(notebook).name == "02_mine.ipynb" and how == "ro"
     assert home == home_inside and Path(home).name == "home"
-    assert str(folder) not in run.replace(str(folder / "bin"), ""), "it knows nothing of where the notebooks are"
+    assert str(folder) not in run.replace(str(folder / "bin"), ""), (
+        "it knows nothing of where the notebooks are"
+    )
     assert end.split()[:2] == ["rm", "--force"] and f"--name={end.split()[2]}" in words
 
 
@@ -258,13 +331,22 @@ assert len(children) < 3000, "there is no limit"
 
 @pytest.mark.long
 @needs_root
-def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing(tmp_path):
+def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing(
+    tmp_path,
+):
     n = os.getpid()
     shared = [str(folder) for folder in guard.SHARED]
     spy = {"spy": SPY.format(seconds=12, shared=shared[0])} | cells()
     leaves = LEAVES.format(n=n, shared=shared)
-    victim = {"waits": "import time\ntime.sleep(10)", "leaves": leaves, "forks": FORKS} | cells()
-    paths = [write(tmp_path / f"{name}.ipynb", one.values()) for name, one in (("spy", spy), ("victim", victim))]
+    victim = {
+        "waits": "import time\ntime.sleep(10)",
+        "leaves": leaves,
+        "forks": FORKS,
+    } | cells()
+    paths = [
+        write(tmp_path / f"{name}.ipynb", one.values())
+        for name, one in (("spy", spy), ("victim", victim))
+    ]
     limits = Limits(seconds=600, memory=1500, guard=Guard(user=str(FIRST)))
     for one in marked_files(paths, "03", 7, limits, jobs=2):
         assert points(one) == ALL and one.notes == [], one
@@ -274,11 +356,17 @@ def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing
 @needs_root
 def test_jobs_have_the_next_numbers_of_nobody_and_give_them_back():
     somebody = max(user.pw_uid for user in pwd.getpwall() if user.pw_uid < 60_000)
-    with Guard(user=str(FIRST)).of_one_job() as one, Guard(user=str(FIRST)).of_one_job() as other:
+    with (
+        Guard(user=str(FIRST)).of_one_job() as one,
+        Guard(user=str(FIRST)).of_one_job() as other,
+    ):
         assert (one.uid, other.uid) == (FIRST, FIRST + 1)
     with Guard(user=str(FIRST)).of_one_job() as again:
         assert again.uid == FIRST
-    with Guard(user=str(somebody - 1)).of_one_job(), Guard(user=str(somebody - 1)).of_one_job() as other:
+    with (
+        Guard(user=str(somebody - 1)).of_one_job(),
+        Guard(user=str(somebody - 1)).of_one_job() as other,
+    ):
         assert other.uid > somebody, "not an account of somebody else"
     assert stat.S_IMODE(guard.LOCKS.stat().st_mode) == 0o700
 
@@ -298,4 +386,7 @@ def test_only_what_is_new_and_the_users_own_is_removed(tmp_path, monkeypatch):
         (tmp_path / "folder" / "deep").touch()
         for name in ("mine", "link", "folder"):
             os.chown(tmp_path / name, FIRST, FIRST, follow_symlinks=False)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["another's", "before"] and (outside / "kept").exists()
+    assert (
+        sorted(path.name for path in tmp_path.iterdir()) == ["another's", "before"]
+        and (outside / "kept").exists()
+    )

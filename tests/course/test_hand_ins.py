@@ -58,7 +58,9 @@ def stand_in(paths, lesson, *_):
 @pytest.fixture(autouse=True)
 def _without_a_kernel(monkeypatch, tmp_path):
     monkeypatch.setattr(grade_module, "marked_files", stand_in)
-    monkeypatch.setattr(grade_module, "Digests", lambda: SimpleNamespace(check=lambda name: None))
+    monkeypatch.setattr(
+        grade_module, "Digests", lambda: SimpleNamespace(check=lambda name: None)
+    )
     monkeypatch.chdir(tmp_path)
 
 
@@ -67,20 +69,35 @@ def rows(path: str = "points.csv") -> list[dict[str, str]]:
 
 
 def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
-    for name in ("b/two.ipynb", "a.ipynb", "b/.ipynb_checkpoints/two.ipynb", "b/other.txt", "c/THREE.IPYNB"):
+    for name in (
+        "b/two.ipynb",
+        "a.ipynb",
+        "b/.ipynb_checkpoints/two.ipynb",
+        "b/other.txt",
+        "c/THREE.IPYNB",
+    ):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).touch()
-    all_three = [tmp_path / name for name in ("a.ipynb", "b/two.ipynb", "c/THREE.IPYNB")]
+    all_three = [
+        tmp_path / name for name in ("a.ipynb", "b/two.ipynb", "c/THREE.IPYNB")
+    ]
 
     def found(*names: str) -> list[Path]:
         with tempfile.TemporaryDirectory() as folder:
-            notebooks = handed_in([str(tmp_path / name) for name in names], Path(folder)).notebooks
+            notebooks = handed_in(
+                [str(tmp_path / name) for name in names], Path(folder)
+            ).notebooks
             return [kept.path for kept in notebooks.values()]
 
     assert found("") == all_three and found("a.ipynb") == all_three[:1]
     assert found("*.ipynb") == all_three[:1] and found("**/t*.ipynb") == all_three[1:2]
-    assert found("[ac]*") == [all_three[0], all_three[2]], "a folder that a pattern stands for is looked into"
-    assert found("b", "b/two.ipynb", "b/../b/two.ipynb", "a.ipynb") == [all_three[1], all_three[0]], "each once"
+    assert found("[ac]*") == [all_three[0], all_three[2]], (
+        "a folder that a pattern stands for is looked into"
+    )
+    assert found("b", "b/two.ipynb", "b/../b/two.ipynb", "a.ipynb") == [
+        all_three[1],
+        all_three[0],
+    ], "each once"
     for nothing in ("d", "*.nothing"):
         with pytest.raises(FileNotFoundError, match="there is no such file"):
             found(nothing)
@@ -104,31 +121,64 @@ OF_THE_SYSTEM = (
 
 
 @pytest.mark.parametrize("asked", ["in", "in/*", "in/**/*", "every file by its name"])
-def test_files_of_the_system_are_no_hand_ins_and_a_note_says_so(tmp_path, capsys, asked):
+def test_files_of_the_system_are_no_hand_ins_and_a_note_says_so(
+    tmp_path, capsys, asked
+):
     notebook(tmp_path / "in/s1/02.ipynb", 3)
     for name in OF_THE_SYSTEM:
         (tmp_path / "in" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "in" / name).write_bytes(APPLE_DOUBLE)
     (tmp_path / "roster.csv").write_text("id\ns1\ns2\n", encoding="utf-8")
-    names = [str(path.relative_to(tmp_path)) for path in (tmp_path / "in").rglob("*") if path.is_file()]
-    assert grade(names if asked.startswith("every") else [asked], roster="roster.csv", csv="points.csv", seed=1) == 1
-    assert [(row["student"], row["score"]) for row in rows()] == [("s1", "3"), ("s2", "")]
+    names = [
+        str(path.relative_to(tmp_path))
+        for path in (tmp_path / "in").rglob("*")
+        if path.is_file()
+    ]
+    assert (
+        grade(
+            names if asked.startswith("every") else [asked],
+            roster="roster.csv",
+            csv="points.csv",
+            seed=1,
+        )
+        == 1
+    )
+    assert [(row["student"], row["score"]) for row in rows()] == [
+        ("s1", "3"),
+        ("s2", ""),
+    ]
     assert "Left out, as files of the operating system" in capsys.readouterr().out
 
 
-def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(tmp_path, capsys):
+def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(
+    tmp_path, capsys
+):
     notebook(tmp_path / "in/s1/02.ipynb", 4)
     for name in ("s2/work.zip", "s3/02.pages"):
         (tmp_path / "in" / name).parent.mkdir()
         (tmp_path / "in" / name).write_bytes(ZIP)
     (tmp_path / "in/roster.csv").write_text("id\ns1\ns2\ns3\n", encoding="utf-8")
     for _ in range(2):  # the second time with its own reports in the folder
-        assert grade(["in"], roster="in/roster.csv", csv="in/points.csv", feedback="in/sheets", seed=1) == 0
+        assert (
+            grade(
+                ["in"],
+                roster="in/roster.csv",
+                csv="in/points.csv",
+                feedback="in/sheets",
+                seed=1,
+            )
+            == 0
+        )
         said = capsys.readouterr().out
-        assert "no notebooks of a lesson: in/s2/work.zip, in/s3/02.pages. Unpack what is an archive." in said
+        assert (
+            "no notebooks of a lesson: in/s2/work.zip, in/s3/02.pages. Unpack what is an archive."
+            in said
+        )
         assert "Not read: in/s2/work.zip (File is not a zip file)." in said
         assert "There is no notebook of s2, s3." in said
-    assert [row["reasons"] for row in rows("in/points.csv")][1:] == ["not graded: No notebook was handed in."] * 2
+    assert [row["reasons"] for row in rows("in/points.csv")][1:] == [
+        "not graded: No notebook was handed in."
+    ] * 2
 
 
 def zipped(members: dict[str, bytes]) -> bytes:
@@ -150,18 +200,37 @@ def in_each_other(data: bytes, times: int) -> bytes:
 
 ARCHIVES: dict[str, tuple[Callable[[bytes], bytes], list[str]]] = {
     "of Moodle": (
-        lambda nb: zipped({"Ada_1_assignsubmission_file_/02.ipynb": nb, "Bob_2_assignsubmission_file_/a.pdf": b"%"}),
+        lambda nb: zipped(
+            {
+                "Ada_1_assignsubmission_file_/02.ipynb": nb,
+                "Bob_2_assignsubmission_file_/a.pdf": b"%",
+            }
+        ),
         ["Ada_1_assignsubmission_file_/02.ipynb"],
     ),
     "in an archive": (
-        lambda nb: zipped({"ada/a.zip": zipped({"w/02.ipynb": nb, "__MACOSX/w/._02.ipynb": b"x"})}),
+        lambda nb: zipped(
+            {"ada/a.zip": zipped({"w/02.ipynb": nb, "__MACOSX/w/._02.ipynb": b"x"})}
+        ),
         ["ada/a.zip/w/02.ipynb"],
     ),
-    "of Windows": (lambda nb: named_anew(zipped({"ada/02.ipynb": nb}), "ada/02", "ada\\02"), ["ada/02.ipynb"]),
-    "of macOS": (lambda nb: named_anew(zipped({"Ju..rgen/2.ipynb": nb}), "u..", "u\u0308"), ["Ju\u0308rgen/2.ipynb"]),
+    "of Windows": (
+        lambda nb: named_anew(zipped({"ada/02.ipynb": nb}), "ada/02", "ada\\02"),
+        ["ada/02.ipynb"],
+    ),
+    "of macOS": (
+        lambda nb: named_anew(zipped({"Ju..rgen/2.ipynb": nb}), "u..", "u\u0308"),
+        ["Ju\u0308rgen/2.ipynb"],
+    ),
     "of Linux": (lambda nb: zipped({"Jürgen/02.ipynb": nb}), ["Jürgen/02.ipynb"]),
-    "with paths outside": (lambda nb: zipped({"../../a.ipynb": nb, "/b.ipynb": nb}), ["a.ipynb", "b.ipynb"]),
-    "with a bomb": (lambda nb: zipped({"a.ipynb": b"0" * 1_100_000, "b.ipynb": nb}), ["b.ipynb"]),
+    "with paths outside": (
+        lambda nb: zipped({"../../a.ipynb": nb, "/b.ipynb": nb}),
+        ["a.ipynb", "b.ipynb"],
+    ),
+    "with a bomb": (
+        lambda nb: zipped({"a.ipynb": b"0" * 1_100_000, "b.ipynb": nb}),
+        ["b.ipynb"],
+    ),
     "too deep": (lambda nb: in_each_other(zipped({"02.ipynb": nb}), 5), []),
     "cut short": (lambda nb: zipped({"02.ipynb": nb})[:-30], []),
     "a workbook": (lambda nb: zipped({"xl/workbook.xml": nb}), []),
@@ -170,7 +239,9 @@ ARCHIVES: dict[str, tuple[Callable[[bytes], bytes], list[str]]] = {
 
 @pytest.mark.parametrize("name", ["in/all.zip", "in/all.ipynb"])
 @pytest.mark.parametrize("kind", ARCHIVES)
-def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(tmp_path, monkeypatch, kind, name):
+def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(
+    tmp_path, monkeypatch, kind, name
+):
     made, expected = ARCHIVES[kind]
     monkeypatch.setattr("rlrobot_course.homework.handed_in.LARGEST", 1_000_000)
     content = notebook(tmp_path / "x.ipynb", 4).read_bytes()
@@ -186,19 +257,29 @@ def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(tmp_
         assert [str(one.path.relative_to(name)) for one in kept] == expected
         assert all(one.copy.read_bytes() == content for one in kept)
         assert expected or Path(name) in found.others
-    assert os.listdir(tmp_path / "copies") == ["here"] and not (tmp_path / "a.ipynb").exists()
+    assert (
+        os.listdir(tmp_path / "copies") == ["here"]
+        and not (tmp_path / "a.ipynb").exists()
+    )
 
 
 def test_an_archive_that_has_been_unpacked_beside_itself_counts_once(tmp_path):
     content = notebook(tmp_path / "in/ada/02.ipynb", 4).read_bytes()
     notebook(tmp_path / "in/all/bob/02.ipynb", 4)
-    (tmp_path / "in/all.zip").write_bytes(zipped({"bob/02.ipynb": content, "ada/02.ipynb": content}))
+    (tmp_path / "in/all.zip").write_bytes(
+        zipped({"bob/02.ipynb": content, "ada/02.ipynb": content})
+    )
     assert grade(["in"], csv="points.csv", seed=1) == 0
-    assert [row["notebook"] for row in rows()] == ["in/ada/02.ipynb", "in/all/bob/02.ipynb"]
+    assert [row["notebook"] for row in rows()] == [
+        "in/ada/02.ipynb",
+        "in/all/bob/02.ipynb",
+    ]
 
 
 @pytest.mark.parametrize("system", ["plain", "canvas", "moodle", "gradescope"])
-def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_one(tmp_path, capsys, system):
+def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_one(
+    tmp_path, capsys, system
+):
     notebook(tmp_path / "in/s1/02.ipynb", 1)
     notebook(tmp_path / "in/s1/02-1.ipynb", 3)
     (tmp_path / "in/s1/02-2.ipynb").write_bytes(b"\x89PNG")
@@ -207,11 +288,20 @@ def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_on
     reports = {"csv": "points.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["in"], roster="roster.csv", system=system, seed=1, **reports) == 1
     told = "3 notebooks of s1: the one with the most points counts, in/s1/02-1.ipynb (3), and not "
-    assert told + "in/s1/02.ipynb (1) nor in/s1/02-2.ipynb (not graded)." in capsys.readouterr().out
+    assert (
+        told + "in/s1/02.ipynb (1) nor in/s1/02-2.ipynb (not graded)."
+        in capsys.readouterr().out
+    )
     text = Path("points.csv").read_text(encoding="utf-8").splitlines()
-    assert [line.split(",")[0 if system == "moodle" or system == "plain" else 1] for line in text][-2:] == ["s2", "s1"]
+    assert [
+        line.split(",")[0 if system == "moodle" or system == "plain" else 1]
+        for line in text
+    ][-2:] == ["s2", "s1"]
     assert "3" in text[-1].split(",") and (system != "plain" or told in text[-1])
-    assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_03.md", "s2_lesson_03.md"}
+    assert {path.name for path in Path("sheets").iterdir()} == {
+        "s1_lesson_03.md",
+        "s2_lesson_03.md",
+    }
     assert rows("m.csv")[-1]["how many"] == "2"
 
 
@@ -227,7 +317,11 @@ PLACES = ("in/{id}/03_q_learning.ipynb", "in/{id}_02_q_learning.ipynb", "in/{id}
           "in/Ada_{id}_assignsubmission_file_/02.ipynb")  # fmt: skip
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=25,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(data=st.data())
 def test_in_any_order_and_among_any_files_of_the_system_each_student_has_one_row_with_the_same_points(
     data, tmp_path_factory, monkeypatch
@@ -235,28 +329,38 @@ def test_in_any_order_and_among_any_files_of_the_system_each_student_has_one_row
     monkeypatch.chdir(tmp_path_factory.mktemp("class"))
     best: dict[str, int] = {}
     place = data.draw(st.sampled_from(PLACES))
-    for student in data.draw(st.lists(st.sampled_from(range(1, 13)), min_size=3, max_size=6, unique=True)):
+    for student in data.draw(
+        st.lists(st.sampled_from(range(1, 13)), min_size=3, max_size=6, unique=True)
+    ):
         file = Path(place.format(id=student))
-        for again, points in enumerate(data.draw(st.lists(st.integers(0, 4), min_size=1, max_size=3))):
+        for again, points in enumerate(
+            data.draw(st.lists(st.integers(0, 4), min_size=1, max_size=3))
+        ):
             notebook(file.with_stem(f"{file.stem}{f'-{again}' * bool(again)}"), points)
             best[str(student)] = max(best.get(str(student), 0), points)
         for name in data.draw(st.sets(st.sampled_from(OF_THE_SYSTEM))):
             junk = file.parent / name
             junk.parent.mkdir(parents=True, exist_ok=True)
             junk.write_bytes(APPLE_DOUBLE)
-    Path("roster.csv").write_text("id\n" + "".join(f"{i}\n" for i in range(1, 13)), encoding="utf-8")
+    Path("roster.csv").write_text(
+        "id\n" + "".join(f"{i}\n" for i in range(1, 13)), encoding="utf-8"
+    )
     names = [str(path) for path in Path("in").rglob("*") if path.is_file()]
     tables = []
     for asked in (["in"], names, random.Random(1).sample(names, len(names))):
         grade(asked, roster="roster.csv", csv="points.csv", seed=1)
         tables.append(Path("points.csv").read_text(encoding="utf-8"))
     assert tables[0] == tables[1] == tables[2]
-    assert {row["student"]: row["score"] for row in rows()} == {str(i): str(best.get(str(i), "")) for i in range(1, 13)}
+    assert {row["student"]: row["score"] for row in rows()} == {
+        str(i): str(best.get(str(i), "")) for i in range(1, 13)
+    }
     assert len(rows()) == 12
 
 
 @pytest.mark.parametrize("what", ["vanishes", "changes"])
-def test_a_notebook_that_changes_or_vanishes_meanwhile_counts_as_it_was(tmp_path, monkeypatch, what):
+def test_a_notebook_that_changes_or_vanishes_meanwhile_counts_as_it_was(
+    tmp_path, monkeypatch, what
+):
     first = notebook(tmp_path / "in/s1.ipynb", 4)
     notebook(tmp_path / "in/s2.ipynb", 4)
 
@@ -267,7 +371,10 @@ def test_a_notebook_that_changes_or_vanishes_meanwhile_counts_as_it_was(tmp_path
     monkeypatch.setattr(grade_module, "marked_files", meanwhile)
     reports = {"csv": "p.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["in"], seed=1, **reports) == 0
-    assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
+    assert (
+        all(Path(path).exists() for path in reports.values())
+        and len(list(Path("sheets").iterdir())) == 2
+    )
     assert [row["score"] for row in rows("p.csv")] == ["4", "4"]
 
 
@@ -275,17 +382,25 @@ def test_a_file_that_cannot_be_read_costs_no_other(tmp_path):
     notebook(tmp_path / "in/s1.ipynb", 4)
     (tmp_path / "in/s2.ipynb").symlink_to(tmp_path / "nowhere.ipynb")
     assert grade(["in"], csv="points.csv", seed=1) == 1
-    assert [row["score"] for row in rows()] == ["4", ""] and "cannot be read" in rows()[1]["reasons"]
+    assert [row["score"] for row in rows()] == ["4", ""] and "cannot be read" in rows()[
+        1
+    ]["reasons"]
 
 
-@pytest.mark.skipif(os.name == "nt" or sys.platform == "darwin", reason="names of files are Unicode here")
+@pytest.mark.skipif(
+    os.name == "nt" or sys.platform == "darwin",
+    reason="names of files are Unicode here",
+)
 def test_a_name_in_another_encoding_costs_no_report(tmp_path):
     notebook(tmp_path / "s1.ipynb", 4)
     for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
         os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
     reports = {"csv": "p.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["."], seed=1, **reports) == 1
-    assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
+    assert (
+        sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"]
+        and len(os.listdir("sheets")) == 3
+    )
 
 
 def test_a_folder_that_is_a_link_is_not_passed_over_in_silence(tmp_path, capsys):
@@ -320,19 +435,38 @@ def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypat
         raise RecursionError("too deep")
 
     monkeypatch.setattr(grade_module, "as_table", fails)
-    assert grade(["s1.ipynb"], csv="p.csv", mistakes="m.csv", feedback="sheets", seed=1) == 2
-    assert "m.csv could not be written: RecursionError: too deep" in capsys.readouterr().err
+    assert (
+        grade(["s1.ipynb"], csv="p.csv", mistakes="m.csv", feedback="sheets", seed=1)
+        == 2
+    )
+    assert (
+        "m.csv could not be written: RecursionError: too deep"
+        in capsys.readouterr().err
+    )
     assert {"p.csv", "sheets"} <= set(os.listdir()) and not Path("m.csv").exists()
 
 
 REPORTS = ("csv", "gradescope", "mistakes")
-WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
+WAYS = (
+    "itself",
+    "another way to write it",
+    "a link to it",
+    "a hard link to it",
+    "through a folder's link",
+)
 
 
-@pytest.mark.parametrize(("report", "path"), [("mistakes", "m.html"), ("csv", "p.XLSX"), ("gradescope", "results.csv")])
-def test_a_report_with_the_ending_of_another_kind_is_refused_before_anything_runs(tmp_path, report, path, capsys):
+@pytest.mark.parametrize(
+    ("report", "path"),
+    [("mistakes", "m.html"), ("csv", "p.XLSX"), ("gradescope", "results.csv")],
+)
+def test_a_report_with_the_ending_of_another_kind_is_refused_before_anything_runs(
+    tmp_path, report, path, capsys
+):
     notebook(tmp_path / "s1.ipynb", 4)
-    with pytest.raises(ValueError, match=rf"--{report} {path}: this report is a \.(csv|json) file"):
+    with pytest.raises(
+        ValueError, match=rf"--{report} {path}: this report is a \.(csv|json) file"
+    ):
         grade(["s1.ipynb"], seed=1, **{report: path})
     assert capsys.readouterr().out == ""
 
@@ -340,7 +474,9 @@ def test_a_report_with_the_ending_of_another_kind_is_refused_before_anything_run
 @pytest.mark.parametrize("report", REPORTS)
 @pytest.mark.parametrize("of", ["s1.ipynb", "roster.csv", "rules.toml"])
 @pytest.mark.parametrize("way", WAYS)
-def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report, of, way, capsys):
+def test_a_report_over_an_input_is_refused_before_anything_runs(
+    tmp_path, report, of, way, capsys
+):
     notebook(tmp_path / "s1.ipynb", 4)
     (tmp_path / "roster.csv").write_text("id\ns1\n", encoding="utf-8")
     (tmp_path / "rules.toml").write_text("late_off = 0.1\n", encoding="utf-8")
@@ -355,8 +491,17 @@ def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report
     elif way == WAYS[4]:
         Path("folder").symlink_to(tmp_path)
         path = f"folder/{of}"
-    with pytest.raises(ValueError, match=rf"--{report} .* would be written over .*{of}, which is an input"):
-        grade(["s1.ipynb"], roster="roster.csv", rules="rules.toml", seed=1, **{report: path})
+    with pytest.raises(
+        ValueError,
+        match=rf"--{report} .* would be written over .*{of}, which is an input",
+    ):
+        grade(
+            ["s1.ipynb"],
+            roster="roster.csv",
+            rules="rules.toml",
+            seed=1,
+            **{report: path},
+        )
     assert {name: (tmp_path / name).read_bytes() for name in before} == before
     assert capsys.readouterr().out == ""
 
@@ -372,13 +517,18 @@ def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report
         ({"feedback": "s1.ipynb"}, "is a file, not a folder"),
     ],
 )
-def test_paths_that_cannot_be_meant_are_refused_before_anything_runs(tmp_path, reports, told, capsys):
+def test_paths_that_cannot_be_meant_are_refused_before_anything_runs(
+    tmp_path, reports, told, capsys
+):
     notebook(tmp_path / "s1.ipynb", 4)
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder/s1.md").write_text("id\ns1\n", encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(told)):
         grade(["s1.ipynb"], seed=1, **reports)
-    assert capsys.readouterr().out == "" and (tmp_path / "folder/s1.md").read_text(encoding="utf-8") == "id\ns1\n"
+    assert (
+        capsys.readouterr().out == ""
+        and (tmp_path / "folder/s1.md").read_text(encoding="utf-8") == "id\ns1\n"
+    )
 
 
 @pytest.mark.parametrize(
@@ -394,6 +544,8 @@ def test_limits_are_finite_numbers(tmp_path, limits):
 
 def test_points_for_an_exercise_that_is_not_there_are_named(tmp_path, capsys):
     notebook(tmp_path / "s1.ipynb", 4)
-    (tmp_path / "rules.toml").write_text("[points]\ntarget = 2\ntraget = 2\n", encoding="utf-8")
+    (tmp_path / "rules.toml").write_text(
+        "[points]\ntarget = 2\ntraget = 2\n", encoding="utf-8"
+    )
     grade(["s1.ipynb"], rules="rules.toml", seed=1)
     assert "rules.toml: no exercise here is called traget." in capsys.readouterr().out

@@ -31,7 +31,12 @@ class Here:
 
 def marked(lesson, name, answer):
     """The verdict of `grade` on one answer."""
-    marking = Marking(None, Submission("a notebook", lesson.removeprefix("lesson_"), [""]), 0, Limits())
+    marking = Marking(
+        None,
+        Submission("a notebook", lesson.removeprefix("lesson_"), [""]),
+        0,
+        Limits(),
+    )
     inside.answers[name] = answer
     return marking._judge(Here(), 0, name, inside._described(answer))
 
@@ -49,31 +54,50 @@ def still_to_do(q, r, s_next, terminated, gamma):
 @pytest.mark.parametrize("lesson, name", some_long(EVERY))
 def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, name):
     check, (wrong, _) = exercises(lesson)[name], wrong_answers(lesson)[name][0]
-    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
+    solution = getattr(
+        importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name
+    )
     for answer in (solution, RIGHT.get(lesson, {}).get(name, solution), wrong):
         assert check(answer).status == marked(lesson, name, answer).status
 
 
 @pytest.mark.parametrize("answer", [dotted, still_to_do, ...])
 def test_dots_in_an_index_are_no_blank_and_a_blank_is_one(answer):
-    at_home, graded = check_02.target.judge(answer), marked("lesson_03", "target", answer)
-    assert at_home.status == graded.status == ("right" if answer is dotted else "waiting")
+    at_home, graded = (
+        check_02.target.judge(answer),
+        marked("lesson_03", "target", answer),
+    )
+    assert (
+        at_home.status == graded.status == ("right" if answer is dotted else "waiting")
+    )
 
 
 def test_a_last_cell_does_not_wait_for_an_answer_with_dots_in_an_index(capsys):
     assert finished(dotted) and not finished(still_to_do)
-    assert capsys.readouterr().out == "This cell waits for your answers above: still_to_do.\n"
+    assert (
+        capsys.readouterr().out
+        == "This cell waits for your answers above: still_to_do.\n"
+    )
 
 
-@pytest.mark.skipif(not hasattr(limits.signal, "setitimer"), reason="this system has no alarms")
+@pytest.mark.skipif(
+    not hasattr(limits.signal, "setitimer"), reason="this system has no alarms"
+)
 def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
     monkeypatch.setattr(limits, "PATIENCE", 0.2)
 
     def sleeps(q, r, s_next, terminated, gamma):
         time.sleep(600)
 
-    for verdict in (check_02.target.judge(sleeps), marked("lesson_03", "target", sleeps)):
-        assert verdict.status == "wrong" and "has waited for" in verdict.text and "it waits" in verdict.hint
+    for verdict in (
+        check_02.target.judge(sleeps),
+        marked("lesson_03", "target", sleeps),
+    ):
+        assert (
+            verdict.status == "wrong"
+            and "has waited for" in verdict.text
+            and "it waits" in verdict.hint
+        )
 
 
 def test_a_check_as_a_whole_has_a_limit_too(monkeypatch):
@@ -112,13 +136,24 @@ NEXT = inspect.getsource(assignment_4.next_temperature)
 def scored(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
     """The scores of some answers to assignment 4, each in a cell, judged in this process."""
     cells = list(answers.values())
-    places = {name: [list(answers).index(name)] if name in answers else [] for name in vars(assignment_4.check)}
-    marking = Marking(Path(), Submission("it", "assignment_4", cells, places), 0, Limits(), rules)
-    names: dict = {"check": SimpleNamespace(**{name: inside.Intake(name) for name in vars(assignment_4.check)})}
+    places = {
+        name: [list(answers).index(name)] if name in answers else []
+        for name in vars(assignment_4.check)
+    }
+    marking = Marking(
+        Path(), Submission("it", "assignment_4", cells, places), 0, Limits(), rules
+    )
+    names: dict = {
+        "check": SimpleNamespace(
+            **{name: inside.Intake(name) for name in vars(assignment_4.check)}
+        )
+    }
     for place, (name, source) in enumerate(answers.items()):
         exec(source, names)
         inside.answers[name] = names[name]
-        marking._judged[name][place] = marking._judge(Here(), place, name, inside._described(names[name]))
+        marking._judged[name][place] = marking._judge(
+            Here(), place, name, inside._described(names[name])
+        )
     return {name: marking._score(name) for name in answers}
 
 
@@ -127,35 +162,57 @@ def test_what_calls_a_wrong_function_is_judged_with_the_right_one_and_says_so():
     assert [score.score for score in scores.values()] == [0, 1]
     assert scores["next_temperature"].lent == "period"
     assert "Judged with the right period" in scores["next_temperature"].output
-    assert inside.answers["next_temperature"].__globals__["period"] is inside.answers["period"], "it is taken back"
+    assert (
+        inside.answers["next_temperature"].__globals__["period"]
+        is inside.answers["period"]
+    ), "it is taken back"
 
 
 def test_with_the_right_function_in_its_place_a_wrong_answer_stays_wrong_and_a_right_one_needs_none():
-    assert scored(period=LONGEST, next_temperature=NO_CAP)["next_temperature"].score == 0
-    assert not scored(period=inspect.getsource(assignment_4.period), next_temperature=NEXT)["next_temperature"].lent
+    assert (
+        scored(period=LONGEST, next_temperature=NO_CAP)["next_temperature"].score == 0
+    )
+    assert not scored(
+        period=inspect.getsource(assignment_4.period), next_temperature=NEXT
+    )["next_temperature"].lent
 
 
 def test_points_parts_and_hints_count_as_the_rules_say():
     rules = Rules(points={"period": 4}, partial=True, hint_off=0.25)
     part = scored(rules, period=LONGEST)["period"]
-    assert 2 < part.score < 4 and part.max_score == 4 and part.mistake == "longest" and "% of the cases" in part.output
+    assert (
+        2 < part.score < 4
+        and part.max_score == 4
+        and part.mistake == "longest"
+        and "% of the cases" in part.output
+    )
     right = inspect.getsource(assignment_4.period) + "\ncheck.period.hint()\n"
     asked = (
-        NEXT + "\ncheck.next_temperature.hint(2)\ncheck.next_temperature.hint(2)\n# check.next_temperature.hint(3)\n"
+        NEXT
+        + "\ncheck.next_temperature.hint(2)\ncheck.next_temperature.hint(2)\n# check.next_temperature.hint(3)\n"
     )
     scores = scored(rules, period=right, next_temperature=asked)
     assert scores["next_temperature"].score == 0.75 and scores["period"].score == 3
     assert scores["period"].reason == "hints asked for"
     found = misunderstood([Marked("it", "assignment_4", list(scores.values()))])
     assert not found, "a hint is no misunderstanding"
-    assert scored(Rules(partial=True), period="def period(states):\n    ...\n")["period"].score == 0
+    assert (
+        scored(Rules(partial=True), period="def period(states):\n    ...\n")[
+            "period"
+        ].score
+        == 0
+    )
 
 
 def test_what_is_wrong_in_a_caller_itself_is_told_and_not_what_comes_of_a_wrong_function_that_it_calls():
-    alone = scored(next_temperature=NO_CAP.replace("period(states)", "0"))["next_temperature"]
+    alone = scored(next_temperature=NO_CAP.replace("period(states)", "0"))[
+        "next_temperature"
+    ]
     crashes = "def period(states):\n    raise IndexError('of period')\n"
     score = scored(period=crashes, next_temperature=NO_CAP)["next_temperature"]
-    assert score.score == 0 and "of period" not in score.output and score.lent == "period"
+    assert (
+        score.score == 0 and "of period" not in score.output and score.lent == "period"
+    )
     assert "Judged with the right period" in score.output and alone.lent == ""
 
 

@@ -111,8 +111,12 @@ def test_a_number_of_any_kind_is_that_number_at_home_and_when_graded(kind, wante
 
 
 @pytest.mark.parametrize("kind", SEVERAL)
-@pytest.mark.parametrize("wanted", [[1, 2, 3], (1.0, 2.0, 3.0), np.array([1.0, 2, 3]), range(1, 4)])
-def test_several_numbers_of_any_kind_are_those_numbers_at_home_and_when_graded(kind, wanted):
+@pytest.mark.parametrize(
+    "wanted", [[1, 2, 3], (1.0, 2.0, 3.0), np.array([1.0, 2, 3]), range(1, 4)]
+)
+def test_several_numbers_of_any_kind_are_those_numbers_at_home_and_when_graded(
+    kind, wanted
+):
     for numbers in ([1, 2, 3], [1, 2, 4]):
         for verdict in verdicts(SEVERAL[kind](numbers), wanted):
             assert bool(verdict) == (numbers[2] == 3), verdict
@@ -124,8 +128,17 @@ def test_what_is_no_number_is_wrong_in_both(kind):
         assert not any(verdicts(NEVER[kind](), wanted))
 
 
-plain = st.integers(-5, 5) | st.floats(-4, 4, width=16) | st.booleans() | st.sampled_from(["a", "B", "", "1.5"])
-number = st.builds(lambda kind, x: NUMBERS[kind](x), st.sampled_from(sorted(NUMBERS)), st.integers(0, 4))
+plain = (
+    st.integers(-5, 5)
+    | st.floats(-4, 4, width=16)
+    | st.booleans()
+    | st.sampled_from(["a", "B", "", "1.5"])
+)
+number = st.builds(
+    lambda kind, x: NUMBERS[kind](x),
+    st.sampled_from(sorted(NUMBERS)),
+    st.integers(0, 4),
+)
 several = st.builds(
     lambda kind, x: SEVERAL[kind](x),
     st.sampled_from(sorted(SEVERAL)),
@@ -145,10 +158,14 @@ kinds = st.recursive(
 @settings(max_examples=400, deadline=None)
 @given(kinds, kinds)
 def test_home_and_grade_find_the_same_of_any_two_values(value, other):
-    if not ("unkept" in written(value) and "unkept" in written(other)):  # at home, a function is the same as itself
+    if not (
+        "unkept" in written(value) and "unkept" in written(other)
+    ):  # at home, a function is the same as itself
         data = as_data(other)
         assert same(value, data) == same(read(written(value)), data)
-    assert read(written(read(written(value)))) is ... or written(read(written(value))) == written(value)
+    assert read(written(read(written(value)))) is ... or written(
+        read(written(value))
+    ) == written(value)
     if "unkept" not in written(value):
         assert same(value, read(written(value))), "and what travels is what was sent"
 
@@ -160,8 +177,14 @@ def test_home_and_grade_say_the_same_of_what_a_function_returns(value):
     at_home = exercise.judge(lambda n: value)
     graded = exercise.judge(Elsewhere(lambda n: (read(written(value)), None, "")))
     assert at_home.status == graded.status
-    if not callable(value):  # of which only the notebook knows what it is; as it alone knows an answer's code
-        assert (at_home.text, at_home.called, at_home.rows) == (graded.text, graded.called, graded.rows)
+    if not callable(
+        value
+    ):  # of which only the notebook knows what it is; as it alone knows an answer's code
+        assert (at_home.text, at_home.called, at_home.rows) == (
+            graded.text,
+            graded.called,
+            graded.rows,
+        )
 
 
 def three(n):
@@ -176,7 +199,9 @@ def test_the_siblings_of_lesson_05_may_be_a_range_or_fractions():
         lambda x: [fractions.Fraction(int(i)) for i in x],
     ):
         answer = wrapped(kind)
-        assert check_07.siblings.judge(answer) and marked("lesson_05", "siblings", answer)
+        assert check_07.siblings.judge(answer) and marked(
+            "lesson_05", "siblings", answer
+        )
 
 
 def wrapped(kind):

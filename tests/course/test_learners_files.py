@@ -21,7 +21,9 @@ SPOILT = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
 
 
 def keep_target(folder, name="target"):
-    return keep(getattr(exercises, name), "03", name, getattr(check, name).judge, folder)
+    return keep(
+        getattr(exercises, name), "03", name, getattr(check, name).judge, folder
+    )
 
 
 def fresh(folder):
@@ -37,18 +39,30 @@ lines = st.sampled_from(
      "target = helper  # a note", "# -*- coding: latin-1 -*-", "\0", "@staticmethod", TARGET, SPOILT,
      "# not kept: it is green", "# end of target"]
 )  # fmt: skip
-texts = st.lists(lines | st.text(st.characters(exclude_categories=["Cs"]), max_size=20), max_size=6)
+texts = st.lists(
+    lines | st.text(st.characters(exclude_categories=["Cs"]), max_size=20), max_size=6
+)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=150,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(
     texts,
     st.sampled_from(["", TARGET, SPOILT]),
     texts,
 )
-def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, above, mine, below):
+def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(
+    tmp_path, above, mine, below
+):
     path = fresh(tmp_path)
-    parts = ["\n".join(above), f"\n# lesson 03: target\n{mine}# end of target\n", "\n".join(["", *below])]
+    parts = [
+        "\n".join(above),
+        f"\n# lesson 03: target\n{mine}# end of target\n",
+        "\n".join(["", *below]),
+    ]
     data = [part.encode() for part in parts]
     path.write_bytes(b"".join(data))
     told = keep_target(tmp_path)
@@ -66,7 +80,11 @@ def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, 
     assert not told.startswith("Kept") or is_right("03", "target", tmp_path)
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=100,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(st.binary(max_size=60))
 def test_any_bytes_are_still_there_or_in_a_copy(tmp_path, data):
     path = fresh(tmp_path)
@@ -80,10 +98,18 @@ def test_any_bytes_are_still_there_or_in_a_copy(tmp_path, data):
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
 @pytest.mark.parametrize("new_line", ["\n", "\r\n"])
-def test_a_file_that_an_editor_saved_in_another_way_goes_on(tmp_path, encoding, new_line):
+def test_a_file_that_an_editor_saved_in_another_way_goes_on(
+    tmp_path, encoding, new_line
+):
     keep_target(tmp_path)
-    text = (tmp_path / FILE).read_text("utf-8").replace("import math\n", "import math\nimport random  # été\n")
-    (tmp_path / FILE).write_bytes((text + "# à moi\n").replace("\n", new_line).encode(encoding))
+    text = (
+        (tmp_path / FILE)
+        .read_text("utf-8")
+        .replace("import math\n", "import math\nimport random  # été\n")
+    )
+    (tmp_path / FILE).write_bytes(
+        (text + "# à moi\n").replace("\n", new_line).encode(encoding)
+    )
     assert keep_target(tmp_path, "update").startswith("Kept")
     now = (tmp_path / FILE).read_text("utf-8")
     assert "import random  # été\n" in now and "# à moi\n" in now
@@ -93,14 +119,21 @@ def test_a_file_that_an_editor_saved_in_another_way_goes_on(tmp_path, encoding, 
 
 def test_a_check_that_is_run_again_replaces_its_own_section_alone(tmp_path):
     path = tmp_path / FILE
-    path.write_text(f"# mine\n# lesson 03: target\n{SPOILT}# end of target\n\ndef my_helper(x):\n    return 2 * x\n")
+    path.write_text(
+        f"# mine\n# lesson 03: target\n{SPOILT}# end of target\n\ndef my_helper(x):\n    return 2 * x\n"
+    )
     assert keep_target(tmp_path).startswith("Kept")
     text = path.read_text()
     assert text.startswith("# mine\n# lesson 03: target\ndef target(")
-    assert text.endswith("# end of target\n\ndef my_helper(x):\n    return 2 * x\n") and text.count("def target") == 1
+    assert (
+        text.endswith("# end of target\n\ndef my_helper(x):\n    return 2 * x\n")
+        and text.count("def target") == 1
+    )
     before = path.stat().st_mtime_ns
     keep_target(tmp_path)
-    assert path.stat().st_mtime_ns == before and path.read_text() == text, "nothing new, nothing written"
+    assert path.stat().st_mtime_ns == before and path.read_text() == text, (
+        "nothing new, nothing written"
+    )
 
 
 def test_sections_stand_in_the_order_of_the_lessons(tmp_path):
@@ -108,7 +141,10 @@ def test_sections_stand_in_the_order_of_the_lessons(tmp_path):
         keep_target(tmp_path, name)
     text = (tmp_path / FILE).read_text()
     assert text.startswith(HEAD)
-    places = [text.index(f"\n\n\n# lesson 03: {name}\n") for name in ("learn", "target", "update")]
+    places = [
+        text.index(f"\n\n\n# lesson 03: {name}\n")
+        for name in ("learn", "target", "update")
+    ]
     assert places == sorted(places)
 
 
@@ -120,18 +156,28 @@ def test_what_cannot_be_read_goes_to_a_copy_that_replaces_no_other(tmp_path):
     assert (tmp_path / "my_functions.old2.py").read_bytes() == b"\0 two"
 
 
-def test_an_answer_that_would_end_its_own_section_changes_nothing_and_says_why(tmp_path):
+def test_an_answer_that_would_end_its_own_section_changes_nothing_and_says_why(
+    tmp_path,
+):
     cells = tmp_path / "cells.py"
-    cells.write_text(TARGET.replace("    return", "# end of target\n    return", 1), "utf-8")
+    cells.write_text(
+        TARGET.replace("    return", "# end of target\n    return", 1), "utf-8"
+    )
     names = {}
     exec(compile(cells.read_text("utf-8"), str(cells), "exec"), names)
     told = keep(names["target"], "03", "target", check.target.judge, tmp_path)
-    assert "looks like" in told and told.startswith("(Not kept") and not (tmp_path / FILE).exists()
+    assert (
+        "looks like" in told
+        and told.startswith("(Not kept")
+        and not (tmp_path / FILE).exists()
+    )
 
 
 def test_a_file_that_cannot_be_written_is_told(tmp_path):
     (tmp_path / FILE).mkdir()
-    assert keep_target(tmp_path).startswith("(Not kept for later lessons: my_functions.py stays as it was: ")
+    assert keep_target(tmp_path).startswith(
+        "(Not kept for later lessons: my_functions.py stays as it was: "
+    )
 
 
 def keep_one(folder, name):
@@ -139,8 +185,13 @@ def keep_one(folder, name):
 
 
 def test_two_notebooks_at_once_both_keep_theirs(tmp_path):
-    fork = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
-    workers = [fork.Process(target=keep_one, args=(tmp_path, name)) for name in ("target", "update", "learn")]
+    fork = multiprocessing.get_context(
+        "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
+    )
+    workers = [
+        fork.Process(target=keep_one, args=(tmp_path, name))
+        for name in ("target", "update", "learn")
+    ]
     for worker in workers:
         worker.start()
     for worker in workers:
@@ -165,16 +216,25 @@ def test_a_file_that_is_no_text_is_told_by_take(tmp_path, capsys):
 
 values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3)
+    ),
     max_leaves=8,
 )
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(
-    st.binary(max_size=40) | values.map(lambda value: json.dumps(value).encode()), st.sampled_from(["", "a", "03 x"])
+@settings(
+    max_examples=150,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
-def test_an_entry_leaves_all_others_as_they_are_and_what_is_damaged_in_a_copy(tmp_path, data, name):
+@given(
+    st.binary(max_size=40) | values.map(lambda value: json.dumps(value).encode()),
+    st.sampled_from(["", "a", "03 x"]),
+)
+def test_an_entry_leaves_all_others_as_they_are_and_what_is_damaged_in_a_copy(
+    tmp_path, data, name
+):
     fresh(tmp_path)
     path = tmp_path / "my.json"
     path.write_bytes(data)
@@ -195,14 +255,24 @@ def test_an_entry_leaves_all_others_as_they_are_and_what_is_damaged_in_a_copy(tm
 def test_a_copy_has_a_name_of_its_own(tmp_path):
     path = tmp_path / "a.json"
     path.write_text("1")
-    assert [put_aside(path) for _ in range(3)][-1] == "What a.json was until now is in a.old3.json."
+    assert [put_aside(path) for _ in range(3)][
+        -1
+    ] == "What a.json was until now is in a.old3.json."
 
 
-DAMAGED = ['{"01 turn": "left"', '["left"]', '{"01 turn": 3, "03 other": "x"}', "\0", "{" * 2000]
+DAMAGED = [
+    '{"01 turn": "left"',
+    '["left"]',
+    '{"01 turn": 3, "03 other": "x"}',
+    "\0",
+    "{" * 2000,
+]
 
 
 @pytest.mark.parametrize("text", DAMAGED)
-def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(tmp_path, monkeypatch, text):
+def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(
+    tmp_path, monkeypatch, text
+):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(prediction, "is_notebook", lambda: True)
     (tmp_path / "my_predictions.json").write_text(text)
@@ -213,7 +283,10 @@ def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(tmp_p
     assert prediction.kept("my_predictions.json")["01 turn"] == "right"
 
 
-@pytest.mark.parametrize("text", ['{"05": [1.0, 0.1], "11": "?"}', '{"05": [NaN, 1], "11": [2.0, 0.1]}', "[]", "{"])
+@pytest.mark.parametrize(
+    "text",
+    ['{"05": [1.0, 0.1], "11": "?"}', '{"05": [NaN, 1], "11": [2.0, 0.1]}', "[]", "{"],
+)
 def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     monkeypatch.chdir(tmp_path)
     (tmp_path / challenge.FILE).write_text(text)
@@ -221,13 +294,27 @@ def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     best, told = mine._keep(challenge.Score(0.5, 0.1))
     now = json.loads((tmp_path / challenge.FILE).read_text())
     if text.startswith('{"05": [1'):
-        assert best == (1.0, 0.1) and now == {"05": [1.0, 0.1], "11": "?"} and told == ""
+        assert (
+            best == (1.0, 0.1) and now == {"05": [1.0, 0.1], "11": "?"} and told == ""
+        )
     else:
-        assert (tmp_path / "my_challenges.old.json").read_text() == text and "my_challenges.old.json" in told
+        assert (
+            tmp_path / "my_challenges.old.json"
+        ).read_text() == text and "my_challenges.old.json" in told
         assert now["05"] == [0.5, 0.1] and now.get("11", [2.0, 0.1]) == [2.0, 0.1]
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"metadata": []}', '{"metadata": {"rlrobot_edu": 1}}', "\xff", "[" * 5000])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        '{"metadata": []}',
+        '{"metadata": {"rlrobot_edu": 1}}',
+        "\xff",
+        "[" * 5000,
+    ],
+)
 def test_a_broken_copy_of_a_notebook_stays_as_it_is(tmp_path, text):
     source, folder = tmp_path / "notebooks", tmp_path / "my_course"
     source.mkdir()

@@ -20,7 +20,12 @@ def distances():
         y, x = divmod(s, 8)
         for right, down in ARROWS.values():
             i, j = y + down, x + right
-            if 0 <= i < 8 and 0 <= j < 8 and LAKE.desc[i, j] != b"H" and 8 * i + j not in steps:
+            if (
+                0 <= i < 8
+                and 0 <= j < 8
+                and LAKE.desc[i, j] != b"H"
+                and 8 * i + j not in steps
+            ):
                 steps[8 * i + j] = steps[s] + 1
                 edge.append(8 * i + j)
     return steps
@@ -29,7 +34,12 @@ def distances():
 DISTANCES = distances()
 # after k sweeps all squares at most k steps away know their value
 SWEEPS = {
-    k: np.array([GAMMA ** (DISTANCES[s] - 1) if 0 < DISTANCES.get(s, 0) <= k else 0.0 for s in range(64)])
+    k: np.array(
+        [
+            GAMMA ** (DISTANCES[s] - 1) if 0 < DISTANCES.get(s, 0) <= k else 0.0
+            for s in range(64)
+        ]
+    )
     for k in (0, 1, 2, 5)
 }
 
@@ -39,7 +49,11 @@ def test_every_picture_of_the_film_shows_its_sweep():
     for k, v in enumerate(SWEEPS.values()):
         ax = film.picture(k).axes[0]
         assert np.array_equal(ax.images[0].get_array(), v.reshape(8, 8))
-        numbers = {text.get_position(): text.get_text() for text in ax.texts if text.get_text() not in "SG"}
+        numbers = {
+            text.get_position(): text.get_text()
+            for text in ax.texts
+            if text.get_text() not in "SG"
+        }
         shown = {(s % 8, s // 8): f"{x:.2f}".lstrip("0") for s, x in enumerate(v) if x}
         assert numbers == shown
     assert Image.open(io.BytesIO(film.still().data)).n_frames == len(SWEEPS)
@@ -53,14 +67,23 @@ def test_a_bar_is_the_reward_and_what_counts_of_it():
 
 
 def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():
-    v = np.array([0.0 if s not in DISTANCES or s == 63 else GAMMA ** (DISTANCES[s] - 1) for s in range(64)])
+    v = np.array(
+        [
+            0.0 if s not in DISTANCES or s == 63 else GAMMA ** (DISTANCES[s] - 1)
+            for s in range(64)
+        ]
+    )
     q = np.zeros((64, 4))
     for s in range(64):
         for a in range(4):
             _, s_next, r, terminated = LAKE.P[s][a][0]
             q[s, a] = r + (0 if terminated else GAMMA * v[s_next])
     figure = plot_ways(q, LAKE.desc)
-    arrows = [(text.xyann, text.xy) for text in figure.axes[0].texts if isinstance(text, Annotation)]
+    arrows = [
+        (text.xyann, text.xy)
+        for text in figure.axes[0].texts
+        if isinstance(text, Annotation)
+    ]
     assert {x + 8 * y for (x, y), _ in arrows} == set(DISTANCES) - {63}
     for (x, y), (to_x, to_y) in arrows:
         after = 8 * round(y + (to_y - y) / 0.45) + round(x + (to_x - x) / 0.45)

@@ -13,7 +13,9 @@ def test_every_curve_is_q_learning_over_the_same_steps():
     s_shown, a_shown = 0, 2
     settings = {label: {"alpha": alpha} for label, alpha in rates.items()}
     figure = plot_one_value(task, s_shown, a_shown, settings, "a title", steps=400)
-    walk = list(rl.steps(rl.Agent(task, "Q+RANDOM", seed=0), rl.make_env(task, seed=0), 400))
+    walk = list(
+        rl.steps(rl.Agent(task, "Q+RANDOM", seed=0), rl.make_env(task, seed=0), 400)
+    )
     for line, alpha in zip(figure.axes[0].lines, rates.values(), strict=True):
         q, values = np.zeros((24, 3)), []
         for x in walk:
@@ -24,5 +26,9 @@ def test_every_curve_is_q_learning_over_the_same_steps():
 
 
 def test_a_value_moves_towards_its_target_by_a_share_of_the_gap():
-    (line,) = (line for line in plot_towards(10.0, 0.5, steps=3).axes[0].lines if len(line.get_ydata()) == 4)
+    (line,) = (
+        line
+        for line in plot_towards(10.0, 0.5, steps=3).axes[0].lines
+        if len(line.get_ydata()) == 4
+    )
     assert list(line.get_ydata()) == [0, 5, 7.5, 8.75]

@@ -4,7 +4,13 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_04.figures import learn_in_units, plot_draw, plot_ends, plot_rules, plot_side_by_side
+from rlrobot_course.lesson_04.figures import (
+    learn_in_units,
+    plot_draw,
+    plot_ends,
+    plot_rules,
+    plot_side_by_side,
+)
 from rlrobot_course.runs import plot_runs
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
@@ -15,24 +21,43 @@ def test_the_segment_under_the_point_is_the_action_that_is_sampled():
     for u in (0.0, 0.49, 0.5, 0.99):
         figure = plot_draw([0.0, 0.5, 0.5], u)
         strong = [bar for bar in figure.axes[0].patches if bar.get_alpha() == 1]
-        assert len(strong) == 1 and strong[0].get_x() <= u < strong[0].get_x() + strong[0].get_width()
+        assert (
+            len(strong) == 1
+            and strong[0].get_x() <= u < strong[0].get_x() + strong[0].get_width()
+        )
 
 
 def test_the_bars_of_a_rule_are_its_probabilities():
-    figure = plot_rules([2.0, 0.0], {"even": np.array([0.5, 0.5]), "greedy": np.array([1.0, 0.0])})
+    figure = plot_rules(
+        [2.0, 0.0], {"even": np.array([0.5, 0.5]), "greedy": np.array([1.0, 0.0])}
+    )
     heights = [[bar.get_height() for bar in ax.patches] for ax in figure.axes]
     assert heights == [[2.0, 0.0], [0.5, 0.5], [1.0, 0.0]]
 
 
 @pytest.mark.parametrize("normalised", [True, False])
-@pytest.mark.parametrize("factor", [1 / 8, 64])  # powers of two, which lose nothing in rounding
-def test_other_units_are_a_largest_reward_that_the_agent_is_told_wrong_or_nothing_at_all(factor, normalised):
+@pytest.mark.parametrize(
+    "factor", [1 / 8, 64]
+)  # powers of two, which lose nothing in rounding
+def test_other_units_are_a_largest_reward_that_the_agent_is_told_wrong_or_nothing_at_all(
+    factor, normalised
+):
     """Oracle: an agent in the task's own units, which is told the largest reward `factor` times too small, or right."""
     task = rl.load_task("wander_simple")
-    (in_units,) = learn_in_units(task, factor, normalised, repetitions=1, steps=200, seed=3)
-    twin = rl.Agent(task, "Q+SR", seed=3, loop_evasion=False, r_max=max(task.rewards) / (1 if normalised else factor))
+    (in_units,) = learn_in_units(
+        task, factor, normalised, repetitions=1, steps=200, seed=3
+    )
+    twin = rl.Agent(
+        task,
+        "Q+SR",
+        seed=3,
+        loop_evasion=False,
+        r_max=max(task.rewards) / (1 if normalised else factor),
+    )
     rewards = rl.learn(twin, rl.make_env(task, seed=3), 200, progress=False).rewards
-    assert np.array_equal(in_units.rewards, rewards) and np.array_equal(in_units.q, twin.q * factor)
+    assert np.array_equal(in_units.rewards, rewards) and np.array_equal(
+        in_units.q, twin.q * factor
+    )
 
 
 def history(rewards: list[float]) -> History:
@@ -45,7 +70,9 @@ def history(rewards: list[float]) -> History:
 
 def test_each_panel_has_its_curves():
     groups = [[history([0.0, 2 * end])] for end in (1.5, -2.5)]
-    figure = plot_side_by_side({"one": groups, "two": groups[::-1]}, ["A", "B"], "title")
+    figure = plot_side_by_side(
+        {"one": groups, "two": groups[::-1]}, ["A", "B"], "title"
+    )
     assert [ax.get_title() for ax in figure.axes] == ["one", "two"]
     assert [line.get_ydata()[-1] for line in figure.axes[1].lines] == [-2.5, 1.5]
     with pytest.raises(ValueError, match="2 curves"):
@@ -54,11 +81,24 @@ def test_each_panel_has_its_curves():
 
 def test_a_dot_a_robot_and_a_bar_for_their_mean():
     ends = {"A": (2.0, 4.0), "B": (0.0, 0.0)}
-    groups = {name: [history([1.0] * 300 + [end] * 200) for end in pair] for name, pair in ends.items()}
+    groups = {
+        name: [history([1.0] * 300 + [end] * 200) for end in pair]
+        for name, pair in ends.items()
+    }
     ax = plot_ends({"one": groups, "two": groups}, "title").axes[0]
-    assert [list(line.get_ydata()) for line in ax.lines] == [[2.0, 4.0], [3.0, 3.0], [0.0, 0.0], [0.0, 0.0]]
+    assert [list(line.get_ydata()) for line in ax.lines] == [
+        [2.0, 4.0],
+        [3.0, 3.0],
+        [0.0, 0.0],
+        [0.0, 0.0],
+    ]
 
 
 def test_the_curve_of_a_run_is_the_mean_of_its_rewards_so_far():
-    figure = plot_runs({"yours": [0.0, 2.0, 4.0], "the library's": [3.0, 3.0, 3.0]}, "title")
-    assert [list(line.get_ydata()) for line in figure.axes[0].lines] == [[0.0, 1.0, 2.0], [3.0, 3.0, 3.0]]
+    figure = plot_runs(
+        {"yours": [0.0, 2.0, 4.0], "the library's": [3.0, 3.0, 3.0]}, "title"
+    )
+    assert [list(line.get_ydata()) for line in figure.axes[0].lines] == [
+        [0.0, 1.0, 2.0],
+        [3.0, 3.0, 3.0],
+    ]

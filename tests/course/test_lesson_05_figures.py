@@ -16,19 +16,25 @@ def pose(ax) -> tuple:
     x, y = (round(float(at) + 0.5) for at in cell.get_xy())
     bar = ax.lines[0]
     ahead = np.mean(bar.get_xydata(), axis=0) - (x, y)
-    theta = {(1, 0): 0, (0, 1): 1, (0, -1): 2}[tuple(np.sign(ahead.round(6)).astype(int))]
+    theta = {(1, 0): 0, (0, 1): 1, (0, -1): 2}[
+        tuple(np.sign(ahead.round(6)).astype(int))
+    ]
     return x, y, theta, int(bar.get_linewidth() > 2)
 
 
 @pytest.mark.parametrize("s", [0, 13, 21])
 def test_each_row_of_maps_is_a_set_and_the_state_itself_is_in_each(s):
     maps = np.array(plot_similar_states(s).axes).reshape(4, 3)
-    for i, (row, states) in enumerate(zip(maps, STATES.siblings(s).values(), strict=True)):
+    for i, (row, states) in enumerate(
+        zip(maps, STATES.siblings(s).values(), strict=True)
+    ):
         shown = [ax for ax in row if ax.patches]
         assert [int(ax.get_title().split("state ")[1]) for ax in shown] == list(states)
         assert [pose(ax) for ax in shown] == [STATES.bins(k) for k in states]
         assert [pose(ax)[i] for ax in shown] == list(range(len(states))) and s in states
-        assert [ax.title.get_weight() == "bold" for ax in shown] == [k == s for k in states]
+        assert [ax.title.get_weight() == "bold" for ax in shown] == [
+            k == s for k in states
+        ]
 
 
 def test_a_state_that_does_not_exist_is_named():
@@ -37,7 +43,16 @@ def test_a_state_that_does_not_exist_is_named():
 
 
 def test_the_bars_of_the_draws_count_each_action():
-    figure = plot_draws({"Q(s)": [0, 1, 1, 2], "Q(s) + bias(s)": [1, 1, 1, 2]}, ["advance", "left", "right"])
-    bars = [[bar.get_height() for bar in container] for container in figure.axes[0].containers]
+    figure = plot_draws(
+        {"Q(s)": [0, 1, 1, 2], "Q(s) + bias(s)": [1, 1, 1, 2]},
+        ["advance", "left", "right"],
+    )
+    bars = [
+        [bar.get_height() for bar in container]
+        for container in figure.axes[0].containers
+    ]
     assert bars == [[1, 2, 1], [0, 3, 1]]
-    assert "1 bumps without the bias, 0 with it" in figure.axes[0].get_title() and "right 1" in figure.alt
+    assert (
+        "1 bumps without the bias, 0 with it" in figure.axes[0].get_title()
+        and "right 1" in figure.alt
+    )

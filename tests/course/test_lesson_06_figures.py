@@ -5,11 +5,25 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_06.figures import WAYS, falls_of, first_returns, plot_paths, plot_returns, way_of
+from rlrobot_course.lesson_06.figures import (
+    WAYS,
+    falls_of,
+    first_returns,
+    plot_paths,
+    plot_returns,
+    way_of,
+)
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, greedy_path
+from rlrobot_edu.widgets.playground.cliff import (
+    CLIFF,
+    GOAL,
+    SHORTEST,
+    START,
+    cliff_model,
+    greedy_path,
+)
 
 UP, RIGHT, DOWN, LEFT = range(4)
 
@@ -25,7 +39,13 @@ def q_of(first_row: int) -> np.ndarray:
 def history(q: np.ndarray, returns=(-13.0,)) -> History:
     """A history that ends with `q`, its episodes one step long."""
     over, no_states = np.ones(len(returns), dtype=bool), np.zeros(0, dtype=int)
-    transitions = Transitions(*[np.zeros(len(returns), dtype=int)] * 2, np.array(returns), no_states, over, ~over)
+    transitions = Transitions(
+        *[np.zeros(len(returns), dtype=int)] * 2,
+        np.array(returns),
+        no_states,
+        over,
+        ~over,
+    )
     learned = Learned.of(q, np.zeros((48, 4), dtype=int))
     return History("Q+EG", transitions, learned, 0.0, Size((48,), 4, 1.0))
 
@@ -59,7 +79,12 @@ def counted(histories):
 
 
 def test_the_picture_counts_the_ways():
-    mixed = [history(q_of(2)), history(q_of(1)), history(q_of(0)), history(np.eye(4)[np.full(48, DOWN)])]
+    mixed = [
+        history(q_of(2)),
+        history(q_of(1)),
+        history(q_of(0)),
+        history(np.eye(4)[np.full(48, DOWN)]),
+    ]
     assert counted(mixed) == {"edge": 1, "off": 2, "lost": 1}
     picture = plot_paths({"mixed": mixed})
     widths = [line.get_linewidth() for line in picture.axes[0].lines]
@@ -67,17 +92,27 @@ def test_the_picture_counts_the_ways():
 
 
 def test_falls_are_counted_in_the_cell_that_was_stepped_into():
-    steps = [(START, RIGHT, -100.0), (25, DOWN, -100.0), (25, RIGHT, -1.0), (34, DOWN, -100.0)]
+    steps = [
+        (START, RIGHT, -100.0),
+        (25, DOWN, -100.0),
+        (25, RIGHT, -1.0),
+        (34, DOWN, -100.0),
+    ]
     s, a, r = (np.array(column) for column in zip(*steps, strict=True))
     over = np.zeros(4, dtype=bool)
     transitions = Transitions(s, a, r, s, over, over)
     learned = Learned.of(np.zeros((48, 4)), np.zeros((48, 4), dtype=int))
     one = History("Q+EG", transitions, learned, 0.0, Size((48,), 4, 1.0))
-    assert list(falls_of([one, one])) == [2, *[0] * 8, 1] and list(falls_of([one], steps=2)) == [*[0] * 9, 1]
+    assert list(falls_of([one, one])) == [2, *[0] * 8, 1] and list(
+        falls_of([one], steps=2)
+    ) == [*[0] * 9, 1]
 
 
 def test_returns_are_averaged_over_windows_of_episodes():
-    runs = [history(q_of(2), [-100.0, -20.0, -13.0, -13.0, -7.0]), history(q_of(2), [-60.0, -20.0, -15.0, -15.0, -7.0])]
+    runs = [
+        history(q_of(2), [-100.0, -20.0, -13.0, -13.0, -7.0]),
+        history(q_of(2), [-60.0, -20.0, -15.0, -15.0, -7.0]),
+    ]
     picture = plot_returns({"some": runs}, "A title", episodes=4, window=2)
     curve = picture.axes[0].lines[-1]
     np.testing.assert_allclose(curve.get_xdata(), [1, 3])
@@ -88,5 +123,7 @@ def test_returns_are_averaged_over_windows_of_episodes():
 
 @pytest.mark.parametrize(("method", "wanted"), [("Q+EG", "edge"), ("SARSA+EG", "off")])
 def test_q_learning_takes_the_edge_and_sarsa_does_not(method, wanted):
-    runs = rl.repeat(cliff_model(), method, repetitions=10, steps=20000, seed=7, n_jobs=1, r_max=1)
+    runs = rl.repeat(
+        cliff_model(), method, repetitions=10, steps=20000, seed=7, n_jobs=1, r_max=1
+    )
     assert counted(runs)[wanted] >= 8

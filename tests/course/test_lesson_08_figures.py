@@ -36,18 +36,24 @@ def journey(seed):
 def test_the_ideal_equals_the_projects_oracle_at_every_step(seed, lam):
     world, steps = journey(seed)
     mine = online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, lam)
-    for q, q_oracle in zip(mine, oracle(steps, world.n_states, 3, 0.4, 0.9, lam), strict=True):
+    for q, q_oracle in zip(
+        mine, oracle(steps, world.n_states, 3, 0.4, 0.9, lam), strict=True
+    ):
         np.testing.assert_allclose(q, q_oracle, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_only_true_online_sarsa_has_no_error(seed):
     world, steps = journey(seed)
-    ideal = list(online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, 0.9))
+    ideal = list(
+        online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, 0.9)
+    )
 
     def error(trace):
         agents = replay(trace, steps, world, alpha=0.4, traces="full")
-        return max(np.abs(agent.q - q).max() for agent, q in zip(agents, ideal, strict=True))
+        return max(
+            np.abs(agent.q - q).max() for agent, q in zip(agents, ideal, strict=True)
+        )
 
     worst = {trace: error(trace) for trace in TRACES}
     assert worst["dutch"] < 1e-12
@@ -55,8 +61,14 @@ def test_only_true_online_sarsa_has_no_error(seed):
 
 
 @pytest.mark.parametrize("alpha", [0.1, 0.5])
-def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limits(alpha):
-    limits = {"accumulating": 1 / (1 - 0.81), "replacing": 1.0, "dutch": 1 / (1 - (1 - alpha) * 0.81)}
+def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limits(
+    alpha,
+):
+    limits = {
+        "accumulating": 1 / (1 - 0.81),
+        "replacing": 1.0,
+        "dutch": 1 / (1 - (1 - alpha) * 0.81),
+    }
     for trace, limit in limits.items():
         e = trace_over_time(trace, [True] * 100, alpha)
         assert e[0] == pytest.approx(1.0)
@@ -67,7 +79,9 @@ def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limit
 
 def test_the_pictures_draw_what_was_computed():
     picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5, title="t")
-    ideal, accumulating, dutch = (line.get_ydata() for line in picture.axes[0].lines[:3])
+    ideal, accumulating, dutch = (
+        line.get_ydata() for line in picture.axes[0].lines[:3]
+    )
     np.testing.assert_allclose(dutch, ideal, atol=1e-10)
     assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 08
     assert accumulating[-1] < -90
@@ -81,8 +95,12 @@ def test_the_picture_of_the_noted_value_has_the_numbers_of_the_lesson():
 
 
 def test_the_picture_of_the_three_traces_draws_each_and_the_limit():
-    accumulating, replacing, dutch, _, limit = (line.get_ydata() for line in plot_traces([True] * 9, 0.5).axes[0].lines)
-    assert accumulating[-1] == pytest.approx(4.473, abs=1e-3) and replacing[-1] == pytest.approx(1)
+    accumulating, replacing, dutch, _, limit = (
+        line.get_ydata() for line in plot_traces([True] * 9, 0.5).axes[0].lines
+    )
+    assert accumulating[-1] == pytest.approx(4.473, abs=1e-3) and replacing[
+        -1
+    ] == pytest.approx(1)
     assert max(dutch) < limit[0] == 2
 
 
@@ -105,18 +123,31 @@ def test_the_traces_in_the_figures_are_the_agents_own(trace):
 
 @pytest.mark.parametrize("name", [*TRACES, "ideal"])
 def test_the_weights_of_the_rewards_make_up_the_value_after_each_step(name):
-    shown, rewards = weights(name, DRIVE, alpha=0.5), np.array([r for _, _, r, *_ in DRIVE])
+    shown, rewards = (
+        weights(name, DRIVE, alpha=0.5),
+        np.array([r for _, _, r, *_ in DRIVE]),
+    )
     if name == "ideal":
-        values = [q[0, 0] for q in online_lambda_return(DRIVE, np.zeros((2, 1)), 0.5, 0.9, 0.9)]
+        values = [
+            q[0, 0]
+            for q in online_lambda_return(DRIVE, np.zeros((2, 1)), 0.5, 0.9, 0.9)
+        ]
     else:
-        values = [agent.q[0, 0].item() for agent in replay(name, DRIVE, Size((2,), 1), alpha=0.5)]
+        values = [
+            agent.q[0, 0].item()
+            for agent in replay(name, DRIVE, Size((2,), 1), alpha=0.5)
+        ]
     np.testing.assert_allclose(shown @ rewards, values, atol=1e-12)
     assert not np.triu(shown, 1).any(), "nobody pays before it is paid"
-    newest = trace_over_time("dutch" if name == "ideal" else name, [True] * 9, alpha=0.5)
+    newest = trace_over_time(
+        "dutch" if name == "ideal" else name, [True] * 9, alpha=0.5
+    )
     np.testing.assert_allclose(np.diag(shown), 0.5 * newest)
 
 
 def test_the_map_of_true_online_sarsa_is_that_of_the_ideal():
-    np.testing.assert_allclose(weights("dutch", DRIVE, 0.5), weights("ideal", DRIVE, 0.5), atol=1e-12)
+    np.testing.assert_allclose(
+        weights("dutch", DRIVE, 0.5), weights("ideal", DRIVE, 0.5), atol=1e-12
+    )
     picture = plot_credit(DRIVE, "accumulating", "dutch", "ideal", alpha=0.5)
     assert len(picture.axes[0].patches) == 9 * 10 // 2

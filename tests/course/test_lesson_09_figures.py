@@ -5,7 +5,12 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.challenge import Score
-from rlrobot_course.lesson_09.figures import plot_escape, plot_pull, plot_worth, probability_of_best
+from rlrobot_course.lesson_09.figures import (
+    plot_escape,
+    plot_pull,
+    plot_worth,
+    probability_of_best,
+)
 
 
 def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
@@ -19,7 +24,9 @@ def test_the_bars_of_the_pull_are_q_and_bias():
     q_s, bias = np.array([-0.2, 0.0, 0.3]), np.array([2.7, 0.1, 0.0])
     picture = plot_pull(q_s, bias, ["ahead", "left", "right"], q_max=100)
     heights = [bar.get_height() for bar in picture.axes[0].patches]
-    assert np.allclose(heights, [-0.2, 0.3, 2.7, 0, 2.5, 0.3]), "of the best two actions Q, bias and their sum"
+    assert np.allclose(heights, [-0.2, 0.3, 2.7, 0, 2.5, 0.3]), (
+        "of the best two actions Q, bias and their sum"
+    )
 
 
 def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
@@ -30,10 +37,21 @@ def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
     assert np.allclose(below.lines[0].get_ydata(), [step.temperature for step in steps])
     low, high = (line.get_xdata() for line in above.lines)
     assert sorted([*low, *high]) == list(range(1, 61))
-    assert all(steps[t - 1].r > 0 for t in high) and all(steps[t - 1].r <= 0 for t in low)
+    assert all(steps[t - 1].r > 0 for t in high) and all(
+        steps[t - 1].r <= 0 for t in low
+    )
 
 
 def test_each_kind_of_robot_has_two_bars():
-    pairs = {"cold": (Score(1.0, 0.2), Score(2.0, 0.3)), "warm": (Score(4.0, 0.1), Score(3.9, 0.1))}
-    without, evading = (c for c in plot_worth(pairs, "a title").axes[0].containers if hasattr(c, "patches"))
-    assert [bar.get_height() for bar in without] == [1, 4] and [bar.get_height() for bar in evading] == [2, 3.9]
+    pairs = {
+        "cold": (Score(1.0, 0.2), Score(2.0, 0.3)),
+        "warm": (Score(4.0, 0.1), Score(3.9, 0.1)),
+    }
+    without, evading = (
+        c
+        for c in plot_worth(pairs, "a title").axes[0].containers
+        if hasattr(c, "patches")
+    )
+    assert [bar.get_height() for bar in without] == [1, 4] and [
+        bar.get_height() for bar in evading
+    ] == [2, 3.9]

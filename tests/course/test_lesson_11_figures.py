@@ -21,7 +21,11 @@ def test_the_filled_bins_are_those_of_the_state_and_the_reading_lies_in_them(nam
     robot = env.unwrapped.robot
     picture = plot_rings([Moment(robot.scene(), robot.readings)], task)
     bins = task.states.bins(env.unwrapped.state)
-    filled = [p for p in picture.axes[0].patches if isinstance(p, Wedge) and p.get_facecolor()[3] > 0]
+    filled = [
+        p
+        for p in picture.axes[0].patches
+        if isinstance(p, Wedge) and p.get_facecolor()[3] > 0
+    ]
     for variable, seen, wedge in zip(task.inputs, bins, filled, strict=True):
         low, high = rings_of(variable)[seen]
         assert (wedge.r - wedge.width, wedge.r) == pytest.approx((low, high))
@@ -34,7 +38,11 @@ def test_the_filled_bins_are_those_of_the_state_and_the_reading_lies_in_them(nam
 
 def test_bins_differ_by_colour_and_by_hatching():
     styles = [style_of(i, 5) for i in range(5)]
-    assert len({colour for colour, _ in styles}) == len({hatch for _, hatch in styles}) == 5
+    assert (
+        len({colour for colour, _ in styles})
+        == len({hatch for _, hatch in styles})
+        == 5
+    )
 
 
 @pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
@@ -45,11 +53,15 @@ def test_every_action_moves_the_robot_as_its_arrow_says(name):
         before = env.unwrapped.robot.readings
         env.step(a)
         after, (v, turn) = env.unwrapped.robot.readings, motion_of(task, a, motion)
-        turned = math.degrees(math.remainder(after["theta"] - before["theta"], 2 * math.pi))
+        turned = math.degrees(
+            math.remainder(after["theta"] - before["theta"], 2 * math.pi)
+        )
         assert turned == pytest.approx(turn, abs=1e-6)
         axle = [np.array([r["x"], r["y"]]) + 0.045 * np.array([math.cos(r["theta"]), math.sin(r["theta"])])
                 for r in (before, after)]  # fmt: skip
-        assert axle[1] - axle[0] == pytest.approx(path_of(v, turn, task.step_time)[-1], abs=1e-6)
+        assert axle[1] - axle[0] == pytest.approx(
+            path_of(v, turn, task.step_time)[-1], abs=1e-6
+        )
 
 
 def test_motions_have_names():
@@ -65,13 +77,19 @@ def test_the_policy_shows_visited_states_only_the_most_frequent_first():
     assert most_visited(visits, 12) == [3, 1, 2] and most_visited(visits, 2) == [3, 1]
     picture = plot_policy(task, q, visits, motion, "A policy")
     shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
-    assert [title.split("\n")[1] for title in shown] == ["70.0% of steps", "20.0% of steps", "10.0% of steps"]
+    assert [title.split("\n")[1] for title in shown] == [
+        "70.0% of steps",
+        "20.0% of steps",
+        "10.0% of steps",
+    ]
 
 
 @pytest.mark.parametrize("angle", [20, 30, 40, 50, 60, 70])
 @pytest.mark.parametrize("holds", [False, True])
 def test_friction_turns_a_robot_to_the_wall_at_which_it_is_driven(angle, holds):
-    robot = MobileBase("maze_4x4_goal", 1.0, realism=rl.Realism.vrep() if holds else None)
+    robot = MobileBase(
+        "maze_4x4_goal", 1.0, realism=rl.Realism.vrep() if holds else None
+    )
     robot.arena = robot.arena._replace(start=(-1.2, -1.4, math.radians(-angle)))
     robot.reset()
     way = [robot.act({"left_wheel": 2.0, "right_wheel": 2.0}) for _ in range(13)]

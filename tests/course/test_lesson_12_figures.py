@@ -50,11 +50,19 @@ def test_shaping_with_any_potential_leaves_the_best_actions_as_they_are(seed):
         return honest(s, s_next, at_goal) + shaping(phi[s], phi[s_next], at_goal, 0.9)
 
     q, led = best_values(honest), best_values(shaped)
-    assert np.allclose(led, q - phi[:6, None]), "all values move by the potential of the state"
+    assert np.allclose(led, q - phi[:6, None]), (
+        "all values move by the potential of the state"
+    )
 
 
 def test_a_robot_is_paid_by_its_own_function_and_all_else_stays():
-    env, twin = Paid(rl.make_env(TASK, seed=0), lambda before, after, r, end: r + after["x"] - before["x"]), None
+    env, twin = (
+        Paid(
+            rl.make_env(TASK, seed=0),
+            lambda before, after, r, end: r + after["x"] - before["x"],
+        ),
+        None,
+    )
     twin = rl.make_env(TASK, seed=0)
     (observation, info), (same, _) = env.reset(), twin.reset()
     assert isinstance(env, gymnasium.Wrapper) and (observation == same).all()
@@ -80,7 +88,9 @@ def test_episodes_are_whole():
     short = rl.Agent(TASK, seed=0)
     env = gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25)
     episodes = drive_episodes(short, env, 3)
-    assert [len(episode) for episode in episodes] == [25, 25, 25] and not any(e.terminated for e in episodes)
+    assert [len(episode) for episode in episodes] == [25, 25, 25] and not any(
+        e.terminated for e in episodes
+    )
     assert all(episode.path.shape == (26, 2) for episode in episodes)
     assert all((episode.path[0] == (-1.5, -1.475)).all() for episode in episodes)
     assert len(drive_episodes(short, env, 3, most=60)) == 2, "the third is not finished"
@@ -88,7 +98,9 @@ def test_episodes_are_whole():
 
 def test_a_path_is_where_the_commands_lead():
     path = drive(rl.make_env("wander_1k", seed=0), [8, 8, 0, 4])
-    assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(path) == pytest.approx(4 * 0.0975)
+    assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(
+        path
+    ) == pytest.approx(4 * 0.0975)
     assert path[:, 0] == pytest.approx(np.array([0, 1, 2, 4, 4]) * 0.0975)
 
 
@@ -96,4 +108,6 @@ def test_a_film_in_the_lane_ends_at_the_goal_or_after_so_many_steps():
     forward = np.tile([0.0, 1.0], (8, 1))
     for steps, shown in ((24, 6), (4, 4)):
         film, rewards = film_in_lane(forward, rl.make_env(lane(), seed=0), steps)
-        assert repr(film).startswith(f"Replay of {shown} steps") and len(rewards) == shown
+        assert (
+            repr(film).startswith(f"Replay of {shown} steps") and len(rewards) == shown
+        )

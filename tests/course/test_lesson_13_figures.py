@@ -29,9 +29,13 @@ def test_a_look_into_the_table_of_places_is_a_step_of_the_kinematic_arm(world):
     engine = rl.make_env("arm_1k", seed=0, engine="kinematic")
     mine, its = world.reset()[1], engine.reset()[1]
     for a in np.random.default_rng(0).integers(9, size=300).tolist():
-        assert mine["state"] == its["state"] and mine["readings"] == pytest.approx(its["readings"], abs=1e-12)
+        assert mine["state"] == its["state"] and mine["readings"] == pytest.approx(
+            its["readings"], abs=1e-12
+        )
         (*_, mine), (*_, its) = world.step(a), engine.step(a)
-    assert [s.name for s in world.robot.scene().solids] == [s.name for s in engine.robot.scene().solids]
+    assert [s.name for s in world.robot.scene().solids] == [
+        s.name for s in engine.robot.scene().solids
+    ]
 
 
 def test_no_step_is_so_close_to_a_limit_that_rounding_decides(world):
@@ -45,7 +49,10 @@ def brute_force(following, rewards, allowed):
     best, inside = -np.inf, np.flatnonzero(allowed)
     for n in range(1, len(inside) + 1):
         for way in permutations(inside, n):
-            steps = [rewards[i, following[i] == j] for i, j in zip(way, way[1:] + way[:1], strict=True)]
+            steps = [
+                rewards[i, following[i] == j]
+                for i, j in zip(way, way[1:] + way[:1], strict=True)
+            ]
             if all(len(step) for step in steps):
                 best = max(best, np.mean([step.max() for step in steps]))
     return best
@@ -59,7 +66,9 @@ def test_the_best_loop_is_the_one_that_trying_all_finds(seed):
     following[:, 0] = np.flatnonzero(allowed)[0]  # so that there is a loop
     loop = best_loop(following, rewards, allowed)
     assert loop.pays == pytest.approx(brute_force(following, rewards, allowed))
-    assert np.mean(loop.rewards) == pytest.approx(loop.pays) and allowed[loop.places].all()
+    assert (
+        np.mean(loop.rewards) == pytest.approx(loop.pays) and allowed[loop.places].all()
+    )
     for i, j in zip(loop.places, loop.places[1:] + loop.places[:1], strict=True):
         assert j in following[i]
 
@@ -68,25 +77,41 @@ def test_what_the_lesson_says_of_its_loops(world):
     outside, task = world.places.distance > 0.05, world.task
     assert best_loop(world.places.next, world.rewards, outside).pays == pytest.approx(3)
     mended = ArmWorld(with_reward(task, exercises.arm_reward, "mended"))
-    assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(0, abs=1e-9)
+    assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(
+        0, abs=1e-9
+    )
 
 
 def test_a_check_of_rewards_shows_the_loop_that_pays_and_refuses_what_is_no_number():
-    verdict = check.arm_reward(lambda before, after: 10 if after <= 0.05 else 5 if before - after > 0.02 else -1)
+    verdict = check.arm_reward(
+        lambda before, after: (
+            10 if after <= 0.05 else 5 if before - after > 0.02 else -1
+        )
+    )
     assert "This loop pays 3 a step" in repr(verdict).replace("\n", " ")
-    assert "Standing still" in repr(check.arm_reward(lambda before, after: 10 if after <= 0.05 else 0.1))
+    assert "Standing still" in repr(
+        check.arm_reward(lambda before, after: 10 if after <= 0.05 else 0.1)
+    )
     assert not check.arm_reward(lambda before, after: float("nan"))
-    assert not check.arm_reward(lambda before, after: 10 if after <= 0.05 else 1 / (before - 0.2))
+    assert not check.arm_reward(
+        lambda before, after: 10 if after <= 0.05 else 1 / (before - 0.2)
+    )
 
 
-def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they_got(world):
+def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they_got(
+    world,
+):
     ends = last_episodes("arm_1k", arms=2, episodes=2, seed=4)
     agent = rl.Agent("arm_1k", seed=5)
     history = rl.learn(agent, world, steps=240, progress=False, keep=True)
     assert np.array_equal(ends.rewards[1], history.rewards[-120:])
     path, rewards = last_path(world, history.a[-120:])
     assert np.array_equal(rewards, history.rewards[-120:])
-    assert ends.contact[1] == np.mean(world.places.distance[path[1:]] <= 0.05) == np.mean(rewards == 10)
+    assert (
+        ends.contact[1]
+        == np.mean(world.places.distance[path[1:]] <= 0.05)
+        == np.mean(rewards == 10)
+    )
 
 
 def test_every_value_is_a_dot_in_the_heap_of_its_bin():
@@ -95,15 +120,25 @@ def test_every_value_is_a_dot_in_the_heap_of_its_bin():
     assert np.allclose(x, [0, 2, 2, 2, 10]) and height.tolist() == [1, 1, 2, 3, 1]
 
 
-def test_the_picture_of_the_places_counts_those_in_contact_and_says_where_the_shuttle_is(world):
+def test_the_picture_of_the_places_counts_those_in_contact_and_says_where_the_shuttle_is(
+    world,
+):
     picture = plot_places(world.places, [0, 23, 32], "All places")
-    assert f"132 places from above, {(world.places.distance <= 0.05).sum()} of them in contact" in picture.alt
+    assert (
+        f"132 places from above, {(world.places.distance <= 0.05).sum()} of them in contact"
+        in picture.alt
+    )
     ends = [world.places.readings[i] for i in (23, 32)]
-    assert all(f"x = {seen['gripper_x']:.2f}, y = {seen['gripper_y']:.2f} m" in picture.alt for seen in ends)
+    assert all(
+        f"x = {seen['gripper_x']:.2f}, y = {seen['gripper_y']:.2f} m" in picture.alt
+        for seen in ends
+    )
 
 
 def test_the_picture_of_the_means_tells_them_with_their_intervals():
     values = np.random.default_rng(0).normal(5, 1, size=(2, 30))
-    picture = plot_means({"one": {"Q+SR": values[0]}, "other": {"Q+SR": values[1]}}, "reward", "Means")
+    picture = plot_means(
+        {"one": {"Q+SR": values[0]}, "other": {"Q+SR": values[1]}}, "reward", "Means"
+    )
     half = stats.t.ppf(0.975, 29) * stats.sem(values[1])
     assert f"other {values[1].mean():.2f} ± {half:.2f}" in picture.alt

@@ -5,8 +5,20 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_14 import exercises
-from rlrobot_course.lesson_14.figures import plot_capture, plot_counts, plot_estimates, plot_unknown
-from rlrobot_course.lesson_14.worlds import Gap, RowWorld, measure_gap, part, rows_of, without_loops
+from rlrobot_course.lesson_14.figures import (
+    plot_capture,
+    plot_counts,
+    plot_estimates,
+    plot_unknown,
+)
+from rlrobot_course.lesson_14.worlds import (
+    Gap,
+    RowWorld,
+    measure_gap,
+    part,
+    rows_of,
+    without_loops,
+)
 
 RECORDING = rl.read_recording("wander_simple")
 MODEL = rl.SampleModel.from_recording(RECORDING)
@@ -21,21 +33,29 @@ def test_counting_rows_and_the_library_s_model_agree_in_every_pair():
                 sum(count for s_next, _, _, count in outcomes if s_next == after) / n,
                 np.average(
                     [r for s_next, r, _, _ in outcomes if s_next == after],
-                    weights=[count for s_next, _, _, count in outcomes if s_next == after],
+                    weights=[
+                        count for s_next, _, _, count in outcomes if s_next == after
+                    ],
                 ),
             )
             for after in {outcome[0] for outcome in outcomes}
         }
         estimated = exercises.estimate(rows, s, a)
         assert estimated.keys() == expected.keys()
-        assert all(estimated[after] == pytest.approx(expected[after]) for after in expected)
+        assert all(
+            estimated[after] == pytest.approx(expected[after]) for after in expected
+        )
 
 
 def test_even_draws_bring_back_every_row_once():
     rows = rows_of(part(RECORDING, slice(500)))
     s, a = rows[-1][:2]
-    there = [(s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)]
-    assert [exercises.sample(rows, s, a, (i + 0.5) / len(there)) for i in range(len(there))] == there
+    there = [
+        (s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)
+    ]
+    assert [
+        exercises.sample(rows, s, a, (i + 0.5) / len(there)) for i in range(len(there))
+    ] == there
 
 
 def test_a_world_of_rows_answers_with_rows_and_is_pessimistic_about_the_unknown():
@@ -51,7 +71,11 @@ def test_a_world_of_rows_answers_with_rows_and_is_pessimistic_about_the_unknown(
 
 def test_estimates_scatter_within_the_funnel_and_single_samples_are_all_or_nothing():
     picture = plot_estimates(np.arange(1000) % 2 == 0, sizes=[1, 400], estimates=200)
-    one, many = (line.get_ydata() for line in picture.axes[0].lines if len(line.get_ydata()) == 200)
+    one, many = (
+        line.get_ydata()
+        for line in picture.axes[0].lines
+        if len(line.get_ydata()) == 200
+    )
     assert set(one) == {0.0, 1.0}
     assert (abs(many - 0.5) <= 0.05).mean() > 0.9
 
@@ -62,7 +86,9 @@ def test_a_part_of_a_recording_has_these_rows_and_no_loop_is_left_without_the_su
     before = rl.SampleModel.from_recording(five).diagnose()
     rest = without_loops(five)
     assert len(five) - len(rest) == sum(loop.samples for loop in before.loops)
-    assert not set(rows_of(rest)) & {row for row in rows_of(five) if any(row[:2] in x.pairs for x in before.loops)}
+    assert not set(rows_of(rest)) & {
+        row for row in rows_of(five) if any(row[:2] in x.pairs for x in before.loops)
+    }
 
 
 def test_who_drives_learns_no_more_and_a_gap_is_a_mean_with_its_interval():
@@ -73,7 +99,9 @@ def test_who_drives_learns_no_more_and_a_gap_is_a_mean_with_its_interval():
     assert np.allclose(agent.q, q, atol=1e-6)
     gap = Gap(np.array([3.0, 5.0, 7.0]), np.array([1.0, 2.0, 3.0]))
     assert gap.mean == 3.0
-    assert gap.half == pytest.approx(4.303 * 1.0 / 3**0.5, rel=1e-3)  # t of 2 degrees of freedom, differences 2, 3, 4
+    assert gap.half == pytest.approx(
+        4.303 * 1.0 / 3**0.5, rel=1e-3
+    )  # t of 2 degrees of freedom, differences 2, 3, 4
 
 
 def test_agents_are_measured_in_their_model_and_on_the_robot():
@@ -85,15 +113,24 @@ def test_agents_are_measured_in_their_model_and_on_the_robot():
 def test_the_table_of_counts_names_what_was_never_tried():
     counts = plot_counts(MODEL, "ABCD", "wxyz")
     told = {text.get_text() for text in counts.axes[0].texts}
-    assert told == {f"{n:,}" if n else "never" for n in MODEL.pair_count.ravel().tolist()}
+    assert told == {
+        f"{n:,}" if n else "never" for n in MODEL.pair_count.ravel().tolist()
+    }
 
 
 def test_the_bars_of_the_unknown_are_the_best_values_and_hatched_where_never_tried():
-    models = {x: rl.SampleModel.from_recording(RECORDING, unseen=x) for x in ("uniform", "stay")}
+    models = {
+        x: rl.SampleModel.from_recording(RECORDING, unseen=x)
+        for x in ("uniform", "stay")
+    }
     picture = plot_unknown(models, 0, ["stop", "left", "right", "forward"], "here")
     for ax, model in zip(picture.axes, models.values(), strict=True):
-        assert np.allclose([bar.get_width() for bar in ax.patches], rl.value_iteration(model).q[0])
-        assert [bool(bar.get_hatch()) for bar in ax.patches] == (model.pair_count[0] == 0).tolist()
+        assert np.allclose(
+            [bar.get_width() for bar in ax.patches], rl.value_iteration(model).q[0]
+        )
+        assert [bool(bar.get_hatch()) for bar in ax.patches] == (
+            model.pair_count[0] == 0
+        ).tolist()
 
 
 def test_curves_and_gaps_are_those_that_were_measured():

@@ -7,7 +7,14 @@ import pytest
 from paper import paper
 from scipy import stats
 
-from rlrobot_course.lesson_15.figures import PAPER, draws_of_few, games_howell, plot_report, set_ups, shuffled_f
+from rlrobot_course.lesson_15.figures import (
+    PAPER,
+    draws_of_few,
+    games_howell,
+    plot_report,
+    set_ups,
+    shuffled_f,
+)
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
 
@@ -38,17 +45,27 @@ def test_few_agents_scatter_as_the_formula_says():
 
 def test_games_howell_is_scipys():
     rng = np.random.default_rng(2)
-    groups = [rng.normal(mean, sd, n) for mean, sd, n in ((1, 0.5, 8), (1.5, 2, 12), (0, 1, 5))]
+    groups = [
+        rng.normal(mean, sd, n)
+        for mean, sd, n in ((1, 0.5, 8), (1.5, 2, 12), (0, 1, 5))
+    ]
     theirs = stats.tukey_hsd(*groups, equal_var=False).pvalue
     assert games_howell(groups[0], groups[1]) == pytest.approx(theirs[0, 1], rel=1e-6)
 
 
 def test_the_papers_differences_are_those_of_the_report_and_each_set_up_is_drawn():
     for task, numbers in PAPER.items():
-        theirs = {frozenset((p.better, p.worse)): (p.better, paper.difference(task, p)) for p in paper.TUKEY[task]}
-        for (first, second), number in zip(combinations(paper.THREE, 2), numbers, strict=True):
+        theirs = {
+            frozenset((p.better, p.worse)): (p.better, paper.difference(task, p))
+            for p in paper.TUKEY[task]
+        }
+        for (first, second), number in zip(
+            combinations(paper.THREE, 2), numbers, strict=True
+        ):
             better, difference = theirs[frozenset((first, second))]
-            assert number == pytest.approx(difference if better == first else -difference, rel=0.01)
+            assert number == pytest.approx(
+                difference if better == first else -difference, rel=0.01
+            )
     picture = plot_report()
     assert len(picture.axes[0].get_yticklabels()) == len(set_ups()) == 20
     assert "14 of 60 are opposite to it, and significantly so 8" in picture.alt

@@ -24,7 +24,9 @@ def test_files_of_an_earlier_run_are_kept(path):
     again = fresh_folder(path.parent)
     assert not path.exists() and (again / "before" / path.name).read_text() == "mine"
     fresh_folder(again)
-    assert (again / "before" / path.name).read_text() == "mine", "an empty run takes nothing away"
+    assert (again / "before" / path.name).read_text() == "mine", (
+        "an empty run takes nothing away"
+    )
 
 
 def test_an_edit_changes_one_place_or_nothing(path):
@@ -37,7 +39,9 @@ def test_an_edit_changes_one_place_or_nothing(path):
 
 
 def test_a_refusal_names_the_file_without_its_folder(path):
-    said = refusal(edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, 10]"}, to="faulty.py"))
+    said = refusal(
+        edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, 10]"}, to="faulty.py")
+    )
     assert said.startswith("faulty.py: reward returned -0.02")
 
 
@@ -63,13 +67,23 @@ def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
 def test_the_figure_of_the_cuts_shows_what_was_computed():
     path = Path(__file__).parents[2] / "studies" / "lesson_numbers.csv"
     with path.open(encoding="utf-8") as file:
-        rows = {(row["lesson"], row["of"]): row for row in csv.DictReader(file) if row["steps"] == "1800"}
+        rows = {
+            (row["lesson"], row["of"]): row
+            for row in csv.DictReader(file)
+            if row["steps"] == "1800"
+        }
     for what, worlds in FOUND.items():
         for world, numbers in worlds.items():
             robot = "as in V-REP" if world == HELD else world
             for cuts, number in zip(CUTS, numbers, strict=True):
                 usual = cuts == "27, 53, 80 cm"
-                lesson = ("11" if usual else "16") if what == "reward a step" else f"16, {what}"
+                lesson = (
+                    ("11" if usual else "16")
+                    if what == "reward a step"
+                    else f"16, {what}"
+                )
                 row = rows[lesson, robot if usual else f"{cuts}, {robot}"]
-                assert number == pytest.approx((float(row["value"]), float(row["half_interval"])), abs=6e-5)
+                assert number == pytest.approx(
+                    (float(row["value"]), float(row["half_interval"])), abs=6e-5
+                )
     assert plot_cuts().alt.count("±") == 15

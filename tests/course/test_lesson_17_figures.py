@@ -35,7 +35,9 @@ def values(gamma=0.9, sweeps=40):
         for cell in CELLS:
             for a in range(4 * (cell != GOAL)):
                 after = neighbour(cell, a)
-                q[number(cell), a] = 1.0 if after == GOAL else gamma * q[number(after)].max()
+                q[number(cell), a] = (
+                    1.0 if after == GOAL else gamma * q[number(after)].max()
+                )
     return q
 
 
@@ -55,7 +57,11 @@ def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
     for before, after in pairwise(best_way(values())):
         a = next(a for a in range(4) if neighbour(before, a) == after)
         cell, reward, terminated, truncated, _ = env.step(np.int64(a))
-        assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
+        assert (
+            tuple(cell) == after
+            and reward == terminated == (after == GOAL)
+            and not truncated
+        )
 
 
 @pytest.mark.long
@@ -74,7 +80,9 @@ def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_fro
 
 def test_the_moving_picture_has_a_frame_a_step_and_counts_arrivals():
     env = Cells()
-    walk = rl.learn(rl.Agent(env, "Q+EG", seed=7), env, steps=45, progress=False, keep=True)
+    walk = rl.learn(
+        rl.Agent(env, "Q+EG", seed=7), env, steps=45, progress=False, keep=True
+    )
     assert np.flatnonzero(walk.terminated).tolist() == [40]
     film = Walks({"x": walk}, steps=43)
     assert "43 steps. x: 1 arrivals" in repr(film)

@@ -20,4 +20,6 @@ def test_the_map_of_who_was_paid_has_a_row_for_each_state_that_the_reward_reache
     steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 30))
     picture = plot_paid(steps, 21, "worked_example", (0, 0.9))
     reached = np.flatnonzero(paid_by(steps, 21, "worked_example", 0.9).any(axis=1))
-    assert [int(label.get_text()) for label in picture.axes[0].get_yticklabels()] == reached.tolist()
+    assert [
+        int(label.get_text()) for label in picture.axes[0].get_yticklabels()
+    ] == reached.tolist()

@@ -10,7 +10,16 @@ from rlrobot_course.lesson_20 import driver
 from rlrobot_course.lesson_20.figures import mean_and_half, plot_dots, plot_worth
 from rlrobot_course.lesson_20.pupils import copies, pupils
 
-FAR = dict.fromkeys(("laser_front", "laser_front_left", "laser_left", "laser_right", "laser_front_right"), 2.0)
+FAR = dict.fromkeys(
+    (
+        "laser_front",
+        "laser_front_left",
+        "laser_left",
+        "laser_right",
+        "laser_front_right",
+    ),
+    2.0,
+)
 
 
 @pytest.fixture(scope="module")
@@ -21,9 +30,16 @@ def lesson():
 def test_the_careful_driver_turns_away_from_the_nearer_wall_and_slips_one_time_in_ten():
     def often(lasers):
         rng = np.random.default_rng(0)
-        return np.bincount([driver.careful(lasers, rng) for _ in range(2000)], minlength=9) / 2000
+        return (
+            np.bincount([driver.careful(lasers, rng) for _ in range(2000)], minlength=9)
+            / 2000
+        )
 
-    for lasers, a in ((FAR, 8), (FAR | {"laser_front_left": 0.2}, 6), (FAR | {"laser_front_right": 0.2}, 2)):
+    for lasers, a in (
+        (FAR, 8),
+        (FAR | {"laser_front_left": 0.2}, 6),
+        (FAR | {"laser_front_right": 0.2}, 2),
+    ):
         assert often(lasers)[a] == pytest.approx(1 - driver.SLIP * 8 / 9, abs=0.02)
 
 
@@ -39,7 +55,10 @@ def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
         assert who == "you" and lesson.a.tolist() == [*turns, 8] and filmed is pad
         who, kept, filmed = driver.lesson_of(rl.teleoperate(env), tmp_path / "mine")
     assert who == "you, before" and kept.a.tolist() == [*turns, 8]
-    assert filmed.recording.s_next.tolist() == lesson.s_next.tolist() and filmed.film.gif() == pad.film.gif()
+    assert (
+        filmed.recording.s_next.tolist() == lesson.s_next.tolist()
+        and filmed.film.gif() == pad.film.gif()
+    )
 
 
 def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
@@ -49,25 +68,41 @@ def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
             pad.press(6)
         who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
     assert who == "our stand-in (you drove 24 steps; a lesson takes 100)"
-    assert len(lesson) == 300 and filmed.recording.a.tolist() == lesson.a.tolist() and not list(tmp_path.iterdir())
+    assert (
+        len(lesson) == 300
+        and filmed.recording.a.tolist() == lesson.a.tolist()
+        and not list(tmp_path.iterdir())
+    )
 
 
 def test_pupils_without_a_teacher_are_those_of_repeat_and_a_lesson_changes_them(lesson):
     with joblib.parallel_config("sequential"):
-        alone, taught = (pupils(each, steps=60, repetitions=2) for each in (None, lesson))
+        alone, taught = (
+            pupils(each, steps=60, repetitions=2) for each in (None, lesson)
+        )
         same = rl.repeat("wander_1k", repetitions=2, steps=60, n_jobs=1, progress=False)
-    by_itself, again, with_lesson = ([h.rewards for h in runs] for runs in (alone, same, taught))
-    assert np.array_equal(by_itself, again) and not np.array_equal(by_itself, with_lesson)
+    by_itself, again, with_lesson = (
+        [h.rewards for h in runs] for runs in (alone, same, taught)
+    )
+    assert np.array_equal(by_itself, again) and not np.array_equal(
+        by_itself, with_lesson
+    )
     assert (taught[0].visits.sum(), alone[0].visits.sum()) == (60 + len(lesson), 60)
 
 
 def test_who_copies_the_stubborn_driver_knows_one_button(lesson):
     ahead = driver.drive(driver.stubborn, steps=60).recording
     runs = copies(ahead, steps=60, repetitions=2)
-    assert all((run.a == driver.AHEAD).all() and (run.rewards == ahead.r).all() for run in runs)
+    assert all(
+        (run.a == driver.AHEAD).all() and (run.rewards == ahead.r).all() for run in runs
+    )
     run = copies(lesson, steps=60, repetitions=1)[0]
     done = set(zip(lesson.s.tolist(), lesson.a.tolist(), strict=True))
-    assert all((s, a) in done for s, a in zip(run.s.tolist(), run.a.tolist(), strict=True) if s in lesson.s)
+    assert all(
+        (s, a) in done
+        for s, a in zip(run.s.tolist(), run.a.tolist(), strict=True)
+        if s in lesson.s
+    )
 
 
 def test_the_interval_is_students():

@@ -11,9 +11,15 @@ from rlrobot_edu.tools.transfer.bins import overlap
 
 
 def test_shares_of_bins_are_those_of_the_library():
-    tasks = [rl.load_task(name) for name in ("wander_1k", "wander_12k", "giraff_wander_1k")]
+    tasks = [
+        rl.load_task(name) for name in ("wander_1k", "wander_12k", "giraff_wander_1k")
+    ]
     for target in tasks:
         for source in tasks:
             ends, edges = edges_of(target.name), edges_of(source.name)
-            mine = [exercises.overlaps(left, right, edges) for left, right in pairwise(ends)]
-            assert np.allclose(mine, overlap(target.inputs[0], source.inputs[0]).toarray())
+            mine = [
+                exercises.overlaps(left, right, edges) for left, right in pairwise(ends)
+            ]
+            assert np.allclose(
+                mine, overlap(target.inputs[0], source.inputs[0]).toarray()
+            )

@@ -12,7 +12,9 @@ from rlrobot_course.my_course import blank
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-COMMENTED = re.compile(r"^(\w+) = \d+  # in the browser; elsewhere (\d+)$", re.MULTILINE)
+COMMENTED = re.compile(
+    r"^(\w+) = \d+  # in the browser; elsewhere (\d+)$", re.MULTILINE
+)
 
 
 @pytest.fixture(scope="module")
@@ -20,19 +22,32 @@ def lessons(tmp_path_factory):
     """The lessons for the browser, by name."""
     folder = tmp_path_factory.mktemp("lite") / "content"
     make_lite.write_lessons(folder, NOTEBOOKS)
-    return {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.ipynb"))}
+    return {
+        path.stem: json.loads(path.read_text(encoding="utf-8"))
+        for path in sorted(folder.glob("*.ipynb"))
+    }
 
 
 def code_of(notebook):
-    return {cell["id"]: "".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"}
+    return {
+        cell["id"]: "".join(cell["source"])
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "code"
+    }
 
 
-def test_every_lesson_of_the_road_is_there_installs_the_toolkit_first_and_its_code_is_code(lessons):
+def test_every_lesson_of_the_road_is_there_installs_the_toolkit_first_and_its_code_is_code(
+    lessons,
+):
     assert list(lessons) == [path.stem for path in NOTEBOOKS]
     for notebook in lessons.values():
         first, *others = code_of(notebook).values()
         assert first == make_lite.INSTALL
-        assert all(not cell["outputs"] for cell in notebook["cells"] if cell["cell_type"] == "code")
+        assert all(
+            not cell["outputs"]
+            for cell in notebook["cells"]
+            if cell["cell_type"] == "code"
+        )
         for source in others:
             ast.parse(re.sub(r"^%%writefile .*", "", source))
 
@@ -47,14 +62,22 @@ def test_a_lesson_differs_in_the_numbers_of_lessons_toml_and_each_says_so(lesson
             if cell != "install":
                 assert COMMENTED.sub(r"\1 = \2", source) == elsewhere[cell]
         assert list(changed) == list(smaller.get(path.stem, {}))
-        assert all(smaller[path.stem][name] < int(larger) for name, larger in changed.items())
+        assert all(
+            smaller[path.stem][name] < int(larger) for name, larger in changed.items()
+        )
 
 
-def test_what_a_cell_needs_that_does_not_run_there_is_not_used_by_one_that_does(lessons):
+def test_what_a_cell_needs_that_does_not_run_there_is_not_used_by_one_that_does(
+    lessons,
+):
     """A name that only cells with the tag assign is read by none of the others."""
     for path in NOTEBOOKS:
         here = code_of(lessons[path.stem])
-        left_out = {cell: source for cell, source in code_of(blank(path)).items() if cell not in here}
+        left_out = {
+            cell: source
+            for cell, source in code_of(blank(path)).items()
+            if cell not in here
+        }
         missing = names(left_out.values(), ast.Store) - names(here.values(), ast.Store)
         assert missing.isdisjoint(names(here.values(), ast.Load))
 
@@ -62,7 +85,11 @@ def test_what_a_cell_needs_that_does_not_run_there_is_not_used_by_one_that_does(
 def names(sources, context):
     """The names that code assigns or imports (`ast.Store`), or reads (`ast.Load`)."""
     found = set()
-    for node in (node for source in sources for node in ast.walk(ast.parse(re.sub(r"^%%.*", "", source)))):
+    for node in (
+        node
+        for source in sources
+        for node in ast.walk(ast.parse(re.sub(r"^%%.*", "", source)))
+    ):
         match node:
             case ast.Name() if isinstance(node.ctx, context):
                 found.add(node.id)
@@ -75,9 +102,18 @@ def names(sources, context):
 
 def test_a_cell_that_needs_a_second_process_is_a_text_with_what_it_did(lessons):
     notebook = lessons["18_real_robot"]
-    texts = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
-    assert any("kill_a_driver(" in text and "said after that: 0.0000 m/s" in text for text in texts)
-    assert any("listen(" in text and "odom: x =" in text and "<img" in text for text in texts)
+    texts = [
+        "".join(cell["source"])
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "markdown"
+    ]
+    assert any(
+        "kill_a_driver(" in text and "said after that: 0.0000 m/s" in text
+        for text in texts
+    )
+    assert any(
+        "listen(" in text and "odom: x =" in text and "<img" in text for text in texts
+    )
     assert "ServedRobot" not in "".join(code_of(notebook).values())
 
 

@@ -39,12 +39,16 @@ RIGHT_TOO = {
         "“shape” stood in place of “s”": "an input has two bins or more, so no step leads back to s",
         "“is_circle” stood in place of “s”": "likewise",
     },
-    ("assignment_4", "next_temperature"): {"“rewards” stood in place of “states”": AS_LONG},
+    ("assignment_4", "next_temperature"): {
+        "“rewards” stood in place of “states”": AS_LONG
+    },
     ("assignment_4", "period"): {
         "0 stood in place of 1": "the last none are like the none before them only in an empty list, whose period is 0",
         "1 stood in place of 2": "there are not twice so many states: the slices differ in length",
     },
-    ("assignment_5", "verdict"): {"“if high < 0:” came before “if low > 0:”": "low is below high"},
+    ("assignment_5", "verdict"): {
+        "“if high < 0:” came before “if low > 0:”": "low is below high"
+    },
     ("lesson_08", "true_online_update"): {
         "“q[s, a] -= alpha * (q_sa - q_old)” came before “q += alpha * (delta + q_sa - q_old) * e”": SUM,
     },
@@ -60,8 +64,14 @@ RIGHT_TOO = {
             "only the sign of the mean is asked for",
         ),
     },
-    ("lesson_10", "learn"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
-    ("lesson_10", "learn_and_evade"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
+    ("lesson_10", "learn"): {
+        "1.0 stood in place of 0.0": FRESH,
+        "-1.0 stood in place of 0.0": FRESH,
+    },
+    ("lesson_10", "learn_and_evade"): {
+        "1.0 stood in place of 0.0": FRESH,
+        "-1.0 stood in place of 0.0": FRESH,
+    },
     ("lesson_17", "dyna"): {
         "“seen[s, a] = (r, s_next, terminated)” came before “update(q, s, a, r, s_next, terminated)”": "as good",
     },
@@ -75,7 +85,10 @@ RIGHT_TOO = {
 def mutants(right):
     """Each function that differs from `right` by one simple change, after what is different in words."""
     source = textwrap.dedent(inspect.getsource(right))
-    return ((said, made(tree, right)) for said, tree in changed(source, parameters(right), simple_changes))
+    return (
+        (said, made(tree, right))
+        for said, tree in changed(source, parameters(right), simple_changes)
+    )
 
 
 def survivors(exercise: Exercise) -> list[str]:
@@ -85,7 +98,11 @@ def survivors(exercise: Exercise) -> list[str]:
             re.split(" in “|: “", said)[0]
             for said, mutant in mutants(exercise.right)
             if all(
-                map(lambda right, case: right.equals(exercise.outcome(mutant, case)), exercise.expected, exercise.cases)
+                map(
+                    lambda right, case: right.equals(exercise.outcome(mutant, case)),
+                    exercise.expected,
+                    exercise.cases,
+                )
             )
         ]
 
@@ -93,11 +110,14 @@ def survivors(exercise: Exercise) -> list[str]:
 @pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize(
-    ("lesson", "name"), [one for one in EVERY if type(exercises(one[0])[one[1]]) in (Exercise, OfRows)]
+    ("lesson", "name"),
+    [one for one in EVERY if type(exercises(one[0])[one[1]]) in (Exercise, OfRows)],
 )
 def test_a_mutant_differs_in_some_case_unless_it_is_right_too(lesson, name):
     """Not of questions, nor of designs, where many answers are right."""
-    assert set(survivors(exercises(lesson)[name])) == set(RIGHT_TOO.get((lesson, name), ()))
+    assert set(survivors(exercises(lesson)[name])) == set(
+        RIGHT_TOO.get((lesson, name), ())
+    )
 
 
 def test_what_occurs_twice_in_the_code_around_it_is_told_with_the_whole_of_it():

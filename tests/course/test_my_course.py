@@ -21,10 +21,25 @@ KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
 def write(path, source="1 + 1"):
-    cells = [{"cell_type": "code", "source": [source], "outputs": [OUTPUT], "execution_count": 1, "metadata": {}}]
+    cells = [
+        {
+            "cell_type": "code",
+            "source": [source],
+            "outputs": [OUTPUT],
+            "execution_count": 1,
+            "metadata": {},
+        }
+    ]
     path.parent.mkdir(exist_ok=True)
     path.write_text(
-        json.dumps({"cells": cells, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5})
+        json.dumps(
+            {
+                "cells": cells,
+                "metadata": {"kernelspec": KERNEL},
+                "nbformat": 4,
+                "nbformat_minor": 5,
+            }
+        )
     )
 
 
@@ -46,12 +61,18 @@ def test_copies_have_no_outputs_and_are_never_overwritten(course):
     assert copy_missing(**course) == ["2 notebooks were copied to my_course/."]
     mine = course["folder"] / "03_q.ipynb"
     cell = json.loads(mine.read_text())["cells"][0]
-    assert cell["source"] == ["1 + 1"] and cell["outputs"] == [] and cell["execution_count"] is None
+    assert (
+        cell["source"] == ["1 + 1"]
+        and cell["outputs"] == []
+        and cell["execution_count"] is None
+    )
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
     assert copy_missing(**course) == []
     assert "my own work" in mine.read_text()
     mine.write_text("not a notebook any more")
-    assert copy_missing(**course) == [] and mine.read_text() == "not a notebook any more"
+    assert (
+        copy_missing(**course) == [] and mine.read_text() == "not a notebook any more"
+    )
 
 
 def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course):
@@ -60,7 +81,10 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
     write(course["source"] / "03_q.ipynb", "2 + 2")
     assert "make fresh LESSON=03" in copy_missing(**course)[0]
-    assert "my_course/03_q.ipynb is fresh; the old one is my_course/old/03_q_" in set_back("03", **course)
+    assert (
+        "my_course/03_q.ipynb is fresh; the old one is my_course/old/03_q_"
+        in set_back("03", **course)
+    )
     assert "2 + 2" in mine.read_text()
     assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
     assert copy_missing(**course) == []
@@ -71,11 +95,15 @@ def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
     assert copy_missing(**course) == ["3 notebooks were copied to my_course/."]
     mine = course["folder"] / "homework" / "1_cart.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
-    assert "my_course/homework/1_cart.ipynb is fresh" in set_back("homework 1", **course)
+    assert "my_course/homework/1_cart.ipynb is fresh" in set_back(
+        "homework 1", **course
+    )
     assert "1 + 1" in mine.read_text()
 
 
-def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(course):
+def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(
+    course,
+):
     write(course["source"].with_name("homework") / "2_cart.ipynb")
     copy_missing(**course)
     for number, file in (("3", "my_course/03_q.ipynb"), ("03", "my_course/03_q.ipynb"),
@@ -91,15 +119,22 @@ def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypat
         mine.write_text(mine.read_text().replace("1 + 1", work))
         set_back("03", **course)
     kept = sorted(path.read_text() for path in (course["folder"] / "old").iterdir())
-    assert [work in text for work, text in zip(("first", "second", "third"), kept, strict=True)] == [True] * 3
+    assert [
+        work in text
+        for work, text in zip(("first", "second", "third"), kept, strict=True)
+    ] == [True] * 3
 
 
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
-    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 03"):
+    with pytest.raises(
+        ValueError, match="there is no lesson '77'; the lessons are 00, 03"
+    ):
         set_back("77", **course)
 
 
-def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(course, monkeypatch, capsys):
+def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(
+    course, monkeypatch, capsys
+):
     class Lab:
         waits = iter([KeyboardInterrupt, 0])
 
@@ -113,7 +148,10 @@ def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(course, 
 
     monkeypatch.setattr(my_course.subprocess, "Popen", Lab)
     assert my_course.open_lab(["--port=1"], **course) == 0
-    assert Lab.command[-2:] == ["--LabApp.default_url=/lab/tree/my_course/00_start_here.ipynb", "--port=1"]
+    assert Lab.command[-2:] == [
+        "--LabApp.default_url=/lab/tree/my_course/00_start_here.ipynb",
+        "--port=1",
+    ]
     assert "--ip=127.0.0.1" in Lab.command
     assert capsys.readouterr().out.splitlines()[-1].startswith("JupyterLab has ended.")
 
@@ -121,7 +159,9 @@ def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(course, 
 SLEEPER = "import os, time; print(os.getpid(), flush=True); time.sleep(600)"
 
 
-@pytest.mark.skipif(not hasattr(signal, "SIGHUP"), reason="Windows ends programs otherwise")
+@pytest.mark.skipif(
+    not hasattr(signal, "SIGHUP"), reason="Windows ends programs otherwise"
+)
 @pytest.mark.parametrize("sent", ["SIGTERM", "SIGHUP"])
 def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
     (tmp_path / "jupyterlab.py").write_text(SLEEPER)
@@ -134,7 +174,9 @@ def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
         text=True,
         env=os.environ | {"PYTHONPATH": paths},
     )
-    lab = psutil.Process(next(int(line) for line in command.stdout if line.strip().isdecimal()))
+    lab = psutil.Process(
+        next(int(line) for line in command.stdout if line.strip().isdecimal())
+    )
     command.send_signal(getattr(signal, sent))
     assert not psutil.wait_procs([lab], timeout=60)[1], "JupyterLab runs on"
     command.communicate(timeout=60)
@@ -165,38 +207,65 @@ def leans(q, r, s_next, terminated, gamma):
 """
 
 
-def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path, capsys):
+def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(
+    tmp_path, capsys
+):
     mine = module_of(tmp_path / "cells.py", MINE)
-    for name, answer in (("update", mine.update), ("target", mine.goal)):  # in any order
-        assert keep(answer, "03", name, getattr(check, name).judge, tmp_path).startswith(f"Kept in {FILE}")
+    for name, answer in (
+        ("update", mine.update),
+        ("target", mine.goal),
+    ):  # in any order
+        assert keep(
+            answer, "03", name, getattr(check, name).judge, tmp_path
+        ).startswith(f"Kept in {FILE}")
     target, update, learn = take("03", "target", "update", "learn", folder=tmp_path)
     assert capsys.readouterr().out == (
         "yours: target, update; given: learn (yours comes here when its check in lesson 03 is green)\n"
     )
     assert learn is exercises.learn and update is not exercises.update
-    assert [whose(update, target), whose(learn), whose(learn, update)] == ["your", "the given", "partly your"]
+    assert [whose(update, target), whose(learn), whose(learn, update)] == [
+        "your",
+        "the given",
+        "partly your",
+    ]
     assert check.update(update) and check.target(target)
     assert update.__globals__["target"].__name__ == "goal", "mine calls mine"
     module_of(tmp_path / FILE, (tmp_path / FILE).read_text())  # a module of its own
 
 
-def test_helpers_and_numbers_of_other_cells_are_kept_with_what_uses_them(tmp_path, capsys):
+def test_helpers_and_numbers_of_other_cells_are_kept_with_what_uses_them(
+    tmp_path, capsys
+):
     mine = module_of(tmp_path / "cells.py", MINE.replace("import numpy as np\n", "import numpy as np, math as m\n")
                      .replace("return factor * goal", "return m.floor(1.5) * factor * goal"))  # fmt: skip
-    assert keep(mine.leans, "03", "target", check.target.judge, tmp_path).startswith(f"Kept in {FILE}")
+    assert keep(mine.leans, "03", "target", check.target.judge, tmp_path).startswith(
+        f"Kept in {FILE}"
+    )
     target = take("03", "target", folder=tmp_path)
     assert capsys.readouterr().out == "yours: target\n" and check.target(target)
 
 
-def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tmp_path, capsys):
-    mine = module_of(tmp_path / "cells.py", MINE.replace("factor = 1", "factor = np.ones(())"))
+def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(
+    tmp_path, capsys
+):
+    mine = module_of(
+        tmp_path / "cells.py", MINE.replace("factor = 1", "factor = np.ones(())")
+    )
     assert check.target(mine.leans)
-    assert "on its own, target does not work" in keep(mine.leans, "03", "target", check.target.judge, tmp_path)
+    assert "on its own, target does not work" in keep(
+        mine.leans, "03", "target", check.target.judge, tmp_path
+    )
     capsys.readouterr()
     assert take("03", "target", folder=tmp_path) is exercises.target
-    assert capsys.readouterr().out.startswith("target is green, but it is not kept: on its own, target does not work")
-    assert "only what is written with def" in keep(lambda: 0, "03", "target", check.target.judge, tmp_path)
-    assert "only what is written with def" in keep(len, "03", "target", check.target.judge, tmp_path)
+    assert capsys.readouterr().out.startswith(
+        "target is green, but it is not kept: on its own, target does not work"
+    )
+    assert "only what is written with def" in keep(
+        lambda: 0, "03", "target", check.target.judge, tmp_path
+    )
+    assert "only what is written with def" in keep(
+        len, "03", "target", check.target.judge, tmp_path
+    )
 
 
 @pytest.mark.parametrize(
@@ -212,7 +281,9 @@ def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
     (tmp_path / FILE).write_text(text)
     assert take("03", "target", folder=tmp_path) is exercises.target
     said = capsys.readouterr().out
-    assert "given: target" in said and (f"{FILE}, line 2" in said or "def target(" not in text)
+    assert "given: target" in said and (
+        f"{FILE}, line 2" in said or "def target(" not in text
+    )
 
 
 def test_a_function_that_the_lesson_does_not_have_is_named(tmp_path):

@@ -19,8 +19,12 @@ from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
 
 ROOT = Path(__file__).parents[2]
-ASSIGNMENTS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb"))
-NOTEBOOKS = [path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()] + ASSIGNMENTS
+ASSIGNMENTS = sorted(
+    path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb")
+)
+NOTEBOOKS = [
+    path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()
+] + ASSIGNMENTS
 COURSE = ROOT / "rlrobot_course"
 
 
@@ -34,13 +38,26 @@ def room(name: str) -> str:
     return f"{'assignment' if name in ASSIGNMENTS else 'lesson'}_{number(name)}"
 
 
-LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "exercises.py").exists()]
-ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
+LESSONS = [
+    name for name in NOTEBOOKS if (COURSE / room(name) / "exercises.py").exists()
+]
+ABSOLUTE_PATH = re.compile(
+    r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\"
+)
 LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
 WIDEST, HEAP = 960, 80  # of a picture [pixels], of words without a tag between them
-LONGEST_CELL, LONGEST_FILE = 16, 40  # lines that are not blank, of a cell and of a file that a cell writes
+LONGEST_CELL, LONGEST_FILE = (
+    16,
+    40,
+)  # lines that are not blank, of a cell and of a file that a cell writes
 WRITES = "%%writefile "
-SECONDS = {"half a minute": 30, "a minute": 60, "one to two minutes": 60, "ten seconds": 10, "twenty seconds": 20}
+SECONDS = {
+    "half a minute": 30,
+    "a minute": 60,
+    "one to two minutes": 60,
+    "ten seconds": 10,
+    "twenty seconds": 20,
+}
 WAIT = re.compile(rf"(?i)(?:takes|\()\s?(?:about|some)?\s?({'|'.join(SECONDS)})\b")
 
 
@@ -76,7 +93,9 @@ def test_every_cell_ran_once_from_top_to_bottom_without_error_or_warning(name):
     assert counts == list(range(1, len(counts) + 1))
     for output in outputs(name):
         assert output.output_type != "error"
-        assert not (output.output_type == "stream" and output.name == "stderr"), output.text
+        assert not (output.output_type == "stream" and output.name == "stderr"), (
+            output.text
+        )
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
@@ -84,7 +103,11 @@ def test_no_absolute_path_is_left_in_it(name):
     texts = ["".join(cell.source) for cell in read(name).cells]
     for output in outputs(name):
         texts += [output.get("text", "")]
-        texts += [str(data) for kind, data in output.get("data", {}).items() if kind.startswith("text/")]
+        texts += [
+            str(data)
+            for kind, data in output.get("data", {}).items()
+            if kind.startswith("text/")
+        ]
     for text in texts:
         assert not ABSOLUTE_PATH.search(text), text
 
@@ -100,7 +123,9 @@ def test_file_and_outputs_are_small(name):
 def test_reopened_without_a_kernel_no_output_asks_for_a_widget_that_lives_no_more(name):
     assert "widgets" not in read(name).metadata
     for output in outputs(name):
-        assert "application/vnd.jupyter.widget-view+json" not in output.get("data", {}), "see notebooks/run_all.py"
+        assert "application/vnd.jupyter.widget-view+json" not in output.get(
+            "data", {}
+        ), "see notebooks/run_all.py"
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
@@ -115,23 +140,35 @@ def test_every_widget_has_a_still_twin(name):
 def test_every_figure_says_in_words_what_it_shows(name):
     for output in outputs(name):
         data = output.get("data", {})
-        assert not [kind for kind in data if kind.startswith("image/")], "no page shows its alt text: see Displayed"
+        assert not [kind for kind in data if kind.startswith("image/")], (
+            "no page shows its alt text: see Displayed"
+        )
         for picture in re.findall(r"<img[^>]*>", data.get("text/html", "")):
             alt = re.search(r'alt="([^"]*)"', picture)
             assert alt and len(alt[1]) > 20, picture[:300]
     for cell in read(name).cells:
         if cell.cell_type == "markdown":
-            assert not re.search(r"!\[\s*\]\(|<img(?![^>]*\balt=)", cell.source), cell.source
+            assert not re.search(r"!\[\s*\]\(|<img(?![^>]*\balt=)", cell.source), (
+                cell.source
+            )
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_page_that_strips_styles_scripts_and_frames_shows_all_the_same(name):
     """GitHub and other renderers keep the tags of text, tables and pictures alone."""
     for output in outputs(name):
-        page = re.sub(r"<(style|script)\b.*?</\1>", "", output.get("data", {}).get("text/html", ""), flags=re.DOTALL)
+        page = re.sub(
+            r"<(style|script)\b.*?</\1>",
+            "",
+            output.get("data", {}).get("text/html", ""),
+            flags=re.DOTALL,
+        )
         lost = re.findall(r"<(iframe|svg|canvas|video|object|form|input)\b", page)
         assert not lost, page[:300]
-        assert all(int(width) <= WIDEST for width in re.findall(r'<img[^>]* width="(\d+)"', page))
+        assert all(
+            int(width) <= WIDEST
+            for width in re.findall(r'<img[^>]* width="(\d+)"', page)
+        )
         words = [len(text.split()) for text in re.split("<[^>]+>", page)]
         assert max(words) <= HEAP, "without its layout this is a heap of words"
 
@@ -141,7 +178,10 @@ def test_links_lead_to_files_that_are_there(name):
     for cell in read(name).cells:
         if cell.cell_type == "markdown":
             for target in re.findall(r"\]\(([^)#\s]+)", cell.source):
-                assert target.startswith("http") or ((ROOT / name).parent / target).exists(), target
+                assert (
+                    target.startswith("http")
+                    or ((ROOT / name).parent / target).exists()
+                ), target
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
@@ -163,8 +203,12 @@ def test_cells_are_short_and_set_nothing_up_that_a_learner_need_not_see(name):
             assert len(lines) <= LONGEST_FILE, cell.source
         else:
             assert len(lines) <= LONGEST_CELL, cell.source
-        assert sum(line.startswith(("import ", "from ")) for line in lines) <= 3, cell.source
-        assert not re.search(r"sys\.path|^\s*[!%]|warnings\.filter", "\n".join(lines), re.MULTILINE), cell.source
+        assert sum(line.startswith(("import ", "from ")) for line in lines) <= 3, (
+            cell.source
+        )
+        assert not re.search(
+            r"sys\.path|^\s*[!%]|warnings\.filter", "\n".join(lines), re.MULTILINE
+        ), cell.source
 
 
 @pytest.mark.parametrize("name", LESSONS)
@@ -173,20 +217,28 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
     assert cells
     assert cells.keys() == exercises(name).keys()
     for cell in cells.values():
-        assert not cell.outputs, "nobody has answered yet, and a check that waits has nothing to say on a page"
+        assert not cell.outputs, (
+            "nobody has answered yet, and a check that waits has nothing to say on a page"
+        )
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(name):
     minutes = int(re.search(r"In about (\d+) minutes", read(name).cells[0].source)[1])
-    page = (ROOT / ("docs/grading.md" if name in ASSIGNMENTS else "README.md")).read_text("utf-8")
+    page = (
+        ROOT / ("docs/grading.md" if name in ASSIGNMENTS else "README.md")
+    ).read_text("utf-8")
     rows = [line for line in page.splitlines() if f"{name})" in line]
-    assert rows or name not in ASSIGNMENTS  # that each lesson has one, test_lessons.py says
+    assert (
+        rows or name not in ASSIGNMENTS
+    )  # that each lesson has one, test_lessons.py says
     assert all(row.rstrip(" |").endswith(f"| {minutes}") for row in rows)
     assert minutes <= (90 if name in ASSIGNMENTS else 50)
 
 
-def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
+def cells_of_the_learner(
+    cells: list[nbformat.NotebookNode], answers: set[str]
+) -> list[nbformat.NotebookNode]:
     """The cells in which the learner's answers play a part, and those that prepare them; cells that write a file, too.
 
     All others do the same whether the exercises are solved or not, and are run by nbval.
@@ -194,7 +246,11 @@ def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) 
     names = [names_in(cell.source) for cell in cells]
     used, needed = set(), set()
     for i, (taken, given) in enumerate(names):
-        if taken & answers or cells[i] in exercise_cells(cells) or cells[i].source.startswith(WRITES):
+        if (
+            taken & answers
+            or cells[i] in exercise_cells(cells)
+            or cells[i].source.startswith(WRITES)
+        ):
             used.add(i)
             answers = answers | given
         else:
@@ -210,7 +266,9 @@ def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) 
 def test_no_cell_is_said_to_take_longer_than_the_whole_notebook_took(name):
     """What `run_all.py` found stands in the notebook, rounded to ten seconds; another computer may be quicker."""
     notebook = read(name)
-    prose = " ".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    prose = " ".join(
+        cell.source for cell in notebook.cells if cell.cell_type == "markdown"
+    )
     said = [SECONDS[wait.lower()] for wait in WAIT.findall(prose)]
     assert max(said, default=0) <= notebook.metadata["rlrobot_edu"]["seconds"] + 10
 
@@ -227,7 +285,10 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
         "mine",
     ]
     cells = [nbformat.v4.new_code_cell(source) for source in sources]
-    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:3], *sources[4:6]]
+    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [
+        *sources[:3],
+        *sources[4:6],
+    ]
 
 
 def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:
@@ -236,7 +297,10 @@ def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:
         return f"{name} = {np.asarray(exercise.right).tolist()!r}"
     source = (folder / "exercises.py").read_text(encoding="utf-8")
     for part in ast.parse(source).body:
-        if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
+        if name in (
+            getattr(part, "name", ""),
+            *(getattr(target, "id", "") for target in getattr(part, "targets", ())),
+        ):
             return ast.get_source_segment(source, part)
     raise KeyError(name)
 
@@ -245,7 +309,11 @@ def imports(folder: Path) -> str:
     """What the right answers of a lesson import from elsewhere, for a cell before them."""
     lines = (folder / "exercises.py").read_text(encoding="utf-8").splitlines()
     return "\n".join(
-        sorted(line for line in lines if re.match(r"(import|from (?!rlrobot_|__future__)\S+ import) ", line))
+        sorted(
+            line
+            for line in lines
+            if re.match(r"(import|from (?!rlrobot_|__future__)\S+ import) ", line)
+        )
     )
 
 
@@ -259,7 +327,9 @@ def kernel():
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", LESSONS)
-def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name, kernel, tmp_path):
+def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(
+    name, kernel, tmp_path
+):
     notebook = read(name)
     given = f"from rlrobot_course.{room(name)}.exercises import {', '.join(exercises(name))}"
     solutions = f"{given}\n{imports(COURSE / room(name))}"
@@ -271,13 +341,24 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
         cell.source = f"{answer}\n\n{cell.source.splitlines()[-1]}"
     notebook.cells = cells_of_the_learner(cells, set(exercises(name)))
 
-    written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]
+    written = [
+        key for key, thing in exercises(name).items() if isinstance(thing, Exercise)
+    ]
     kept = written if name not in ASSIGNMENTS else []
-    taken = f"from rlrobot_course.my_functions import take\ntake({number(name)!r}, *{kept})"
-    extra = [nbformat.v4.new_code_cell(source) for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)]
+    taken = (
+        f"from rlrobot_course.my_functions import take\ntake({number(name)!r}, *{kept})"
+    )
+    extra = [
+        nbformat.v4.new_code_cell(source)
+        for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)
+    ]
     notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(kept)]
     client = NotebookClient(
-        notebook, km=kernel, timeout=600, startup_timeout=600, resources={"metadata": {"path": tmp_path}}
+        notebook,
+        km=kernel,
+        timeout=600,
+        startup_timeout=600,
+        resources={"metadata": {"path": tmp_path}},
     )
     client.execute()
     client.kc.stop_channels()

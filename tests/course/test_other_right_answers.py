@@ -51,7 +51,9 @@ def test_dyna_may_reset_at_the_head_of_its_loop(loop):
 def test_a_wall_behind_does_not_hide_one_as_near_ahead():
     def by_index(ranges, angle_min, increment):
         met = [r for r in ranges if 0 < r < math.inf]
-        ahead = [r for r in met if math.cos(angle_min + ranges.index(r) * increment) >= 0.5]
+        ahead = [
+            r for r in met if math.cos(angle_min + ranges.index(r) * increment) >= 0.5
+        ]
         return min(ahead, default=math.inf) if met else math.nan
 
     assert "enumerate" in real.nearest_ahead(by_index).hint
@@ -73,7 +75,10 @@ def test_a_dict_that_is_asked_is_not_refused_for_its_brackets_and_the_rows_of_th
 
     verdict = models.estimate(lists)
     assert not verdict and "curly" not in verdict.hint
-    assert "rows of this pair: (0, 1, -2.0, 1), (0, 1, 10.0, 1)" in verdict.called and "0.57143" in verdict.rows[0][1]
+    assert (
+        "rows of this pair: (0, 1, -2.0, 1), (0, 1, 10.0, 1)" in verdict.called
+        and "0.57143" in verdict.rows[0][1]
+    )
 
 
 def test_a_reward_without_a_return_is_shown_where_it_returned_nothing():
@@ -84,15 +89,25 @@ def test_a_reward_without_a_return_is_shown_where_it_returned_nothing():
             return 1
 
     verdict = arm.arm_reward(reward)
-    assert verdict.rows == (("reward", "a number", "None"),) and "return" in verdict.hint
+    assert (
+        verdict.rows == (("reward", "a number", "None"),) and "return" in verdict.hint
+    )
 
 
 @pytest.mark.parametrize("forbidden", [-np.inf, np.nan])
 def test_a_reward_that_is_not_finite_follows_no_wall(forbidden):
     def reward(before, after):
-        near = min(after["laser_front"], after["laser_front_right"], after["laser_right"])
+        near = min(
+            after["laser_front"], after["laser_front_right"], after["laser_right"]
+        )
         moved = np.hypot(after["x"] - before["x"], after["y"] - before["y"])
-        return forbidden if near < 0.05 else 10 if moved > 0.07 and 0.10 < after["laser_right"] <= 0.40 else 0
+        return (
+            forbidden
+            if near < 0.05
+            else 10
+            if moved > 0.07 and 0.10 < after["laser_right"] <= 0.40
+            else 0
+        )
 
     assert own_task.follow_reward(reward).id == "no_number"
 

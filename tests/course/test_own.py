@@ -21,7 +21,9 @@ from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]
-STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 12)]
+STUDENTS = [
+    f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 12)
+]
 
 
 def notebook(lesson: str) -> Path:
@@ -35,14 +37,18 @@ def fault(lesson: str, student: str) -> str:
         return "other exercises"
     for name, its_own in variant.exercises.items():
         plain = base[name]
-        if [mistake.id for mistake in its_own.mistakes] != [mistake.id for mistake in plain.mistakes]:
+        if [mistake.id for mistake in its_own.mistakes] != [
+            mistake.id for mistake in plain.mistakes
+        ]:
             return f"other mistakes in {name}"
         if isinstance(its_own, Exercise):
             if len(its_own.tape) != len(plain.tape) or not its_own.judge(its_own.right):
                 return f"other cases in {name}"
             if type(its_own) is Exercise and its_own is plain:
                 return f"the same cases in {name}"
-        elif len({str(mistake.wrong) for mistake in its_own.mistakes} | {str(its_own.right)}) <= len(plain.mistakes):
+        elif len(
+            {str(mistake.wrong) for mistake in its_own.mistakes} | {str(its_own.right)}
+        ) <= len(plain.mistakes):
             return f"two answers are one in {name}"
     return ""
 
@@ -51,21 +57,30 @@ def fault(lesson: str, student: str) -> str:
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_all_students_have_the_same_difficulty(lesson):
     """Two hundred of them with make test-all LONG=1."""
-    assert not [(student, told) for student in STUDENTS if (told := fault(lesson, student))]
+    assert not [
+        (student, told) for student in STUDENTS if (told := fault(lesson, student))
+    ]
 
 
 def test_a_number_has_one_variant_and_two_numbers_have_two():
-    tapes = [repr(variant_of("assignment_1", student).exercises["returns"].cases) for student in ("a1", "A1", "a2")]
+    tapes = [
+        repr(variant_of("assignment_1", student).exercises["returns"].cases)
+        for student in ("a1", "A1", "a2")
+    ]
     assert tapes[0] == tapes[1] != tapes[2]
 
 
 @pytest.mark.parametrize("lesson", ["assignment_2", "assignment_4", "assignment_5"])
 def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
     cells = "\n".join(
-        "".join(cell["source"]) for cell in json.loads(notebook(lesson).read_text(encoding="utf-8"))["cells"]
+        "".join(cell["source"])
+        for cell in json.loads(notebook(lesson).read_text(encoding="utf-8"))["cells"]
     )
     folder = ROOT / "rlrobot_course" / lesson
-    solutions = "\n".join(path.read_text(encoding="utf-8") for path in (*folder.glob("*.py"), *folder.glob("*.md")))
+    solutions = "\n".join(
+        path.read_text(encoding="utf-8")
+        for path in (*folder.glob("*.py"), *folder.glob("*.md"))
+    )
     variants = [variant_of(lesson, student) for student in STUDENTS[:3]]
     for place in variants[0].changes:
         assert place in cells or place in solutions, place
@@ -75,17 +90,26 @@ def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
 def differing(lesson: str):
     """Two students, of whom the second's answers to what may differ are wrong for the first."""
     first, *others = STUDENTS
-    return variant_of(lesson, first), [variant_of(lesson, other) for other in others[:5]]
+    return variant_of(lesson, first), [
+        variant_of(lesson, other) for other in others[:5]
+    ]
 
 
 @pytest.mark.long
 def test_the_answer_of_another_student_is_mostly_wrong_where_constants_or_letters_differ():
-    for lesson, name in (("assignment_2", "who"), ("assignment_4", "next_temperature"), ("assignment_5", "inputs")):
+    for lesson, name in (
+        ("assignment_2", "who"),
+        ("assignment_4", "next_temperature"),
+        ("assignment_5", "inputs"),
+    ):
         mine, others = differing(lesson)
         exercise = mine.exercises[name]
         judge = exercise if isinstance(exercise, Question) else exercise.judge
         assert judge(exercise.right)
-        assert sum(bool(judge(other.exercises[name].right)) for other in others) < len(others) / 2, name
+        assert (
+            sum(bool(judge(other.exercises[name].right)) for other in others)
+            < len(others) / 2
+        ), name
 
 
 def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
@@ -93,11 +117,15 @@ def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
         exercises = variant_of("assignment_4", student).exercises
         drive = exercises["drive"].right
         assert isinstance(drive, FunctionType)
-        assert drive.__globals__["next_temperature"] is exercises["next_temperature"].right
+        assert (
+            drive.__globals__["next_temperature"] is exercises["next_temperature"].right
+        )
 
 
 def test_own_sets_the_checks_of_a_notebook():
-    check = SimpleNamespace(**vars(importlib.import_module("rlrobot_course.assignment_1.exercises").check))
+    check = SimpleNamespace(
+        **vars(importlib.import_module("rlrobot_course.assignment_1.exercises").check)
+    )
     before = repr(check.returns.cases)
     own(check, STUDENTS[0])
     assert len(check.returns.tape) == 7 and repr(check.returns.cases) != before
@@ -108,9 +136,19 @@ def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path
     roster.write_text("id\ns1\ns2\n", encoding="utf-8")
     assert export_each([notebook("assignment_5")], tmp_path, str(roster), hints=0) == 2
     for student in ("s1", "s2"):
-        out, solved = (next((tmp_path / room / student).iterdir()) for room in ("students", "solutions"))
-        submission, handed_out = read_submission(solved), out.read_text(encoding="utf-8")
-        assert submission.made_for == student and student in out.name and submission.lesson == "assignment_5"
+        out, solved = (
+            next((tmp_path / room / student).iterdir())
+            for room in ("students", "solutions")
+        )
+        submission, handed_out = (
+            read_submission(solved),
+            out.read_text(encoding="utf-8"),
+        )
+        assert (
+            submission.made_for == student
+            and student in out.name
+            and submission.lesson == "assignment_5"
+        )
         assert "# your lines here" in handed_out and "RLROBOT_EDU_HINTS=0" in handed_out
         names: dict = {"np": np}
         for cell in nbformat.read(solved, as_version=4).cells:
@@ -124,20 +162,30 @@ def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path
         export_each([notebook("assignment_5")], tmp_path, str(roster))
 
 
-WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[name]) is Exercise]
+WITH_TAPE = [
+    (lesson, name)
+    for lesson, name in EVERY
+    if type(exercises(lesson)[name]) is Exercise
+]
 
 
 @pytest.mark.long
 @pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
 def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     exercise = exercises(lesson)[name]
-    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
+    solution = getattr(
+        importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name
+    )
     tapes = set()
     for seed in range(2):
         twin = secret_twin(exercise, seed)
         tapes.add(repr(twin.cases))
         for right in (solution, RIGHT.get(lesson, {}).get(name, solution)):
             assert twin.judge(right), (seed, twin.judge(right))
-    taken = [wrong for wrong, _ in wrong_answers(lesson)[name] if twin.share(wrong) == 1]
+    taken = [
+        wrong for wrong, _ in wrong_answers(lesson)[name] if twin.share(wrong) == 1
+    ]
     assert len(taken) <= 1, "an edge that only the notebook's tape has"
-    assert len(tapes) == 2 and repr(secret_twin(exercise, 1).cases) in tapes, "each seed has one tape, of its own"
+    assert len(tapes) == 2 and repr(secret_twin(exercise, 1).cases) in tapes, (
+        "each seed has one tape, of its own"
+    )

@@ -13,7 +13,9 @@ from rlrobot_edu.widgets.playground.playground import METHODS, TASKS, life_scrip
 from rlrobot_edu.widgets.playground.worlds import cells_world
 
 STEPS = 10_000
-needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is missing: it runs JavaScript")
+needs_node = pytest.mark.skipif(
+    shutil.which("node") is None, reason="node is missing: it runs JavaScript"
+)
 LIVE = """
 const told = {};
 for (const [name, settings, steps] of JOBS) {
@@ -29,7 +31,9 @@ console.log(JSON.stringify(told));
 def lived(*jobs):
     """What came of lives in JavaScript, each a name, settings and a number of steps."""
     script = f"{life_script()}\nconst JOBS = {json.dumps(jobs)};\n{LIVE}"
-    done = subprocess.run(["node", "-"], input=script, capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        ["node", "-"], input=script, capture_output=True, text=True, check=True
+    )
     return json.loads(done.stdout)
 
 
@@ -40,7 +44,9 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
         env = rl.make_env(cliff_model(), seed=seed)
     else:
         agent = rl.Agent(task, method, seed=seed, **parameters)
-        env = rl.make_env(task, seed=seed, engine="kinematic" if task in TASKS else None)
+        env = rl.make_env(
+            task, seed=seed, engine="kinematic" if task in TASKS else None
+        )
     rl.learn(agent, env, steps=steps, progress=False)
     return agent.q
 
@@ -48,31 +54,49 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
 @pytest.mark.long
 @needs_node
 def test_each_method_learns_to_the_last_bit_what_the_library_learns():
-    pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example"))]
-    pairs += [("wander_simple", method) for method in METHODS] + [("navigation_1k", "TOSL+QBIASSR")]
+    pairs = [
+        ("wander_1k", "TOSL+QBIASSR"),
+        *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example")),
+    ]
+    pairs += [("wander_simple", method) for method in METHODS] + [
+        ("navigation_1k", "TOSL+QBIASSR")
+    ]
     told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
     for task, method in pairs:
-        np.testing.assert_array_equal(told[f"{task} {method}"]["q"], learned(task, method), err_msg=f"{task} {method}")
+        np.testing.assert_array_equal(
+            told[f"{task} {method}"]["q"],
+            learned(task, method),
+            err_msg=f"{task} {method}",
+        )
 
 
 @needs_node
 def test_sliders_and_luck_are_the_librarys_parameters_and_seed():
     given = {"alpha": 0.5, "gamma": 0.8, "lam": 0.3, "temperature": 5}
-    told = lived(("one", {"task": "navigation_1k", "method": "SL+SR", "luck": 7, **given}, 4000))
-    np.testing.assert_array_equal(told["one"]["q"], learned("navigation_1k", "SL+SR", seed=7, steps=4000, **given))
+    told = lived(
+        ("one", {"task": "navigation_1k", "method": "SL+SR", "luck": 7, **given}, 4000)
+    )
+    np.testing.assert_array_equal(
+        told["one"]["q"], learned("navigation_1k", "SL+SR", seed=7, steps=4000, **given)
+    )
 
 
 @needs_node
 def test_a_wall_that_was_moved_changes_what_comes():
     wall = [0.5, 0.0, 0.5, 90]  # across its way
     settings = {"task": "wander_simple", "method": "Q+RANDOM"}
-    told = lived(("as it was", settings, 500), ("moved", {**settings, "walls": [wall]}, 500))
+    told = lived(
+        ("as it was", settings, 500), ("moved", {**settings, "walls": [wall]}, 500)
+    )
     assert told["as it was"]["sum"] != told["moved"]["sum"]
 
 
 def test_what_the_worked_example_does_stands_in_its_table():
     """The library's robot acts by chance: each of its steps is in the table, and the box moves as often as it says."""
-    world, env = cells_world(rl.load_task("worked_example")), rl.make_env("worked_example", seed=0)
+    world, env = (
+        cells_world(rl.load_task("worked_example")),
+        rl.make_env("worked_example", seed=0),
+    )
     tables = {name: np.array(value) for name, value in world["tables"].items()}
     places = [(tuple(d["cell"]), d["heading"], tuple(d["box"])) for d in world["drawn"]]
     rng, robot, moves, steps = np.random.default_rng(0), env.unwrapped.robot, 0, 4000
@@ -85,7 +109,9 @@ def test_what_the_worked_example_does_stands_in_its_table():
         place, a = here(), int(rng.integers(3))
         _, r, _, truncated, info = env.step(a)
         first, end = tables["offsets"][3 * place + a : 3 * place + a + 2]
-        assert (here(), r) in list(zip(tables["s_next"][first:end], tables["r"][first:end], strict=True))
+        assert (here(), r) in list(
+            zip(tables["s_next"][first:end], tables["r"][first:end], strict=True)
+        )
         assert world["seen"][here()] == info["state"]
         moves += places[place][2] != robot._box
         if truncated:
@@ -100,13 +126,18 @@ def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
     rl.playground(tmp_path / "page.html")
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert len(page.encode()) < 150_000
-    assert 'property="og:description" content="Nobody tells this robot how to drive.' in page
+    assert (
+        'property="og:description" content="Nobody tells this robot how to drive.'
+        in page
+    )
     assert "http" not in page.replace('http-equiv="Content-Security-Policy"', "")
 
 
 def test_a_task_or_method_that_the_page_does_not_have_is_refused_with_those_that_it_has():
     with pytest.raises(ValueError, match=r"the playground has no task 'clif'.*cliff"):
         rl.playground(task="clif")
-    with pytest.raises(ValueError, match=r"the playground has no method 'SARSA'.*SARSA\+EG"):
+    with pytest.raises(
+        ValueError, match=r"the playground has no method 'SARSA'.*SARSA\+EG"
+    ):
         rl.playground(method="SARSA")
     assert '"method": "SARSA+EG"' in rl.playground(task="cliff", method="SARSA+EG").html

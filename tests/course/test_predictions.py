@@ -23,20 +23,31 @@ def cells_of(number: str) -> list[Cell]:
     return [cell | {"source": "".join(cell["source"])} for cell in cells]
 
 
-def predictions_of(number: str) -> tuple[list[Prediction], list[tuple[Prediction, Cell]]]:
+def predictions_of(
+    number: str,
+) -> tuple[list[Prediction], list[tuple[Prediction, Cell]]]:
     """Those that a notebook asks for; and those of which it tells the outcome, each with the cell that does so."""
     asked, told, names = [], [], {}
     for cell in cells_of(number):
         source = cell["source"]
         if cell["cell_type"] == "code" and "Prediction(" in source:
-            exec(source, names)  # such a cell does nothing else, and its last line shows the prediction
+            exec(
+                source, names
+            )  # such a cell does nothing else, and its last line shows the prediction
             asked.append(names[source.splitlines()[-1]])
-        told += [(names[variable], cell) for variable in re.findall(r"^(\w+)\.outcome\(", source, re.MULTILINE)]
+        told += [
+            (names[variable], cell)
+            for variable in re.findall(r"^(\w+)\.outcome\(", source, re.MULTILINE)
+        ]
     return asked, told
 
 
 def outcomes_of(number: str) -> dict[str, dict[str, str]]:
-    return {name: told for name, told in ASKED["prediction"].items() if name.split()[0] == number}
+    return {
+        name: told
+        for name, told in ASKED["prediction"].items()
+        if name.split()[0] == number
+    }
 
 
 @pytest.mark.parametrize("number", NOTEBOOKS)
@@ -71,7 +82,11 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     guess.choose("it stays")
     assert "it stays" in guess._told.value
     verdict = guess.outcome()
-    assert verdict.status == "outcome" and "“it rises”" in verdict.text and "“it stays”" in verdict.text
+    assert (
+        verdict.status == "outcome"
+        and "“it rises”" in verdict.text
+        and "“it stays”" in verdict.text
+    )
     guess.choose("it rises")
     again = Prediction("03 turn", "What does Q do?", ANSWERS)
     assert again.chosen == "it rises" and again.outcome()
@@ -83,15 +98,24 @@ def test_a_prediction_reads_as_text_where_nothing_runs():
     guess = Prediction("x", "Is 1 < 2?", ["yes & always", "no"])
     shown = guess._repr_mimebundle_()
     assert len(shown["text/plain"].splitlines()) == 3
-    assert "Is 1 &lt; 2?" in shown["text/html"] and "yes &amp; always" in shown["text/html"]
+    assert (
+        "Is 1 &lt; 2?" in shown["text/html"]
+        and "yes &amp; always" in shown["text/html"]
+    )
     assert "application/vnd.jupyter.widget-view+json" in shown
 
 
 def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do():
-    with pytest.raises(ValueError, match=r"questions\.toml tells no outcome of the prediction '03 alfa'"):
+    with pytest.raises(
+        ValueError,
+        match=r"questions\.toml tells no outcome of the prediction '03 alfa'",
+    ):
         Prediction("03 alfa", "Which?", ANSWERS).outcome()
 
 
 def test_an_outcome_that_is_none_of_the_answers_is_an_error():
-    with pytest.raises(ValueError, match="the prediction 03 turn has no answer 'it rises', only yes, no"):
+    with pytest.raises(
+        ValueError,
+        match="the prediction 03 turn has no answer 'it rises', only yes, no",
+    ):
         Prediction("03 turn", "Will it come to rest?", ["yes", "no"]).outcome()

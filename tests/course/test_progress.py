@@ -18,7 +18,9 @@ def begun(tmp_path):
 
 def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
     lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
-    assert lessons["03"].right == ["target", "update"] and lessons["03"].write == ["learn"]
+    assert lessons["03"].right == ["target", "update"] and lessons["03"].write == [
+        "learn"
+    ]
     assert lessons["03"].minutes > 30 and lessons["01"].right == []
     assert "bin_of, state_number, reward" in progress(begun).next
     assert "00" not in lessons and "05a" not in lessons  # nothing is written there

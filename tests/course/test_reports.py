@@ -18,7 +18,12 @@ from rlrobot_course.homework.reports import as_sheet, as_text, in_words, sheet_n
 from rlrobot_course.homework.students import Student
 from rlrobot_course.homework.tables import TABLES, reasons, table_for
 
-CELLS = ["import numpy as np", "\n# target\ndef target(q)\n    return 0", "x = input('how many?')", "   \n"]
+CELLS = [
+    "import numpy as np",
+    "\n# target\ndef target(q)\n    return 0",
+    "x = input('how many?')",
+    "   \n",
+]
 DAY = date(2026, 3, 2)
 
 
@@ -46,7 +51,10 @@ def test_a_cell_is_told_by_its_first_line_and_an_error_by_its_own(said, told):
     assert told in in_words(said, CELLS)
 
 
-@given(st.text("Code cel123,.py)(line <>\n“”", max_size=60), st.lists(st.text("ab \n(", max_size=20), max_size=3))
+@given(
+    st.text("Code cel123,.py)(line <>\n“”", max_size=60),
+    st.lists(st.text("ab \n(", max_size=20), max_size=3),
+)
 def test_whatever_is_said_of_whatever_cells_is_told(said, cells):
     assert isinstance(in_words(said, cells), str)
 
@@ -55,8 +63,17 @@ def test_whatever_is_said_of_whatever_cells_is_told(said, cells):
 
 
 def a_class() -> list[Marked]:
-    row = {"Student": "Ada", "ID": "101", "SIS User ID": "9", "SIS Login ID": "ada", "Section": "A"}
-    scores = [Score("period", 0.5, "", 2, is_answered=True, mistake="longest"), Score("drive", 1, "", lent="period")]
+    row = {
+        "Student": "Ada",
+        "ID": "101",
+        "SIS User ID": "9",
+        "SIS Login ID": "ada",
+        "Section": "A",
+    }
+    scores = [
+        Score("period", 0.5, "", 2, is_answered=True, mistake="longest"),
+        Score("drive", 1, "", lent="period"),
+    ]
     return [Marked("in/1.ipynb", "assignment_4", scores, student=Student("101", "Ada", "a@x", 2, row), off=0.25),
             Marked("in/2.ipynb", "assignment_4", scores, student=Student("=102", "Bob"))]  # fmt: skip
 
@@ -79,18 +96,35 @@ def test_a_table_has_the_columns_that_its_system_takes_in(system, first, ada):
     lines = table_for(system, a_class()).splitlines()
     assert lines[0] == first and ada in lines
     rows = list(csv.reader(io.StringIO("\n".join(lines))))
-    assert len({len(row) for row in rows}) == 1 and "'=102" in rows[-1], "a spreadsheet would reckon with it"
+    assert len({len(row) for row in rows}) == 1 and "'=102" in rows[-1], (
+        "a spreadsheet would reckon with it"
+    )
     assert tuple(TABLES) == SYSTEMS
 
 
 def a_score(
-    mistake: str = "", hint: str = "", output: str = "✗ Case 1 of 4 differs.\n  called with x = 1", **more
+    mistake: str = "",
+    hint: str = "",
+    output: str = "✗ Case 1 of 4 differs.\n  called with x = 1",
+    **more,
 ) -> Score:
-    return Score("target", 0.0, output, is_answered=more.pop("is_answered", True), mistake=mistake, hint=hint, **more)
+    return Score(
+        "target",
+        0.0,
+        output,
+        is_answered=more.pop("is_answered", True),
+        mistake=mistake,
+        hint=hint,
+        **more,
+    )
 
 
-BLANK = a_score(output="… This check waits for your answer: write target.", is_answered=False)
-CRASHED = a_score(output="✗ Not answered. Code cell 5 stops with SyntaxError: no.", is_answered=False)
+BLANK = a_score(
+    output="… This check waits for your answer: write target.", is_answered=False
+)
+CRASHED = a_score(
+    output="✗ Not answered. Code cell 5 stops with SyntaxError: no.", is_answered=False
+)
 
 
 def test_tables_tell_students_hints_and_verdicts_and_never_the_name_of_a_detector():
@@ -99,39 +133,87 @@ def test_tables_tell_students_hints_and_verdicts_and_never_the_name_of_a_detecto
         assert reasons(one) == "target: look at γ."
         one = Marked("a", "03", [a_score(name)], student=Student("7"))
         assert reasons(one) == "target: Case 1 of 4 differs."
-        assert all("target: Case 1 of 4 differs." in table_for(system, [one]) for system in ("plain", "moodle"))
+        assert all(
+            "target: Case 1 of 4 differs." in table_for(system, [one])
+            for system in ("plain", "moodle")
+        )
     assert reasons(Marked("a", "03", [BLANK])) == "target: not answered yet"
-    assert reasons(Marked("a", "03", [CRASHED])) == "target: Not answered. Code cell 5 stops with SyntaxError: no."
+    assert (
+        reasons(Marked("a", "03", [CRASHED]))
+        == "target: Not answered. Code cell 5 stops with SyntaxError: no."
+    )
 
 
 def test_what_was_not_graded_has_empty_cells_and_not_0_points_in_every_table():
     problem = "This is not a notebook that can be read."
-    broken = Marked("in/b.ipynb", "03", [Score("target", 0.0, problem)], student=Student("7"), problem=problem)
-    lost = Marked("in/c.ipynb", "", [Score("notebook", 0.0, problem)], student=Student("8"), problem=problem)
-    whole = Marked("in/a.ipynb", "03", [Score("target", 1.0, "✓")], student=Student("1"))
-    points = {"plain": "score", "canvas": "lesson 03", "moodle": "lesson 03", "gradescope": "Total Score"}
+    broken = Marked(
+        "in/b.ipynb",
+        "03",
+        [Score("target", 0.0, problem)],
+        student=Student("7"),
+        problem=problem,
+    )
+    lost = Marked(
+        "in/c.ipynb",
+        "",
+        [Score("notebook", 0.0, problem)],
+        student=Student("8"),
+        problem=problem,
+    )
+    whole = Marked(
+        "in/a.ipynb", "03", [Score("target", 1.0, "✓")], student=Student("1")
+    )
+    points = {
+        "plain": "score",
+        "canvas": "lesson 03",
+        "moodle": "lesson 03",
+        "gradescope": "Total Score",
+    }
     for system in TABLES:
         rows = read(table_for(system, [whole, broken, lost]))[-3:]
         assert [row[points[system]] for row in rows] == ["1", "", ""]
-        assert system not in ("plain", "moodle") or all(f"not graded: {problem}" in row.values() for row in rows[1:])
-    assert as_text(broken).count(problem) == as_sheet(broken, {}, DAY).count(problem) == 1
-    assert "0 of" not in as_sheet(broken, {}, DAY) and "not graded" in as_sheet(broken, {}, DAY)
+        assert system not in ("plain", "moodle") or all(
+            f"not graded: {problem}" in row.values() for row in rows[1:]
+        )
+    assert (
+        as_text(broken).count(problem) == as_sheet(broken, {}, DAY).count(problem) == 1
+    )
+    assert "0 of" not in as_sheet(broken, {}, DAY) and "not graded" in as_sheet(
+        broken, {}, DAY
+    )
     assert misunderstood([broken, lost]) == []
 
 
 def test_no_text_in_any_table_is_a_formula():
     evil = Marked("=1+1.ipynb", "03", [a_score("values", "=2+2")], student=Student("7"))
-    assert "=2+2" not in [cell for row in csv.reader(io.StringIO(table_for("moodle", [evil]))) for cell in row]
+    assert "=2+2" not in [
+        cell
+        for row in csv.reader(io.StringIO(table_for("moodle", [evil])))
+        for cell in row
+    ]
 
 
 # --- sheets
 
 
 def test_a_sheet_names_student_file_and_day_and_says_how_its_points_came_about():
-    scores = [Score("period", 2.0, "✓ Right.", 2.0), BLANK, Score("drive", 0.0, "", 0.0), a_score("x", "y", "✗ No.")]
-    one = Marked("in/1_a.ipynb", "assignment_4", scores, student=Student("7", "Ada", late=2), off=0.5)
+    scores = [
+        Score("period", 2.0, "✓ Right.", 2.0),
+        BLANK,
+        Score("drive", 0.0, "", 0.0),
+        a_score("x", "y", "✗ No."),
+    ]
+    one = Marked(
+        "in/1_a.ipynb",
+        "assignment_4",
+        scores,
+        student=Student("7", "Ada", late=2),
+        off=0.5,
+    )
     sheet = as_sheet(one, {"target": "3. The target"}, DAY)
-    assert sheet.startswith("# Ada (7), assignment 4: 1.5 of 4 points\n\n`1_a.ipynb`, graded on 2026-03-02.\n")
+    assert sheet.startswith(
+        "# Ada (7), assignment 4: 1.5 of 4 points\n\n`1_a.ipynb`, graded on 2026-03-02.\n"
+    )
     for told in ("2 points for the answers; 2 days late: 0.5 points off.", "- `period`: right",
                  "- `target`: not answered yet, 0 of 1", "- `drive`: does not count", "✗ No.",
                  "To look at again: *3. The target*, in your notebook."):  # fmt: skip
@@ -144,8 +226,16 @@ def test_sheets_are_named_for_the_student_and_as_the_system_takes_them_back():
         ("in/x.ipynb", "7", "03"): "7_lesson_03.md",
         ("in/y.ipynb", "a/b@c", "assignment_1"): "a_b@c_assignment_1.md",
         ("in/z.ipynb", "8", ""): "8.md",
-        ("in/lovelaceada_101_55501_02.ipynb", "101", "03"): "lovelaceada_101_55501_02.md",
-        ("in/Ada_123456_assignsubmission_file_/02.ipynb", "123456", "03"): "Ada_123456_assignsubmission_file_/02.md",
+        (
+            "in/lovelaceada_101_55501_02.ipynb",
+            "101",
+            "03",
+        ): "lovelaceada_101_55501_02.md",
+        (
+            "in/Ada_123456_assignsubmission_file_/02.ipynb",
+            "123456",
+            "03",
+        ): "Ada_123456_assignsubmission_file_/02.md",
         ("in/ada/02.ipynb", "", "03"): "in__ada__02.md",
         ("in/again/x.ipynb", "7", "03"): "in__again__x.md",
     }
@@ -154,8 +244,18 @@ def test_sheets_are_named_for_the_student_and_as_the_system_takes_them_back():
 
 # --- what a class has misunderstood
 
-PAST, GAMMA = ("past_the_end", "nothing follows a <terminal> state."), ("no_gamma", "γ is missing: 3 is not 2.7.")
-SLIPS = {3: PAST, 5: PAST, 8: PAST, 1: GAMMA, 9: ("no_gamma", "γ is missing: 4 is not 3.6."), 7: ("", "")}
+PAST, GAMMA = (
+    ("past_the_end", "nothing follows a <terminal> state."),
+    ("no_gamma", "γ is missing: 3 is not 2.7."),
+)
+SLIPS = {
+    3: PAST,
+    5: PAST,
+    8: PAST,
+    1: GAMMA,
+    9: ("no_gamma", "γ is missing: 4 is not 3.6."),
+    7: ("", ""),
+}
 
 
 def made_up(n: int) -> list[Marked]:
@@ -173,20 +273,32 @@ def test_every_mistake_is_counted_once_for_each_notebook_that_made_it():
     told = [(one.exercise, one.mistake, len(one.notebooks)) for one in found]
     assert told == [("target", "past the end", 3), ("target", "no gamma", 2), ("target", "not recognised", 1),
                     ("q_by_hand", "not answered", 40)]  # fmt: skip
-    assert found[0].notebooks == ["student_3.ipynb", "student_5.ipynb", "student_8.ipynb"]
-    assert found[0].hint == PAST[1] and found[1].hint in (GAMMA[1], "γ is missing: 4 is not 3.6.")
+    assert found[0].notebooks == [
+        "student_3.ipynb",
+        "student_5.ipynb",
+        "student_8.ipynb",
+    ]
+    assert found[0].hint == PAST[1] and found[1].hint in (
+        GAMMA[1],
+        "γ is missing: 4 is not 3.6.",
+    )
 
 
 def test_the_table_names_the_notebooks_that_made_a_mistake():
     table = read(as_table(made_up(40)))
     assert [row["how many"] for row in table] == ["3", "2", "1", "40"]
-    assert table[1]["notebooks"] == "student_1.ipynb student_9.ipynb" and table[1]["mistake"] == "no gamma"
+    assert (
+        table[1]["notebooks"] == "student_1.ipynb student_9.ipynb"
+        and table[1]["mistake"] == "no gamma"
+    )
 
 
 def test_who_understood_all_or_was_asked_nothing_that_counts_has_misunderstood_nothing():
     right = [Marked("one.ipynb", "03", [Score("target", 1.0, "✓", is_answered=True)])]
     assert misunderstood(right) == [] and as_table(right).count("\n") == 1
-    assert misunderstood([Marked("a", "03", [a_score("exception", max_score=0.0)])]) == []
+    assert (
+        misunderstood([Marked("a", "03", [a_score("exception", max_score=0.0)])]) == []
+    )
 
 
 def test_answers_that_fit_no_known_mistake_are_together_if_they_were_told_the_same_or_by_one_detector():
@@ -195,8 +307,13 @@ def test_answers_that_fit_no_known_mistake_are_together_if_they_were_told_the_sa
             ("one_change", "it answers as if “k” were 0."), ("one_change", "it answers as if “k” were 0."),
             ("past_the_end", "this looks past the end: 3."), ("past_the_end", "this looks past the end: 4."),
             ("", "")]  # fmt: skip
-    found = misunderstood([Marked(f"{i}.ipynb", "03", [a_score(*one)]) for i, one in enumerate(told)])
+    found = misunderstood(
+        [Marked(f"{i}.ipynb", "03", [a_score(*one)]) for i, one in enumerate(told)]
+    )
     assert [(one.mistake, len(one.notebooks)) for one in found] == [
         ("not recognised", 3), ("not recognised", 2), ("past the end", 2), ("not recognised", 1), ("not recognised", 1),
     ]  # fmt: skip
-    assert [one.hint for one in found[:2]] == ["it answers as if “k” were 0.", "a loop in it never ends."]
+    assert [one.hint for one in found[:2]] == [
+        "it answers as if “k” were 0.",
+        "a loop in it never ends.",
+    ]

@@ -73,10 +73,15 @@ def a_roster(folder: Path, text: str | bytes) -> list[Student]:
         (GRADESCOPE, Student("7", "Ada Lovelace", "ada@uni.example")),
         ("Full name,Email address,ID number\nAda,a@x,7\n", Student("7", "Ada", "a@x")),
         ("Name,SID,Email\nAda,7,a@x\n", Student("7", "Ada", "a@x")),
-        ("First name,Surname,ID number,Email address\nAda,Lovelace,,a@x\n", Student("a@x", "Ada Lovelace", "a@x")),
+        (
+            "First name,Surname,ID number,Email address\nAda,Lovelace,,a@x\n",
+            Student("a@x", "Ada Lovelace", "a@x"),
+        ),
     ],
 )
-def test_lists_of_ones_own_and_those_that_systems_export_are_read(tmp_path, text, student):
+def test_lists_of_ones_own_and_those_that_systems_export_are_read(
+    tmp_path, text, student
+):
     assert a_roster(tmp_path, text) == [student]
 
 
@@ -96,9 +101,13 @@ UMLAUTS = "id\tname\ns1\tJürgen Müller\n"
         UMLAUTS.replace("\n", "\r\n").encode("cp1252"),
     ],
 )
-def test_a_list_may_be_in_any_encoding_that_spreadsheets_and_shells_write(tmp_path, data):
+def test_a_list_may_be_in_any_encoding_that_spreadsheets_and_shells_write(
+    tmp_path, data
+):
     assert a_roster(tmp_path, data) == [Student("s1", "Jürgen Müller")]
-    (tmp_path / "rules.toml").write_bytes("# für alle\nlate_off = 0.1\n".encode("utf-16"))
+    (tmp_path / "rules.toml").write_bytes(
+        "# für alle\nlate_off = 0.1\n".encode("utf-16")
+    )
     assert read_rules(str(tmp_path / "rules.toml")).late_off == 0.1
 
 
@@ -113,20 +122,30 @@ def test_a_list_may_be_in_any_encoding_that_spreadsheets_and_shells_write(tmp_pa
         ("id,late\n1,nan\n", "line 2.*days from 0 on"),
         ("id\n1.23E+05\n", "line 2: a spreadsheet has rounded the id"),
         ("id\na\nb\nA \n", "line 4: the id A is there twice"),
-        ("name,id\nLovelace, Ada,s1\n", "line 2: 3 cells, and the heading names 2 columns"),
+        (
+            "name,id\nLovelace, Ada,s1\n",
+            "line 2: 3 cells, and the heading names 2 columns",
+        ),
         (b"PK\x03\x04workbook", "workbook.*as CSV"),
         (b"\xff\xfei\0d\0\n\0a", "begins as utf-16, but is not"),
         ("id\n" + "a" * 200_000, "line 2: this is no CSV"),
         ("a" * 200_000, "line 1: this is no CSV"),
     ],
 )
-def test_a_list_that_cannot_be_right_is_refused_with_file_and_line(tmp_path, text, told):
+def test_a_list_that_cannot_be_right_is_refused_with_file_and_line(
+    tmp_path, text, told
+):
     with pytest.raises(ValueError, match=rf"roster\.csv.*{told}"):
         a_roster(tmp_path, text)
 
 
-@given(st.binary(max_size=300) | st.text("id,;\t\n\r\"'=a1 \0", max_size=60).map(str.encode))
-def test_whatever_the_list_is_it_names_students_or_is_refused_in_a_sentence(tmp_path_factory, data):
+@given(
+    st.binary(max_size=300)
+    | st.text("id,;\t\n\r\"'=a1 \0", max_size=60).map(str.encode)
+)
+def test_whatever_the_list_is_it_names_students_or_is_refused_in_a_sentence(
+    tmp_path_factory, data
+):
     try:
         students = a_roster(tmp_path_factory.mktemp("roster"), data)
     except ValueError as error:
@@ -136,11 +155,19 @@ def test_whatever_the_list_is_it_names_students_or_is_refused_in_a_sentence(tmp_
         assert len({student.id.lower() for student in students}) == len(students)
 
 
-def owners(students: list[str] | list[Student], *names: str, lesson: str = "assignment_1", made_for: str = ""):
+def owners(
+    students: list[str] | list[Student],
+    *names: str,
+    lesson: str = "assignment_1",
+    made_for: str = "",
+):
     """The ids of the owners of notebooks with these names; empty for nobody's."""
     known = [Student(one) if isinstance(one, str) else one for one in students]
     return [
-        owner.student.id for owner in owners_of([Submission(name, lesson, made_for=made_for) for name in names], known)
+        owner.student.id
+        for owner in owners_of(
+            [Submission(name, lesson, made_for=made_for) for name in names], known
+        )
     ]
 
 
@@ -164,8 +191,13 @@ LAYOUTS = (
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-@pytest.mark.parametrize("ids", [FORTY, [f"{i:02}" for i in range(1, 41)], [f"S{i:03}" for i in range(1, 41)]])
-def test_a_class_is_told_apart_in_every_layout_also_by_ids_that_are_numbers_of_assignments(layout, ids):
+@pytest.mark.parametrize(
+    "ids",
+    [FORTY, [f"{i:02}" for i in range(1, 41)], [f"S{i:03}" for i in range(1, 41)]],
+)
+def test_a_class_is_told_apart_in_every_layout_also_by_ids_that_are_numbers_of_assignments(
+    layout, ids
+):
     names = [layout.format(id=one) for one in ids]
     assert owners(ids, *names) == ids
     shuffled = random.Random(1).sample(list(zip(ids, names, strict=True)), len(ids))
@@ -173,21 +205,38 @@ def test_a_class_is_told_apart_in_every_layout_also_by_ids_that_are_numbers_of_a
 
 
 def test_one_students_five_assignments_are_this_students():
-    titles = {"assignment_1": "1_a_robots_day", "assignment_2": "2_on_or_off_policy", "02": "03_q_learning"}
-    handed_in = [Submission(f"in/7/{title}.ipynb", lesson) for lesson, title in titles.items()]
-    assert [owner.student.id for owner in owners_of(handed_in, list(map(Student, FORTY)))] == ["7", "7", "7"]
+    titles = {
+        "assignment_1": "1_a_robots_day",
+        "assignment_2": "2_on_or_off_policy",
+        "02": "03_q_learning",
+    }
+    handed_in = [
+        Submission(f"in/7/{title}.ipynb", lesson) for lesson, title in titles.items()
+    ]
+    assert [
+        owner.student.id for owner in owners_of(handed_in, list(map(Student, FORTY)))
+    ] == ["7", "7", "7"]
     assert owners(FORTY, "in/7/1_a_robots_day.ipynb") == ["7"]
 
 
 def test_the_number_of_the_assignment_alone_is_nobodys_id():
-    assert owners(FORTY, "in/1_a_robots_day.ipynb", "in/7/1_a_robots_day.ipynb") == ["", "7"]
+    assert owners(FORTY, "in/1_a_robots_day.ipynb", "in/7/1_a_robots_day.ipynb") == [
+        "",
+        "7",
+    ]
     with pytest.raises(ValueError, match="no id of a student is in its name"):
         owners(FORTY, "in/1_a_robots_day.ipynb")
 
 
-@pytest.mark.parametrize("copy", ["-2", " (2)", " 2", " copy 2", "_copy2", " - Kopie (2)", "–copia"])
+@pytest.mark.parametrize(
+    "copy", ["-2", " (2)", " 2", " copy 2", "_copy2", " - Kopie (2)", "–copia"]
+)
 def test_which_copy_it_is_is_no_id(copy):
-    assert owners(FORTY, *(f"in/{id}/1_a_robots_day{copy}.ipynb" for id in "789")) == ["7", "8", "9"]
+    assert owners(FORTY, *(f"in/{id}/1_a_robots_day{copy}.ipynb" for id in "789")) == [
+        "7",
+        "8",
+        "9",
+    ]
 
 
 def test_of_ids_that_contain_each_other_the_longer_counts():
@@ -203,21 +252,34 @@ def test_an_id_is_a_word_in_any_case_and_any_form_of_its_letters():
 
 
 def test_what_does_not_tell_is_nobodys_and_a_note_says_why():
-    submissions = [Submission(name, "02") for name in ("in/02.ipynb", "in/s1_s10.ipynb", "in/s1/s10.ipynb")]
+    submissions = [
+        Submission(name, "02")
+        for name in ("in/02.ipynb", "in/s1_s10.ipynb", "in/s1/s10.ipynb")
+    ]
     nobodys, two, folder = owners_of(submissions, [Student("s1"), Student("s10")])
     assert nobodys.student is two.student is NOBODY
-    assert "No id of a student" in nobodys.note and "s1 and s10 are both in its name" in two.note
+    assert (
+        "No id of a student" in nobodys.note
+        and "s1 and s10 are both in its name" in two.note
+    )
     assert folder.student.id in ("s1", "s10") and "in its name, too" in folder.note
 
 
 def test_a_renamed_notebook_is_the_students_for_whom_it_was_made():
-    (owner,) = owners_of([Submission("in/mine.ipynb", "02", made_for="S2")], [Student("s1"), Student("s2")])
+    (owner,) = owners_of(
+        [Submission("in/mine.ipynb", "02", made_for="S2")],
+        [Student("s1"), Student("s2")],
+    )
     assert owner.student.id == "s2" and "made for s2" in owner.note
 
 
 def test_folders_of_moodle_are_named_by_its_number_also_if_the_list_has_an_id_of_its_own():
     ada = Student("7", "Ada", number="Participant 123456")
-    assert owners([ada, Student("8")], "in/Ada_123456_assignsubmission_file_/02.ipynb", "in/8.ipynb") == ["7", "8"]
+    assert owners(
+        [ada, Student("8")],
+        "in/Ada_123456_assignsubmission_file_/02.ipynb",
+        "in/8.ipynb",
+    ) == ["7", "8"]
 
 
 def test_without_a_list_names_tell_students_apart_and_else_folders():
@@ -255,6 +317,11 @@ def test_what_is_no_rule_is_refused_by_name(tmp_path, text):
 
 
 def test_rules_come_from_a_file(tmp_path):
-    (tmp_path / "rules.toml").write_text("partial = true\nlate_off = 0.1\n[points]\ndrive = 3\n", encoding="utf-8")
+    (tmp_path / "rules.toml").write_text(
+        "partial = true\nlate_off = 0.1\n[points]\ndrive = 3\n", encoding="utf-8"
+    )
     rules = read_rules(str(tmp_path / "rules.toml"))
-    assert rules == Rules(points={"drive": 3}, partial=True, late_off=0.1) and rules.points_of("period") == 1
+    assert (
+        rules == Rules(points={"drive": 3}, partial=True, late_off=0.1)
+        and rules.points_of("period") == 1
+    )

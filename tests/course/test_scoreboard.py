@@ -22,12 +22,24 @@ def at_random(world, steps):
     def choose(q, s):
         return int(world.u * world.n_actions)
 
-    learn(world, world.table(), choose, lambda q, *step: update(q, *step, alpha=0.1, gamma=0.9), steps)
+    learn(
+        world,
+        world.table(),
+        choose,
+        lambda q, *step: update(q, *step, alpha=0.1, gamma=0.9),
+        steps,
+    )
 
 
 def q_learning(world, steps, preferences):
     update, learn = take("03", "update", "learn")
-    learn(world, world.table(), by(world, preferences), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
+    learn(
+        world,
+        world.table(),
+        by(world, preferences),
+        lambda q, *step: update(q, *step, 0.1, 0.9),
+        steps,
+    )
 
 
 def by(world, preferences, temperature=lambda: 1.0):
@@ -35,7 +47,12 @@ def by(world, preferences, temperature=lambda: 1.0):
     draw, softmax, normalise = take("04", "draw", "softmax", "normalise")
 
     def choose(q, s):
-        return draw(softmax(normalise(preferences(world, q, s), world.r_max, 0.9), temperature()), world.u)
+        return draw(
+            softmax(
+                normalise(preferences(world, q, s), world.r_max, 0.9), temperature()
+            ),
+            world.u,
+        )
 
     return choose
 
@@ -51,12 +68,28 @@ def biased_q_learning(world, steps):
 
 def sarsa(world, steps):
     update, learn = take("06", "sarsa_update", "sarsa_learn")
-    learn(world, world.table(), by(world, plain), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
+    learn(
+        world,
+        world.table(),
+        by(world, plain),
+        lambda q, *step: update(q, *step, 0.1, 0.9),
+        steps,
+    )
 
 
 def sarsa_lambda(world, steps):
-    update, learn, e = take("07", "sarsa_lambda_update"), take("06", "sarsa_learn"), world.table()
-    learn(world, world.table(), by(world, plain), lambda q, *step: update(q, e, *step, 0.1, 0.9, 0.9), steps)
+    update, learn, e = (
+        take("07", "sarsa_lambda_update"),
+        take("06", "sarsa_learn"),
+        world.table(),
+    )
+    learn(
+        world,
+        world.table(),
+        by(world, plain),
+        lambda q, *step: update(q, e, *step, 0.1, 0.9, 0.9),
+        steps,
+    )
 
 
 def true_online(world, steps, temperature=lambda: 1.0):
@@ -72,7 +105,13 @@ def true_online(world, steps, temperature=lambda: 1.0):
 
 def evading(world, steps):
     """Lesson 09: loop evasion stands between the world and the loop."""
-    new_temperature, step, states, rewards, T = take("09", "new_temperature"), world.step, [], [], 1.0
+    new_temperature, step, states, rewards, T = (
+        take("09", "new_temperature"),
+        world.step,
+        [],
+        [],
+        1.0,
+    )
 
     def step_and_watch(a):
         nonlocal T
@@ -88,7 +127,18 @@ def evading(world, steps):
 
 def all_of_it(world, steps):
     learn = take("10", "learn_and_evade")
-    learn(world, world.size.shape, world.n_actions, world.r_max, steps, world, 0.1, 0.9, 0.9, 1.0)
+    learn(
+        world,
+        world.size.shape,
+        world.n_actions,
+        world.r_max,
+        steps,
+        world,
+        0.1,
+        0.9,
+        0.9,
+        1.0,
+    )
 
 
 LEARNERS = {
@@ -119,11 +169,15 @@ def forward(world, steps):
 
 
 @pytest.mark.parametrize("lesson", study.LESSONS)
-def test_a_learners_functions_earn_number_for_number_what_the_library_earns(lesson, monkeypatch):
+def test_a_learners_functions_earn_number_for_number_what_the_library_earns(
+    lesson, monkeypatch
+):
     monkeypatch.setattr(board, "HOUR", 200)
     monkeypatch.setattr(study, "HOUR", 200)
     _, *agent = study.LESSONS[lesson]
-    assert list(earned(LEARNERS[lesson], 2)) == [study.earned(*agent, "held", board.FIRST_SEED + i) for i in range(2)]
+    assert list(earned(LEARNERS[lesson], 2)) == [
+        study.earned(*agent, "held", board.FIRST_SEED + i) for i in range(2)
+    ]
 
 
 @pytest.mark.long
@@ -135,9 +189,15 @@ def test_an_hour_of_a_learners_robots_is_the_given_bar():
 @pytest.mark.parametrize("robot", study.WORLDS)
 def test_the_table_has_all_lessons(robot):
     named = {lesson: label for lesson, (label, *_) in study.LESSONS.items()}
-    further = {lesson: label for lesson, (label, *_) in study.FURTHER.items() if robot == "held"}
+    further = {
+        lesson: label
+        for lesson, (label, *_) in study.FURTHER.items()
+        if robot == "held"
+    }
     assert {lesson: bar.label for lesson, bar in given(robot).items()} == named
-    assert {lesson: bar.label for lesson, bar in given(robot, study.ALL).items()} == named | further
+    assert {
+        lesson: bar.label for lesson, bar in given(robot, study.ALL).items()
+    } == named | further
 
 
 def test_own_scores_are_kept_and_shown_as_ones_own_in_later_lessons(learner):
@@ -146,7 +206,9 @@ def test_own_scores_are_kept_and_shown_as_ones_own_in_later_lessons(learner):
     assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in first.alt
     later = scoreboard("05", forward, "the given")
     assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in later.alt
-    assert f"lesson 04, softmax: {given()['04'].score} (the given functions)" in later.alt
+    assert (
+        f"lesson 04, softmax: {given()['04'].score} (the given functions)" in later.alt
+    )
     assert "lesson 06" not in later.alt
 
 
@@ -163,7 +225,9 @@ def test_nothing_is_kept_or_read_where_there_is_no_notebook(learner, monkeypatch
     assert json.loads((learner / "my_scores.json").read_text()) == {"03": [9.0, 0.1]}
 
 
-@pytest.mark.parametrize("text", ['{"03": [9.0, 0.1], "04": "?"}', '{"04": [NaN, 1]}', "[]", "{", "\0"])
+@pytest.mark.parametrize(
+    "text", ['{"03": [9.0, 0.1], "04": "?"}', '{"04": [NaN, 1]}', "[]", "{", "\0"]
+)
 def test_a_damaged_file_is_put_aside_and_the_learner_is_told(learner, text, capsys):
     (learner / "my_scores.json").write_text(text)
     alt = scoreboard("04", forward, "your").alt
@@ -177,21 +241,33 @@ def test_nothing_is_printed_where_all_is_well(learner, capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_lesson_06_than_04(learner):
+def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_lesson_06_than_04(
+    learner,
+):
     (learner / "my_scores.json").write_text('{"03": [900.0, 0.1], "04": [-900.0, 0.1]}')
-    titles = [scoreboard(lesson, forward, "the given").axes[0].get_title() for lesson in ("04", "05", "06")]
+    titles = [
+        scoreboard(lesson, forward, "the given").axes[0].get_title()
+        for lesson in ("04", "05", "06")
+    ]
     assert titles[0].endswith("less than lesson 03")
-    assert titles[1].endswith("more than lesson 04") and titles[2].endswith("more than lesson 04")
+    assert titles[1].endswith("more than lesson 04") and titles[2].endswith(
+        "more than lesson 04"
+    )
 
 
 def test_a_difference_that_may_be_chance_is_called_so(learner):
     (learner / "my_scores.json").write_text('{"03": [0.0, 900.0]}')
-    assert "lesson 03 (below 900." in scoreboard("04", forward, "the given").axes[0].get_title()
+    assert (
+        "lesson 03 (below 900."
+        in scoreboard("04", forward, "the given").axes[0].get_title()
+    )
 
 
 def test_the_picture_tells_owners_apart_without_colours_and_writes_each_number():
     bars = {"03": Bar("x", Score(0.25, 0.1)), "04": Bar("y", Score(1.5, 0.2), "your")}
-    ax = plot_bars({**bars, "05": Bar("z", Score(2.0, 0.3), "partly your")}, "three").axes[0]
+    ax = plot_bars(
+        {**bars, "05": Bar("z", Score(2.0, 0.3), "partly your")}, "three"
+    ).axes[0]
     assert [text.get_text() for text in ax.texts] == ["0.25", "1.50", "2.00"]
     assert len({bar.get_hatch() for bar in ax.patches}) == 3
 

@@ -36,7 +36,13 @@ def yours(env, seed, steps):
 @pytest.mark.parametrize("make", [arena, lake])
 def test_a_learners_loop_learns_what_the_librarys_agent_learns(make):
     mine, env = yours(make(), 5, 300), make()
-    history = rl.learn(rl.Agent(env, "SARSA+SR", seed=5, loop_evasion=False), env, 300, keep=True, progress=False)
+    history = rl.learn(
+        rl.Agent(env, "SARSA+SR", seed=5, loop_evasion=False),
+        env,
+        300,
+        keep=True,
+        progress=False,
+    )
     assert np.array_equal(mine.a, history.a)
     assert np.array_equal(mine.average_reward, history.average_reward)
     np.testing.assert_allclose(mine.q, history.q, atol=1e-12)

@@ -13,11 +13,14 @@ from rlrobot_edu.learning.methods import ALGORITHMS, Method
 METHODS = [("TOSL+QBIASSR", {}), ("SL+SR", {}), ("SL+SR", {"accumulating": True, "alpha": 0.1}), ("SARSA+SR", {}),
            ("TOSL+SR", {"traces": "full", "alpha": 0.6}), ("ESARSA+EG", {"epsilon": 0.3}), ("Q+SR", {})]  # fmt: skip
 SHARES = (
-    "(t, s, a) => ((ledger) => ledger.shares(ledger.value(t, s, a)))(new Ledger(stepper.about, stepper.tape).grow())"
+    "(t, s, a) => ((ledger) => ledger.shares(ledger.value(t, s, a)))"
+    "(new Ledger(stepper.about, stepper.tape).grow())"
 )
 
 
-def stepper_of(method="TOSL+SR", task="worked_example", at=120, keep=2000, **settings) -> rl.Stepper:
+def stepper_of(
+    method="TOSL+SR", task="worked_example", at=120, keep=2000, **settings
+) -> rl.Stepper:
     agent = rl.Agent(task, method, seed=1, **settings)
     return rl.Stepper(agent, rl.make_env(task, seed=1), at=at, keep=keep)
 
@@ -33,7 +36,9 @@ def test_the_page_tells_the_same_shares_as_the_library(method, settings):
     credit = rl.credit(agent, rl.make_env("worked_example", seed=1), 120)
     shares = [credit.shares(s, a) for s, a in np.ndindex(n_states, n_actions)]
     np.testing.assert_allclose(told, shares, atol=1e-12)
-    paid = on_its_page(stepper, "new Ledger(stepper.about, stepper.tape).grow().paidBy(55, 120)")
+    paid = on_its_page(
+        stepper, "new Ledger(stepper.about, stepper.tape).grow().paidBy(55, 120)"
+    )
     np.testing.assert_allclose(paid, credit.paid_by(55), atol=1e-12)
 
 
@@ -41,27 +46,46 @@ def test_at_any_step_also_of_a_tape_that_has_dropped_some_the_shares_are_the_lib
     stepper = stepper_of(at=300, keep=100)
     for t in (201, 250, 300):
         stepper.jump(t)
-        rows = f"stepper.tape.q.map((row, s) => [...row].map((_, a) => shares({t}, s, a)))"
+        rows = (
+            f"stepper.tape.q.map((row, s) => [...row].map((_, a) => shares({t}, s, a)))"
+        )
         told = np.array(on_its_page(stepper, f"((shares) => {rows})({SHARES})"))
-        credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=1), rl.make_env("worked_example", seed=1), t)
+        credit = rl.credit(
+            rl.Agent("worked_example", "TOSL+SR", seed=1),
+            rl.make_env("worked_example", seed=1),
+            t,
+        )
         for s, a in np.ndindex(*credit.q.shape):
-            np.testing.assert_allclose(told[s, a, : t - 200], credit.shares(s, a)[200:], atol=1e-12)
+            np.testing.assert_allclose(
+                told[s, a, : t - 200], credit.shares(s, a)[200:], atol=1e-12
+            )
         assert not told[..., t - 200 :].any()
 
 
 def test_the_answer_names_the_steps_that_made_the_difference():
     agent = rl.Agent("worked_example", "TOSL+SR", seed=0)
     stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=200)
-    told = on_its_page(stepper, "paidHtml(stepper.about, stepper.tape, { s: 13, a: 1, rather: 0 })")
-    credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=0), rl.make_env("worked_example", seed=0), 200)
+    told = on_its_page(
+        stepper, "paidHtml(stepper.about, stepper.tape, { s: 13, a: 1, rather: 0 })"
+    )
+    credit = rl.credit(
+        rl.Agent("worked_example", "TOSL+SR", seed=0),
+        rl.make_env("worked_example", seed=0),
+        200,
+    )
     shares = credit.shares(13, 1) - credit.shares(13, 0)
     first, second, third = np.argsort(-abs(shares))[:3]
     its = credit.steps[first]
     assert f"= {shares.sum():.2f}.</b>" in told
     assert f"in s = {its.s} for r = {its.r:g}: <b>+{shares[first]:.2f}</b>" in told
-    most = [told.index(f'<button name="{k + 1}"') for k in (first, second, third)]  # entry 0 is step 1
+    most = [
+        told.index(f'<button name="{k + 1}"') for k in (first, second, third)
+    ]  # entry 0 is step 1
     assert most == sorted(most) and f"What step {first + 1} has paid" in told
-    lit = on_its_page(stepper, "(paidHtml(stepper.about, stepper.tape, { s: 13, a: 1 }), views(stepper.tape))")
+    lit = on_its_page(
+        stepper,
+        "(paidHtml(stepper.about, stepper.tape, { s: 13, a: 1 }), views(stepper.tape))",
+    )
     assert 3 <= lit.count('class="lit"') <= 12
 
 
@@ -71,7 +95,9 @@ def test_settings_that_were_changed_while_it_learned_are_noticed():
     stepper.forward(50)
     asked = "return paidHtml(stepper.about, stepper.tape, { s: 0, a: 0 });"
     tried = f"{{ try {{ {asked} }} catch (error) {{ return error.message; }} }}"
-    assert "From step 51 on the payments are unknown" in on_its_page(stepper, f"(() => {tried})()")
+    assert "From step 51 on the payments are unknown" in on_its_page(
+        stepper, f"(() => {tried})()"
+    )
 
 
 def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
@@ -79,24 +105,39 @@ def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
         m.q[s, a] += m.parameters.alpha * (r * r - m.q[s, a])
         return 0.0
 
-    agent = rl.Agent("worked_example", Method(Algorithm("SQUARED", squared), "SR"), seed=0)
+    agent = rl.Agent(
+        "worked_example", Method(Algorithm("SQUARED", squared), "SR"), seed=0
+    )
     stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=5)
-    assert "a value times a value is no sum of rewards" in on_its_page(stepper, "updates.reason")
-    planner = rl.Stepper(rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0), rl.make_env("worked_example"))
-    assert "an agent that plans learns from imagined steps" in on_its_page(planner, "updates.reason")
+    assert "a value times a value is no sum of rewards" in on_its_page(
+        stepper, "updates.reason"
+    )
+    planner = rl.Stepper(
+        rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0),
+        rl.make_env("worked_example"),
+    )
+    assert "an agent that plans learns from imagined steps" in on_its_page(
+        planner, "updates.reason"
+    )
 
 
 def relived(stepper: rl.Stepper, settings="{}", fork="{}") -> list[dict]:
     """The frames of another life of as many steps."""
     frames = "(relived) => stepper.recorded.frames.map(() => relived.step())"
-    return on_its_page(stepper, f"({frames})(new Relived(stepper.about, lives, {settings}, {fork}))")
+    return on_its_page(
+        stepper, f"({frames})(new Relived(stepper.about, lives, {settings}, {fork}))"
+    )
 
 
 @pytest.mark.parametrize("method", ["TOSL+QBIASSR", "SL+SR", "Q+EG", "ESARSA+SR"])
 def test_a_fork_that_changes_nothing_is_the_same_life_to_the_last_bit(method):
     stepper = stepper_of(method)
     one = relived(stepper)
-    for fork in ("{ from: 60 }", f"{{ from: 60, reward: {one[59]['r']} }}", "{ from: 60, method: 0 }"):
+    for fork in (
+        "{ from: 60 }",
+        f"{{ from: 60, reward: {one[59]['r']} }}",
+        "{ from: 60, method: 0 }",
+    ):
         assert relived(stepper, fork=fork) == one
 
 
@@ -108,7 +149,8 @@ def test_other_settings_from_a_step_on_are_what_the_library_learns_with_them(met
         if step.t == 58:
             agent.change(alpha=0.6, temperature=7.0)
     lived = (
-        "(relived) => (stepper.recorded.frames.forEach(() => relived.step()), relived.life.m.q.map((row) => [...row]))"
+        "(relived) => (stepper.recorded.frames.forEach(() => relived.step()), "
+        "relived.life.m.q.map((row) => [...row]))"
     )
     other = "new Relived(stepper.about, lives, { alpha: 0.6, temperature: 7 }, { from: 60 })"
     assert np.array_equal(on_its_page(stepper, f"({lived})({other})"), agent.q)
@@ -123,12 +165,16 @@ def test_another_reward_is_paid_once_and_changes_nothing_before_it():
 
 
 @pytest.mark.parametrize("begins", [False, True])
-def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_learns_from_it(begins):
+def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_learns_from_it(
+    begins,
+):
     if begins:
         env = gymnasium.make("FrozenLake-v1")
         env.reset(seed=3)
         stepper = rl.Stepper(rl.Agent(env, "SARSA+SR", seed=1), env, at=120)
-        k = next(frame.step.t + 1 for frame in stepper._tape.since(60) if frame.number == 1)
+        k = next(
+            frame.step.t + 1 for frame in stepper._tape.since(60) if frame.number == 1
+        )
     else:
         stepper, k = stepper_of("SARSA+SR"), 60
     was = relived(stepper)
@@ -145,10 +191,19 @@ def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_lear
 @pytest.mark.parametrize("name", ["Q", "SARSA", "TOSL"])
 def test_another_method_goes_on_from_the_same_table(name):
     stepper = stepper_of("SL+SR")
-    names = on_its_page(stepper, "stepper.about.methods.map(({ algorithm }) => algorithm)")
+    names = on_its_page(
+        stepper, "stepper.about.methods.map(({ algorithm }) => algorithm)"
+    )
     assert names[0] == "SL" and sorted(names) == sorted(ALGORITHMS)
-    was, other = relived(stepper), relived(stepper, fork=f"{{ from: 60, method: {names.index(name)} }}")
-    step, before, after = other[59], stepper_of("SL+SR", at=59)._tape, rl.Agent("worked_example", f"{name}+SR", seed=1)
+    was, other = (
+        relived(stepper),
+        relived(stepper, fork=f"{{ from: 60, method: {names.index(name)} }}"),
+    )
+    step, before, after = (
+        other[59],
+        stepper_of("SL+SR", at=59)._tape,
+        rl.Agent("worked_example", f"{name}+SR", seed=1),
+    )
     assert other[:59] == was[:59] and step["method"] == names.index(name)
     after.memory.q[:], after.memory.e[:] = before.agent.q, before.agent.e
     after.memory.register[:], after.memory.now.register_size = (
@@ -156,7 +211,9 @@ def test_another_method_goes_on_from_the_same_table(name):
         before.agent.memory.now.register_size,
     )
     after.memory.now.q_old = before.q[step["s"], step["a"]]
-    after.update(step["s"], step["a"], step["r"], step["s2"], step["a2"], step["terminated"])
+    after.update(
+        step["s"], step["a"], step["r"], step["s2"], step["a2"], step["terminated"]
+    )
     learned = before.q.copy()
     learned.flat[step["q"][0]] = step["q"][1]
     np.testing.assert_array_equal(after.q, learned)
@@ -166,16 +223,23 @@ def test_another_method_goes_on_from_the_same_table(name):
     assert ("(1 − α)" in panes) == (name == "TOSL")
 
 
-def weights_of(selection: str, task: rl.Task, visits: np.ndarray, s: int, a: int) -> np.ndarray:
+def weights_of(
+    selection: str, task: rl.Task, visits: np.ndarray, s: int, a: int
+) -> np.ndarray:
     """By how much Q(k, a) of each state k counts in the bias of action a in state s, from the sets themselves."""
     weights = np.zeros(task.states.n)
     for states in task.states.siblings(s).values():
-        weights[list(states)] += (visits[list(states), a] if selection == "VBIASSR" else 1.0) / len(states)
+        weights[list(states)] += (
+            visits[list(states), a] if selection == "VBIASSR" else 1.0
+        ) / len(states)
     total = weights.sum() if selection == "VBIASSR" else len(task.states.shape)
     return weights / total if total else weights
 
 
-@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+QBIASSR", rl.Method("SARSA", VBIASSR), rl.Method("Q", VBIASSR)])
+@pytest.mark.parametrize(
+    "method",
+    ["TOSL+QBIASSR", "Q+QBIASSR", rl.Method("SARSA", VBIASSR), rl.Method("Q", VBIASSR)],
+)
 def test_a_bias_is_told_state_by_state(method):
     task, at = rl.load_task("worked_example"), 119
     agent, q, visits = rl.Agent(task, method, seed=1), [], []
@@ -183,13 +247,20 @@ def test_a_bias_is_told_state_by_state(method):
         q.append(agent.q.copy())
         visits.append(agent.visits.copy())
     name = method if isinstance(method, str) else method.name
-    chosen_by = at if name.startswith("Q+") else at - 1  # the others choose a' before they learn
-    values, x = q[chosen_by - 1], q[chosen_by - 1][step.s] * agent.parameters.q_scale / step.temperature
+    chosen_by = (
+        at if name.startswith("Q+") else at - 1
+    )  # the others choose a' before they learn
+    values, x = (
+        q[chosen_by - 1],
+        q[chosen_by - 1][step.s] * agent.parameters.q_scale / step.temperature,
+    )
     by_q_alone = np.exp(x - x.max()) / np.exp(x - x.max()).sum()
     then = f"q: tape.copyAt({chosen_by}).q, visits: tape.copyAt({at}).visits"
     always = "shape: about.names.shape, parameters: about.parameters"
     advice = f"[0, 1, 2].map((a) => advice({{ ...tape.frame, {then}, {always} }}, {step.s}, a))"
-    found = on_its_page(stepper_of(method, at=at + 1), f"(({{ tape, about }}) => {advice})(stepper)")
+    found = on_its_page(
+        stepper_of(method, at=at + 1), f"(({{ tape, about }}) => {advice})(stepper)"
+    )
     for a, one in enumerate(found):
         weights = weights_of(name.partition("+")[2], task, visits[at - 1], step.s, a)
         told = np.zeros(task.states.n)
@@ -202,11 +273,17 @@ def test_a_bias_is_told_state_by_state(method):
 
 
 def test_the_answer_tells_whose_advice_it_was_and_what_it_changed():
-    every = "[...Array(121).keys()].map((t) => (tape.go(t), adviceHtml(about, tape, null)))"
-    told = on_its_page(stepper_of("TOSL+QBIASSR"), f"(({{ tape, about }}) => {every})(stepper)")
+    every = (
+        "[...Array(121).keys()].map((t) => (tape.go(t), adviceHtml(about, tape, null)))"
+    )
+    told = on_its_page(
+        stepper_of("TOSL+QBIASSR"), f"(({{ tape, about }}) => {every})(stepper)"
+    )
     assert "nothing has been chosen" in told[0]
     assert all("by Q alone it would have been" in one for one in told[1:])
-    assert any("the state itself" in one for one in told) and any(">Y = 0<" in one for one in told)
+    assert any("the state itself" in one for one in told) and any(
+        ">Y = 0<" in one for one in told
+    )
     assert on_its_page(stepper_of("TOSL+SR"), "choice") is None
 
 

@@ -9,7 +9,11 @@ from rlrobot_course.authoring.lists import facts
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
-PLANS = dict(re.findall(r"^### (\w+ weeks): .*?\n(.*?)(?=\n###|\nThe p)", PAGE, re.DOTALL | re.MULTILINE))
+PLANS = dict(
+    re.findall(
+        r"^### (\w+ weeks): .*?\n(.*?)(?=\n###|\nThe p)", PAGE, re.DOTALL | re.MULTILINE
+    )
+)
 LESSONS = facts(ROOT)
 ASSIGNMENT = 70
 ROW = re.compile(r"^\| (\d+) \| (.*?) \| (\d?) \| (\d+) \|$", re.MULTILINE)
@@ -22,9 +26,13 @@ def test_a_plan_is_in_an_order_that_can_be_taught(name):
     done: set[str] = set()
     for _, read, assignment, minutes in rows:
         numbers = read.split(", ")
-        assert int(minutes) == sum(LESSONS[n].minutes for n in numbers) + ASSIGNMENT * bool(assignment)
+        assert int(minutes) == sum(
+            LESSONS[n].minutes for n in numbers
+        ) + ASSIGNMENT * bool(assignment)
         for number in numbers:
-            assert done.issuperset(LESSONS[number].needs), f"{number} needs {LESSONS[number].needs}"
+            assert done.issuperset(LESSONS[number].needs), (
+                f"{number} needs {LESSONS[number].needs}"
+            )
             done.add(number)
 
 

@@ -6,7 +6,13 @@ import re
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("*.md", "docs/*.md", "docs/howto/*.md", "docs/reproduction/*.md", "rlrobot_course/*/*.md")
+PAGES = (
+    "*.md",
+    "docs/*.md",
+    "docs/howto/*.md",
+    "docs/reproduction/*.md",
+    "rlrobot_course/*/*.md",
+)
 NOTEBOOKS = ("notebooks/*.ipynb", "notebooks/more/*.ipynb", "homework/*.ipynb")
 MOST = {  # how often each may occur: lower a number when you have mended a phrase, never raise it
     r"(is|are|was|were) told": 13,
@@ -23,17 +29,29 @@ MOST = {  # how often each may occur: lower a number when you have mended a phra
 
 def prose() -> str:
     """All sentences that people read here, without code."""
-    pages = [path for where in PAGES for path in ROOT.glob(where) if path.name != "CHANGELOG.md"]
+    pages = [
+        path
+        for where in PAGES
+        for path in ROOT.glob(where)
+        if path.name != "CHANGELOG.md"
+    ]
     texts = [page.read_text(encoding="utf-8") for page in pages]
     for notebook in (path for where in NOTEBOOKS for path in ROOT.glob(where)):
         cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
-        texts += ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+        texts += [
+            "".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"
+        ]
     for folder in ("rlrobot_edu", "rlrobot_course", "tasks"):
         for file in (ROOT / folder).rglob("*.py"):
             for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-                if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+                if isinstance(
+                    node,
+                    ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef,
+                ):
                     texts.append(ast.get_docstring(node) or "")
-    return "\n".join(" ".join(re.sub(r"(?s)```.*?```|`[^`\n]*`", "", text).split()) for text in texts)
+    return "\n".join(
+        " ".join(re.sub(r"(?s)```.*?```|`[^`\n]*`", "", text).split()) for text in texts
+    )
 
 
 def test_a_phrase_that_stops_the_reader_becomes_rarer():

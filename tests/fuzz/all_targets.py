@@ -7,7 +7,9 @@ from fuzz.contract import limit_memory
 from fuzz.targets import Target
 
 MODULES = (files, learning, describing, surroundings, task_files)
-TARGETS: dict[str, Target] = {target.name: target for module in MODULES for target in module.TARGETS}
+TARGETS: dict[str, Target] = {
+    target.name: target for module in MODULES for target in module.TARGETS
+}
 
 
 def warm_up() -> None:

@@ -22,13 +22,21 @@ OURS = {PACKAGE, PACKAGE.parent / "rlrobot_course"}
 
 # It returns, or it raises one of these, with one sentence that a person can read.
 # TypeError is for what Python itself refuses: a wrong number or name of arguments, a value of a wrong type.
-DOCUMENTED = (ValueError, TypeError, FileNotFoundError, ImportError, gymnasium.error.Error)
+DOCUMENTED = (
+    ValueError,
+    TypeError,
+    FileNotFoundError,
+    ImportError,
+    gymnasium.error.Error,
+)
 LETTERS = 2000
 SECONDS = 5  # of computing
 WAITING = 60  # seconds for something that never comes, the computer being busy with other things
 MEGABYTES = 500  # that one call may need more than all calls before it
 ADDRESS_SPACE = 6 << 30  # of the worker, so that a claim of hugeness hurts nobody else
-NUMERIC = re.compile("invalid value|overflow|divide by zero")  # of our own code's warnings, which are faults
+NUMERIC = re.compile(
+    "invalid value|overflow|divide by zero"
+)  # of our own code's warnings, which are faults
 
 
 class Fault(Exception):
@@ -75,37 +83,65 @@ def attempt(call: Callable[[], object], given: bool = False) -> str:
             and NUMERIC.search(text)
             and OURS.intersection(_parents(warning))
         ):
-            raise Fault(f"{text} ({_short(warning.filename)}:{warning.lineno})", f"{text} {warning.filename}")
+            raise Fault(
+                f"{text} ({_short(warning.filename)}:{warning.lineno})",
+                f"{text} {warning.filename}",
+            )
     return answer
 
 
 def _judge(error: BaseException) -> str:
     """Whether this error is documented, and in whose words. Raises Fault if it is not."""
     frames = traceback.extract_tb(error.__traceback__)
-    ours = [frame for frame in frames if OURS.intersection(Path(frame.filename).parents)]
+    ours = [
+        frame for frame in frames if OURS.intersection(Path(frame.filename).parents)
+    ]
     frame = ours[-1] if ours else frames[-1]
     place = f"{_short(frame.filename)}, {frame.name}"
     kind, text = type(error).__name__, str(error)
     signature = f"{kind}: {text}" if isinstance(error, Insane) else f"{kind} in {place}"
     if isinstance(error, Own):
         return "refused"
-    if isinstance(error, SystemExit) and error.code in (0, 2) and "__main__" in frame.filename:
+    if (
+        isinstance(error, SystemExit)
+        and error.code in (0, 2)
+        and "__main__" in frame.filename
+    ):
         return "refused"  # the command line's way
     if isinstance(error, OSError) and error.filename:
         return "borrowed"  # the system's own word about a file that it names
-    if isinstance(error, ArithmeticError) and any("gymnasium" in Path(frame.filename).parts for frame in frames):
+    if isinstance(error, ArithmeticError) and any(
+        "gymnasium" in Path(frame.filename).parts for frame in frames
+    ):
         return "borrowed"  # a wrapper's word about the rewards of the world in it
     if not isinstance(error, DOCUMENTED):
-        raise Fault(f"{kind}: {text[:300]} ({place}:{frame.lineno})", signature) from error
+        raise Fault(
+            f"{kind}: {text[:300]} ({place}:{frame.lineno})", signature
+        ) from error
     if not text.strip() or "\n" in text.strip() or len(text) > LETTERS:
-        wrong = "too many words" if len(text) > LETTERS else "several lines" if text.strip() else "no words"
-        raise Fault(f"{kind} of {wrong}: {text[:200]!r} ({place}:{frame.lineno})", f"{signature}: {wrong}") from error
-    said_here = frame is frames[-1] and "raise" in linecache.getline(frame.filename, frame.lineno or 0)
+        wrong = (
+            "too many words"
+            if len(text) > LETTERS
+            else "several lines"
+            if text.strip()
+            else "no words"
+        )
+        raise Fault(
+            f"{kind} of {wrong}: {text[:200]!r} ({place}:{frame.lineno})",
+            f"{signature}: {wrong}",
+        ) from error
+    said_here = frame is frames[-1] and "raise" in linecache.getline(
+        frame.filename, frame.lineno or 0
+    )
     return "refused" if said_here else "borrowed"
 
 
 def _short(filename: str) -> str:
-    return os.path.relpath(filename, PACKAGE.parent) if PACKAGE.parent in Path(filename).parents else filename[-40:]
+    return (
+        os.path.relpath(filename, PACKAGE.parent)
+        if PACKAGE.parent in Path(filename).parents
+        else filename[-40:]
+    )
 
 
 def _parents(warning: warnings.WarningMessage) -> list[Path]:
@@ -114,7 +150,9 @@ def _parents(warning: warnings.WarningMessage) -> list[Path]:
 
 def _peak() -> float:
     """The most memory that this process ever had [MB]."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (1 << 20 if sys.platform == "darwin" else 1 << 10)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (
+        1 << 20 if sys.platform == "darwin" else 1 << 10
+    )
 
 
 def _alarms(seconds: float) -> None:

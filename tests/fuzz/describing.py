@@ -13,21 +13,40 @@ VIEWS = [
     "[:-1]", "[:0]", "[::-1]", "[None]", "[..., None]", ".astype(float)", ".astype(complex)", ".astype('U9')",
     ".tolist()", ".astype(object)", " * 0", " * 1e308", "[::2]", ".astype('>i8')", ".astype('i2')",
 ]  # fmt: skip
-SHAPES = ["(24,)", "(2, 12)", "(72, 1)", "[2, 2, 3, 2]", "(2, -12)", "(0, 24)", "(2.0, 12)"]
-array, number = st.sampled_from(FIELDS), st.sampled_from(["-1", "10**9", "nan", "inf", "0", "1", "2**62"])
+SHAPES = [
+    "(24,)",
+    "(2, 12)",
+    "(72, 1)",
+    "[2, 2, 3, 2]",
+    "(2, -12)",
+    "(0, 24)",
+    "(2.0, 12)",
+]
+array, number = (
+    st.sampled_from(FIELDS),
+    st.sampled_from(["-1", "10**9", "nan", "inf", "0", "1", "2**62"]),
+)
 one_number = "{0}=np.where(np.arange(len(model.{0})) == {1}, {2}, model.{0})"
 change = st.one_of(
     st.builds(one_number.format, array, st.integers(0, 25), number),
     st.builds("{0}=model.{0}{1}".format, array, st.sampled_from(VIEWS)),
-    st.builds("{}={}".format, st.sampled_from([*FIELDS, "shape", "n_actions", "unseen", "episode_steps"]), value("1")),
+    st.builds(
+        "{}={}".format,
+        st.sampled_from([*FIELDS, "shape", "n_actions", "unseen", "episode_steps"]),
+        value("1"),
+    ),
     st.sampled_from(SHAPES).map("shape={}".format),
-    st.sampled_from(["stay", "uniform", "siblings", "nonsense"]).map("unseen={!r}".format),
+    st.sampled_from(["stay", "uniform", "siblings", "nonsense"]).map(
+        "unseen={!r}".format
+    ),
 )
 
 
 def changed(thing: str, change: Text) -> Text:
     """The thing with one or two of its fields changed gets the name `made`."""
-    changes = st.lists(change, min_size=1, max_size=2, unique_by=lambda text: text.split("=")[0])
+    changes = st.lists(
+        change, min_size=1, max_size=2, unique_by=lambda text: text.split("=")[0]
+    )
     return changes.map(", ".join).map(f"made = replace({thing}, {{}})".format)
 
 
@@ -45,19 +64,40 @@ planning = program(
 )  # fmt: skip
 
 number = value()
-numbers = value("[0, 1]", "[0.5]", "range(2)") | st.lists(number, max_size=3).map(", ".join).map("[{}]".format)
-name, unit, ends = value("'X'", "'theta'"), value("''", "'deg'"), {"low": number, "high": number}
+numbers = value("[0, 1]", "[0.5]", "range(2)") | st.lists(number, max_size=3).map(
+    ", ".join
+).map("[{}]".format)
+name, unit, ends = (
+    value("'X'", "'theta'"),
+    value("''", "'deg'"),
+    {"low": number, "high": number},
+)
 described = st.one_of(
     lines(
         call("variable = rl.InputVariable", name, numbers, unit)
         | call(
-            "variable = rl.InputVariable", name, unit=unit, sectors=value("8", "2", "10**7"), values=numbers, **ends
+            "variable = rl.InputVariable",
+            name,
+            unit=unit,
+            sectors=value("8", "2", "10**7"),
+            values=numbers,
+            **ends,
         ),
-        some(call("variable.bin", number), call("variable.decode", value("0", "1")), "repr(variable), variable.n_bins"),
+        some(
+            call("variable.bin", number),
+            call("variable.decode", value("0", "1")),
+            "repr(variable), variable.n_bins",
+        ),
         "made = replace(task, inputs=[variable, *task.inputs[2:]])",
     ),
     lines(
-        call("variable = rl.OutputVariable", value("'move'"), numbers, unit, words=value("['a', 'b']", "'ab'")),
+        call(
+            "variable = rl.OutputVariable",
+            value("'move'"),
+            numbers,
+            unit,
+            words=value("['a', 'b']", "'ab'"),
+        ),
         "made = replace(task, outputs=[variable])",
     ),
 )
@@ -72,7 +112,14 @@ FIELDS_OF_TASK = [
     "robot", "scene", "inputs", "outputs", "reward", "rewards", "command", "step_time", "episode_steps", "goal",
     "goal_steps", "name", "path", "description",
 ]  # fmt: skip
-anything = value("1", "'giraff'", "[1, 2]", "lambda *_: nan", "lambda *_: True", "raising(SystemExit(1))")
+anything = value(
+    "1",
+    "'giraff'",
+    "[1, 2]",
+    "lambda *_: nan",
+    "lambda *_: True",
+    "raising(SystemExit(1))",
+)
 readings = value("{'X': 0, 'Y': 1, 'theta': 90, 'd': 1, 'bumped': 1}", "{'X': nan}")
 tasks = program(
     "tasks", 8,

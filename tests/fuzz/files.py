@@ -25,7 +25,9 @@ from fuzz.strategies import (
 from fuzz.targets import Case, Target, lay, snapshot, unchanged
 
 
-def reader(name: str, cases: st.SearchStrategy[Case], share: int, read: Any, use: Any) -> Target:
+def reader(
+    name: str, cases: st.SearchStrategy[Case], share: int, read: Any, use: Any
+) -> Target:
     """The target of a reader: `read()` reads what is in the present folder, `use` what came of it."""
 
     def attack(case: Case) -> str:
@@ -64,7 +66,11 @@ def recordings(draw: Draw) -> Case:
             described["rlrobot"]["rows"] = csv.count(b"\n") - 1
         package = json.dumps(described).encode()
     else:
-        package = draw(damaged_bytes(package)) if kind == 3 else draw(damaged_json(package)).encode()
+        package = (
+            draw(damaged_bytes(package))
+            if kind == 3
+            else draw(damaged_json(package)).encode()
+        )
     return {RECORDING: csv, PACKAGE: package}
 
 
@@ -74,12 +80,18 @@ def stores(draw: Draw) -> Case:
     whole = seeds.files()["store"]
     kind = draw(st.integers(0, 5))
     if kind <= 1:
-        return {ABOUT: draw(damaged_bytes(whole[ABOUT]) | damaged_json(whole[ABOUT]).map(str.encode))}
+        return {
+            ABOUT: draw(
+                damaged_bytes(whole[ABOUT]) | damaged_json(whole[ABOUT]).map(str.encode)
+            )
+        }
     name = draw(st.sampled_from([name for name in whole if "/" in name]))
     if kind > 2:
         return {name: draw(damaged_archive(whole[name]))}
     label = draw(st.sampled_from(["Q+SR", "TOSL+QBIASSR", "x", "Q+SR "]))
-    number = draw(st.sampled_from(["0000", "0001", "0009", "-1", "9" * 30, "x", "0000-x", "00"]))
+    number = draw(
+        st.sampled_from(["0000", "0001", "0009", "-1", "9" * 30, "x", "0000-x", "00"])
+    )
     return {f"{label}/{number}.npz": whole[name]}
 
 
@@ -101,7 +113,9 @@ def attack_store(case: Case) -> str:
     results: list[rl.Comparison] = []
     answer = attempt(lambda: results.append(read_store()))
     unchanged(before, new=("./Q+SR/0", "./TOSL+QBIASSR/0", "./."))
-    forged = any(name != ABOUT and data not in whole.values() for name, data in case.items())
+    forged = any(
+        name != ABOUT and data not in whole.values() for name, data in case.items()
+    )
     if results:
         attempt(lambda: things.usable_comparison(results[0], forged))
     return answer
@@ -112,12 +126,16 @@ def archives(kind: str, share: int, read: Any, use: Any) -> Target:
     name = f"{kind}.npz"
     whole = st.deferred(lambda: damaged_archive(seeds.files()[kind][name]))
     rare = st.integers(0, 499).flatmap(
-        lambda i: whole if i else st.builds(bomb, st.sampled_from(["about.npy", "r.npy"]))
+        lambda i: (
+            whole if i else st.builds(bomb, st.sampled_from(["about.npy", "r.npy"]))
+        )
     )
     return reader(kind, in_file(name, rare), share, read, use)
 
 
-legacy = st.deferred(lambda: damaged_array(np.load(io.BytesIO(seeds.files()["legacy"]["legacy.npy"]))))
+legacy = st.deferred(
+    lambda: damaged_array(np.load(io.BytesIO(seeds.files()["legacy"]["legacy.npy"])))
+)
 legacy_bytes = st.deferred(lambda: damaged_bytes(seeds.files()["legacy"]["legacy.npy"]))
 
 TARGETS = [

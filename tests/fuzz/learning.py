@@ -12,9 +12,17 @@ NUMBER, FLAG = value(), value("True", "False")
 # No large ones: who asks for 10⁹ steps shall have them.
 COUNTS = ["-1", "0", "0.5", "nan", "None", "'1'", "Odd()", "[1]", "np.array(3)", "True"]
 STEPS, REPETITIONS, EPISODES = (
-    value(*good, other=COUNTS) for good in (("0", "1", "20"), ("1", "2"), ("1", "2", "None"))
+    value(*good, other=COUNTS)
+    for good in (("0", "1", "20"), ("1", "2"), ("1", "2", "None"))
 )
-METHOD = value("'TOSL+QBIASSR'", "'Q+SR'", "'SL+EG'", "'SARSA+EGLE'", "'ESARSA+GREEDY'", "'SL+RANDOM'")
+METHOD = value(
+    "'TOSL+QBIASSR'",
+    "'Q+SR'",
+    "'SL+EG'",
+    "'SARSA+EGLE'",
+    "'ESARSA+GREEDY'",
+    "'SL+RANDOM'",
+)
 SEED = value("None", "0", "7", "np.random.SeedSequence(3)")
 WORLD = value("'worked_example'", "task", "model", "'wander_simple'")
 CHANGES = dict(
@@ -40,7 +48,13 @@ agents = program(
     "usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))",
 )  # fmt: skip
 
-weak = call("realism = rl.Realism", laser_noise=NUMBER, odometry_noise=NUMBER, wheel_slip=NUMBER, delay=value("1", "5"))
+weak = call(
+    "realism = rl.Realism",
+    laser_noise=NUMBER,
+    odometry_noise=NUMBER,
+    wheel_slip=NUMBER,
+    delay=value("1", "5"),
+)
 environments = program(
     "environments", 9,
     weak | st.just("realism = None"),
@@ -77,12 +91,22 @@ space = st.sampled_from([
     "MultiDiscrete([2, 2])", "MultiDiscrete([2, 3])", "MultiDiscrete([2])", "Discrete(2)", "Discrete(3, start=5)",
     "Box(0, 1)", "MultiDiscrete([2, 2], start=[1, -1])", "MultiDiscrete([[2, 2]])", "Discrete(10**12)",
 ])  # fmt: skip
-changed = st.sampled_from(["o", "o[:2] // 2", "o[::-1]", "o + 1", "0", "o * nan", "7", "o[:1]", "None"])
+changed = st.sampled_from(
+    ["o", "o[:2] // 2", "o[::-1]", "o + 1", "0", "o * nan", "7", "o[:1]", "None"]
+)
 wrapped = st.one_of(
     st.just(""),
-    st.sampled_from(["TimeLimit(env, 3)", "RecordEpisodeStatistics(env)", "OrderEnforcing(env)"]),
-    st.builds("TransformObservation(env, lambda o: {}, gymnasium.spaces.{})".format, changed, space),
-    st.sampled_from(["nan", "r * 1e300", "None", "int(r)"]).map("TransformReward(env, lambda r: {})".format),
+    st.sampled_from(
+        ["TimeLimit(env, 3)", "RecordEpisodeStatistics(env)", "OrderEnforcing(env)"]
+    ),
+    st.builds(
+        "TransformObservation(env, lambda o: {}, gymnasium.spaces.{})".format,
+        changed,
+        space,
+    ),
+    st.sampled_from(["nan", "r * 1e300", "None", "int(r)"]).map(
+        "TransformReward(env, lambda r: {})".format
+    ),
 ).map(lambda made: made and f"env = gymnasium.wrappers.{made}")
 learning = some(
     call("rl.learn", "agent", "env", STEPS, "progress=False", keep=FLAG, resume=FLAG, episodes=EPISODES),
@@ -102,7 +126,9 @@ methods = value(
     "['Q+SR']", "{'λ': {'method': 'SL+SR', 'lam': 0}}", "'Q+SR'", "['Q+SR', 'SARSA+EG']", "['Q+SR', 'Q+SR']",
     "{'_x': {}}", "{'x': None}", "{'x': {'method': 'Q+SR', 'seed': 3}}", "{3: {'method': 'Q+SR'}}",
 )  # fmt: skip
-jobs = st.sampled_from(["n_jobs=1"] * 6 + ["n_jobs=0", "n_jobs=None", "n_jobs='x'", "n_jobs=1.5"])
+jobs = st.sampled_from(
+    ["n_jobs=1"] * 6 + ["n_jobs=0", "n_jobs=None", "n_jobs='x'", "n_jobs=1.5"]
+)
 compared = call(
     "result = rl.compare", value("model"), methods, "steps=20", "progress=False", jobs, repetitions=REPETITIONS,
     seed=SEED,

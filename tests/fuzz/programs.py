@@ -27,7 +27,11 @@ def attack(case: Case) -> str:
     names, answers = things.names(), {"accepted"}
     lay({"folder/file": b"x", "empty.npz": b"", "empty.py": b"", "empty.npy": b""})
     for line in case[NAME].decode().splitlines():
-        code, before, given = compile(line, "<program>", "exec"), snapshot(), line.endswith(GIVEN)
+        code, before, given = (
+            compile(line, "<program>", "exec"),
+            snapshot(),
+            line.endswith(GIVEN),
+        )
         answer = attempt(lambda code=code: exec(code, names), given)
         unchanged(before, OWN)
         if answer == "accepted":
@@ -41,7 +45,9 @@ def attack(case: Case) -> str:
 
 def program(name: str, share: int, *strategies: Text | str) -> Target:
     """The target of such programs, of lines as these draw them."""
-    return Target(name, lines(*strategies).map(lambda text: {NAME: text.encode()}), share, attack)
+    return Target(
+        name, lines(*strategies).map(lambda text: {NAME: text.encode()}), share, attack
+    )
 
 
 def given(text: Text) -> Text:

@@ -12,7 +12,9 @@ import rlrobot_edu as rl
 
 TASK = "worked_example"
 STEPS = 60
-STORE = dict(methods=["Q+SR", "TOSL+QBIASSR"], repetitions=2, steps=30, n_jobs=1, progress=False)
+STORE = dict(
+    methods=["Q+SR", "TOSL+QBIASSR"], repetitions=2, steps=30, n_jobs=1, progress=False
+)
 
 
 @cache
@@ -38,7 +40,9 @@ def agent() -> rl.Agent:
 @cache
 def history() -> rl.History:
     """One learning process."""
-    return rl.learn(rl.Agent(TASK, seed=0), rl.make_env(model(), 0), 100, keep=True, progress=False)
+    return rl.learn(
+        rl.Agent(TASK, seed=0), rl.make_env(model(), 0), 100, keep=True, progress=False
+    )
 
 
 @cache
@@ -47,13 +51,20 @@ def files() -> dict[str, dict[str, bytes]]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         recording().save(folder / "recording")
-        for kind, thing in (("model", model()), ("agent", agent()), ("history", history())):
+        for kind, thing in (
+            ("model", model()),
+            ("agent", agent()),
+            ("history", history()),
+        ):
             thing.save(folder / kind / f"{kind}.npz")
         rl.compare(model(), store=folder / "store", **STORE)
         rows = [recording().s, recording().a, recording().s_next, recording().r]
         (folder / "legacy").mkdir()
         np.save(folder / "legacy" / "legacy.npy", np.column_stack(rows))
         return {
-            kind.name: {path.relative_to(kind).as_posix(): path.read_bytes() for path in sorted(kind.rglob("*.*"))}
+            kind.name: {
+                path.relative_to(kind).as_posix(): path.read_bytes()
+                for path in sorted(kind.rglob("*.*"))
+            }
             for kind in sorted(folder.iterdir())
         }

@@ -72,9 +72,15 @@ def damaged_bytes(draw: Draw, data: bytes) -> bytes:
             case 4:
                 data = data[:i] + draw(st.sampled_from(TOKENS)) + data[j:]
             case 5:
-                data = data[:i] + draw(st.binary(min_size=1, max_size=8)) + data[i + 1 :]
+                data = (
+                    data[:i] + draw(st.binary(min_size=1, max_size=8)) + data[i + 1 :]
+                )
             case 6 if i < len(data):
-                data = data[:i] + bytes([data[i] ^ (1 << draw(st.integers(0, 7)))]) + data[i + 1 :]
+                data = (
+                    data[:i]
+                    + bytes([data[i] ^ (1 << draw(st.integers(0, 7)))])
+                    + data[i + 1 :]
+                )
             case 7:
                 data = data[:i] + bytes(j - i) + data[j:]
             case _:
@@ -97,9 +103,13 @@ def damaged_rows(draw: Draw, data: bytes) -> bytes:
             case 2:
                 rows[i] = rows[i] + [draw(st.sampled_from(TOKENS))]
             case _:
-                number = str(draw(st.sampled_from(NUMBERS) | st.integers(-2, 30))).encode()
+                number = str(
+                    draw(st.sampled_from(NUMBERS) | st.integers(-2, 30))
+                ).encode()
                 rows[i] = list(rows[i])
-                rows[i][draw(st.integers(0, len(rows[i]) - 1))] = draw(st.sampled_from([number, *TOKENS]))
+                rows[i][draw(st.integers(0, len(rows[i]) - 1))] = draw(
+                    st.sampled_from([number, *TOKENS])
+                )
     return b"\n".join(b",".join(row) for row in rows)
 
 
@@ -107,8 +117,18 @@ def _places(tree: Any, levels: int = 50) -> list[tuple[Any, Any]]:
     """Every (container, key) in what JSON made, so many levels deep."""
     if not levels:
         return []
-    keys = tree.keys() if isinstance(tree, dict) else range(len(tree)) if isinstance(tree, list) else ()
-    return [place for key in list(keys) for place in [(tree, key), *_places(tree[key], levels - 1)]]
+    keys = (
+        tree.keys()
+        if isinstance(tree, dict)
+        else range(len(tree))
+        if isinstance(tree, list)
+        else ()
+    )
+    return [
+        place
+        for key in list(keys)
+        for place in [(tree, key), *_places(tree[key], levels - 1)]
+    ]
 
 
 @st.composite
@@ -123,7 +143,9 @@ def damaged_json(draw: Draw, text: str | bytes) -> str:
             case 0:
                 del inside[key]
             case 1 if isinstance(inside, dict):
-                inside[draw(st.sampled_from(["x", "", "kind", key + " "]))] = inside.pop(key)
+                inside[draw(st.sampled_from(["x", "", "kind", key + " "]))] = (
+                    inside.pop(key)
+                )
             case 2 if isinstance(inside, list):
                 inside.insert(key, inside[key])
             case 3:
@@ -131,7 +153,9 @@ def damaged_json(draw: Draw, text: str | bytes) -> str:
             case 4 if type(inside[key]) in (int, float):
                 inside[key] = draw(st.integers(-3, 30))
             case _:
-                inside[key] = copy.deepcopy(draw(st.sampled_from(JSON_VALUES)))  # the next damage may be inside it
+                inside[key] = copy.deepcopy(
+                    draw(st.sampled_from(JSON_VALUES))
+                )  # the next damage may be inside it
     if draw(st.integers(0, 19)) == 0:
         tree = draw(st.sampled_from(JSON_VALUES))
     return json.dumps(tree)
@@ -142,9 +166,13 @@ def damaged_array(draw: Draw, array: np.ndarray) -> bytes:
     """A ``.npy`` file whose numbers, type or shape are others, or whose header claims what is not there."""
     match draw(st.integers(0, 7)):
         case 0:
-            return npy(array.tobytes(), repr(array.dtype.str), draw(st.sampled_from(SHAPES)))
+            return npy(
+                array.tobytes(), repr(array.dtype.str), draw(st.sampled_from(SHAPES))
+            )
         case 1:
-            return npy(array.tobytes(), draw(st.sampled_from(DESCRIPTIONS)), array.shape)
+            return npy(
+                array.tobytes(), draw(st.sampled_from(DESCRIPTIONS)), array.shape
+            )
         case 2:
             with np.errstate(all="ignore"):
                 try:
@@ -153,15 +181,29 @@ def damaged_array(draw: Draw, array: np.ndarray) -> bytes:
                     array = array.ravel()[:0]
         case 3:
             array = draw(
-                st.sampled_from([array[..., None], array[None], array.ravel()[:1], array.ravel()[:0], array.T])
+                st.sampled_from(
+                    [
+                        array[..., None],
+                        array[None],
+                        array.ravel()[:1],
+                        array.ravel()[:0],
+                        array.T,
+                    ]
+                )
             )
         case 4:
-            array = draw(st.sampled_from([np.append(array, array), array.ravel()[:-1], array.ravel()[::-1]]))
+            array = draw(
+                st.sampled_from(
+                    [np.append(array, array), array.ravel()[:-1], array.ravel()[::-1]]
+                )
+            )
         case _ if array.size and array.dtype.kind in "iufb":
             array = array.astype(draw(st.sampled_from([array.dtype, "f8"])))
             for _ in range(draw(st.integers(1, 3))):
                 number = draw(st.sampled_from(NUMBERS))
-                array.flat[draw(st.integers(0, array.size - 1))] = _fitting(number, array.dtype)
+                array.flat[draw(st.integers(0, array.size - 1))] = _fitting(
+                    number, array.dtype
+                )
     buffer = io.BytesIO()
     np.save(buffer, array)
     data = buffer.getvalue()
@@ -172,14 +214,28 @@ def _fitting(number: float, dtype: np.dtype) -> Any:
     """The number as an array of this type can hold it."""
     if dtype.kind in "iu":
         limits = np.iinfo(dtype)
-        return int(np.clip(0 if number != number else number, float(limits.min), float(limits.max) / 2))
+        return int(
+            np.clip(
+                0 if number != number else number,
+                float(limits.min),
+                float(limits.max) / 2,
+            )
+        )
     return number
 
 
-def npy(data: bytes, description: str, shape: object, order: str = "False", version: int = 1) -> bytes:
+def npy(
+    data: bytes, description: str, shape: object, order: str = "False", version: int = 1
+) -> bytes:
     """A ``.npy`` file with this header, whether or not it is true."""
     header = f"{{'descr': {description}, 'fortran_order': {order}, 'shape': {shape!r}, }}\n".encode()
-    return b"\x93NUMPY" + bytes([version, 0]) + struct.pack("<H", len(header)) + header + data
+    return (
+        b"\x93NUMPY"
+        + bytes([version, 0])
+        + struct.pack("<H", len(header))
+        + header
+        + data
+    )
 
 
 @st.composite
@@ -197,7 +253,13 @@ def damaged_archive(draw: Draw, data: bytes) -> bytes:
             case 0 if len(members) > 1:
                 del members[name]
             case 1:
-                members[draw(st.sampled_from(["x.npy", "x", "about.npy", "../x.npy", "q.npy"]))] = members[name]
+                members[
+                    draw(
+                        st.sampled_from(
+                            ["x.npy", "x", "about.npy", "../x.npy", "q.npy"]
+                        )
+                    )
+                ] = members[name]
             case 2:
                 members[name] = members[draw(st.sampled_from(sorted(members)))]
             case 3:
@@ -210,7 +272,16 @@ def damaged_archive(draw: Draw, data: bytes) -> bytes:
                 members[name] = buffer.getvalue()
             case _:
                 members[name] = draw(damaged_array(array))
-    packing = draw(st.sampled_from([zipfile.ZIP_DEFLATED, zipfile.ZIP_DEFLATED, zipfile.ZIP_STORED, zipfile.ZIP_LZMA]))
+    packing = draw(
+        st.sampled_from(
+            [
+                zipfile.ZIP_DEFLATED,
+                zipfile.ZIP_DEFLATED,
+                zipfile.ZIP_STORED,
+                zipfile.ZIP_LZMA,
+            ]
+        )
+    )
     return archive(members, packing)
 
 
@@ -219,7 +290,9 @@ def archive(members: dict[str, bytes], packing: int = zipfile.ZIP_DEFLATED) -> b
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", packing) as file:
         for name, content in members.items():
-            file.writestr(zipfile.ZipInfo(name), content, compress_type=packing)  # without today's date
+            file.writestr(
+                zipfile.ZipInfo(name), content, compress_type=packing
+            )  # without today's date
     return buffer.getvalue()
 
 
@@ -230,13 +303,19 @@ def bomb(name: str, megabytes: int = 700) -> bytes:
     zeros, crc = bytes(1 << 20), zlib.crc32(content)
     pack = zlib.compressobj(9, zlib.DEFLATED, -15)
     packed = [pack.compress(content), pack.flush(zlib.Z_FULL_FLUSH)]
-    packed += [pack.compress(zeros) + pack.flush(zlib.Z_FULL_FLUSH)]  # after a full flush, the same bytes again
+    packed += [
+        pack.compress(zeros) + pack.flush(zlib.Z_FULL_FLUSH)
+    ]  # after a full flush, the same bytes again
     first = b"".join(packed[:2])
     for _ in range(megabytes):
         crc = zlib.crc32(zeros, crc)
     body = first + packed[2] * megabytes + pack.flush()
     sizes = struct.pack("<LLL", crc, len(body), len(content) + (megabytes << 20))
-    head = struct.pack("<HHHHH", 20, 0, 8, 0, 0x21) + sizes + struct.pack("<HH", len(name), 0)
+    head = (
+        struct.pack("<HHHHH", 20, 0, 8, 0, 0x21)
+        + sizes
+        + struct.pack("<HH", len(name), 0)
+    )
     local = b"PK\x03\x04" + head + name.encode()
     central = b"PK\x01\x02" + struct.pack("<H", 20) + head + bytes(14) + name.encode()
     end = struct.pack("<HHHHLLH", 0, 0, 1, 1, len(central), len(local) + len(body), 0)

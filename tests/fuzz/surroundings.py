@@ -20,7 +20,18 @@ path = value("'nowhere/x.npz'", other=[
 out = value(
     "'out.npz'",
     "'out/x'",
-    other=["'folder'", "'folder/file/x'", "''", "'.'", "'out\\0'", "None", "3", "'x' * 300", "Odd()", "[]"],
+    other=[
+        "'folder'",
+        "'folder/file/x'",
+        "''",
+        "'.'",
+        "'out\\0'",
+        "None",
+        "3",
+        "'x' * 300",
+        "Odd()",
+        "[]",
+    ],
 )
 inputs = value("None", "['X', 'Y', 'theta', 'd']")
 paths = program(
@@ -33,7 +44,9 @@ paths = program(
     ),
 )  # fmt: skip
 
-words = value("'x'", "'$nope$'", "'$\\\\nope$'", "'_mine'", "'<b>&'", "'a\\nb'", "'é' * 300")
+words = value(
+    "'x'", "'$nope$'", "'$\\\\nope$'", "'_mine'", "'<b>&'", "'a\\nb'", "'é' * 300"
+)
 tables = value("{'q': np.zeros((24, 3))}", "{'<b>': np.full((24, 3), nan)}")
 pictures = program(
     "pictures", 1,
@@ -56,10 +69,21 @@ def _exercises() -> list[str]:
     from rlrobot_course.grading.exercise import Exercise
     from rlrobot_course.grading.question import Question
 
-    lessons = sorted(path.parent.name for path in (PACKAGE.parent / "rlrobot_course").glob("lesson_*/exercises.py"))
-    rooms = {lesson: importlib.import_module(f"rlrobot_course.{lesson}.exercises").check for lesson in lessons}
+    lessons = sorted(
+        path.parent.name
+        for path in (PACKAGE.parent / "rlrobot_course").glob("lesson_*/exercises.py")
+    )
+    rooms = {
+        lesson: importlib.import_module(f"rlrobot_course.{lesson}.exercises").check
+        for lesson in lessons
+    }
     kinds = (Exercise, Question)
-    return [f"check({r!r}, {n!r})" for r, room in rooms.items() for n, x in vars(room).items() if isinstance(x, kinds)]
+    return [
+        f"check({r!r}, {n!r})"
+        for r, room in rooms.items()
+        for n, x in vars(room).items()
+        if isinstance(x, kinds)
+    ]
 
 
 odd = value(other=[
@@ -77,7 +101,9 @@ FUNCTIONS = [
     "np.max", "lambda *a: a", "lambda *a: list(a)", "lambda *a: [x.clear() for x in a if hasattr(x, 'clear')]",
 ]  # fmt: skip
 function = (
-    odd.map("lambda *_: {}".format) | st.sampled_from(ERRORS).map("raising({})".format) | st.sampled_from(FUNCTIONS)
+    odd.map("lambda *_: {}".format)
+    | st.sampled_from(ERRORS).map("raising({})".format)
+    | st.sampled_from(FUNCTIONS)
 )
 checks = program(
     "checks", 8,
@@ -90,6 +116,8 @@ words = st.lists(st.sampled_from([
 ]), max_size=3)  # fmt: skip
 # Not the word alone that starts an hour's work.
 words = words | words.map(lambda more: ["grade", "--help", *more])
-command_line = program("command_line", 1, words.map(lambda words: f"command_line{tuple(words)!r}"))
+command_line = program(
+    "command_line", 1, words.map(lambda words: f"command_line{tuple(words)!r}")
+)
 
 TARGETS = [paths, pictures, checks, command_line]

@@ -50,17 +50,28 @@ def snapshot(folder: Path = Path()) -> dict[str, tuple[int, int]]:
     return found
 
 
-def unchanged(before: dict[str, tuple[int, int]], own: tuple[str, ...] = (), new: tuple[str, ...] = ()) -> None:
+def unchanged(
+    before: dict[str, tuple[int, int]],
+    own: tuple[str, ...] = (),
+    new: tuple[str, ...] = (),
+) -> None:
     """Raises Fault if a file went, came or was changed since `before`.
 
     own, new: how the names begin that may do so, that may come
     """
     now = snapshot()
     changed = [name for name, known in before.items() if now.get(name) != known]
-    changed += [name for name in now if name not in before and not (new and name.startswith(new))]
+    changed += [
+        name
+        for name in now
+        if name not in before and not (new and name.startswith(new))
+    ]
     changed = [name for name in changed if not name.startswith(own)] if own else changed
     if changed:
-        raise Fault(f"changed {', '.join(changed)[:200]}", "a file that is none of the call's was changed")
+        raise Fault(
+            f"changed {', '.join(changed)[:200]}",
+            "a file that is none of the call's was changed",
+        )
 
 
 def _empty(folder: Path) -> None:

@@ -45,8 +45,22 @@ INPUTS = [
     "[InputVariable('x', cuts=[1e308], unit='m')]", "[InputVariable('theta', values=[0], unit='rad')]",
     "[InputVariable('x')]",
 ]  # fmt: skip
-OUTPUTS = ["[OutputVariable('left_wheel', values=[-1, 9], unit='rad/s')]", "[OutputVariable('x', values=[1])]"]
-DOCS = ["", "#", '""', '"""\n\n"""', "'''<b>'''", "3", "nonsense here", "\ufeff", "\t", "sys.exit()"]
+OUTPUTS = [
+    "[OutputVariable('left_wheel', values=[-1, 9], unit='rad/s')]",
+    "[OutputVariable('x', values=[1])]",
+]
+DOCS = [
+    "",
+    "#",
+    '""',
+    '"""\n\n"""',
+    "'''<b>'''",
+    "3",
+    "nonsense here",
+    "\ufeff",
+    "\t",
+    "sys.exit()",
+]
 ENDS = [
     "del task", "task = None", "sys.exit()", "raise KeyError", "(", "\0", "task.name = 3", "x = 1 / 0", "del __doc__",
 ]  # fmt: skip
@@ -63,15 +77,21 @@ def does(*good: str) -> st.SearchStrategy[str]:
 
 def usually(*good: str, other: list[str] = ODD) -> st.SearchStrategy[str]:
     """Nine times in ten one of the good ones, since there are many parts."""
-    return st.integers(0, 9).flatmap(lambda i: value(*good, other=other) if i == 0 else st.sampled_from(good))
+    return st.integers(0, 9).flatmap(
+        lambda i: value(*good, other=other) if i == 0 else st.sampled_from(good)
+    )
 
 
 def drawings() -> st.SearchStrategy[str]:
     """Rooms with something odd in them, and a few that are sound."""
-    rows = st.lists(st.text("   .#>^vGS\t", min_size=4, max_size=6).map("##{}##".format), max_size=5)
+    rows = st.lists(
+        st.text("   .#>^vGS\t", min_size=4, max_size=6).map("##{}##".format), max_size=5
+    )
     rooms = rows.map(lambda rows: "\n".join(["##########", *rows, "##########"]))
     cells = st.sampled_from(["0.6", "0.06", "9", *ODD])
-    return st.builds("Drawing({!r}, cell={})".format, rooms | st.text(max_size=30), cells)
+    return st.builds(
+        "Drawing({!r}, cell={})".format, rooms | st.text(max_size=30), cells
+    )
 
 
 PARTS = dict(
@@ -102,7 +122,14 @@ def files(draw: Draw) -> Case:
         case 0:
             data = data[: draw(st.integers(0, len(data)))]
         case 1:
-            data = draw(st.sampled_from([b"\xff", b"\x00", b"\xef\xbb\xbf", b"# coding: nonsense\n"])) + data
+            data = (
+                draw(
+                    st.sampled_from(
+                        [b"\xff", b"\x00", b"\xef\xbb\xbf", b"# coding: nonsense\n"]
+                    )
+                )
+                + data
+            )
     return {draw(st.sampled_from(["mine.py"] * 30 + NAMES)): data}
 
 
@@ -115,7 +142,11 @@ def attack(case: Case) -> str:
         attempt(lambda task=task: repr(task))
         answer = attempt(lambda task=task: envs.append(rl.make_env(task, 0)))
         for env in envs:
-            answer = attempt(lambda task=task, env=env: things.usable_agent(rl.Agent(task, seed=0), env, 10))
+            answer = attempt(
+                lambda task=task, env=env: things.usable_agent(
+                    rl.Agent(task, seed=0), env, 10
+                )
+            )
     unchanged(before, ("./again",))
     return answer
 

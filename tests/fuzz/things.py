@@ -34,18 +34,24 @@ def expect(truth: object, what: str) -> None:
         raise Insane(what)
 
 
-def usable_agent(agent: rl.Agent, env: gymnasium.Env | None = None, steps: int = 50) -> None:
+def usable_agent(
+    agent: rl.Agent, env: gymnasium.Env | None = None, steps: int = 50
+) -> None:
     """It learns, its numbers stay finite, it can be saved and read back as it was."""
     env = rl.make_env(seeds.model(), 0) if env is None else env
     rl.learn(agent, env, steps, progress=False)
     expect(np.isfinite(agent.q).all(), "q is not finite")
     expect(np.isfinite(agent.e).all(), "traces are not finite")
-    expect((agent.probabilities >= 0).all() and abs(agent.probabilities.sum() - 1) < 1e-9, "no probabilities")
+    expect(
+        (agent.probabilities >= 0).all() and abs(agent.probabilities.sum() - 1) < 1e-9,
+        "no probabilities",
+    )
     expect((agent.visits >= 0).all(), "negative visits")
     agent.save("again.npz")
     again = rl.Agent.load("again.npz")
     expect(
-        again.q.tobytes() == agent.q.tobytes() and again.parameters == agent.parameters, "another agent is read back"
+        again.q.tobytes() == agent.q.tobytes() and again.parameters == agent.parameters,
+        "another agent is read back",
     )
     repr(agent)
 
@@ -58,7 +64,10 @@ def usable_model(model: rl.SampleModel, planned: bool = True) -> None:
     env = rl.make_env(model, 0)
     env.reset()
     observation, r, *_ = env.step(model.n_actions - 1)
-    expect(env.observation_space.contains(observation) and math.isfinite(r), "an impossible step")
+    expect(
+        env.observation_space.contains(observation) and math.isfinite(r),
+        "an impossible step",
+    )
     model.save("again.npz")
     rl.SampleModel.load("again.npz")
     repr(model.diagnose())
@@ -72,7 +81,13 @@ def usable_recording(recording: rl.Recording) -> None:
     repr(recording)
     recording.save("again")
     again = rl.read_recording("again")
-    expect(all((getattr(again, n) == getattr(recording, n)).all() for n in ("s", "a", "r", "s_next")), "other rows")
+    expect(
+        all(
+            (getattr(again, n) == getattr(recording, n)).all()
+            for n in ("s", "a", "r", "s_next")
+        ),
+        "other rows",
+    )
     usable_model(rl.SampleModel.from_recording(recording), planned=False)
 
 
@@ -90,7 +105,10 @@ def usable_comparison(result: rl.Comparison, forged: bool = False) -> None:
         return
     for label, runs in _undisturbed().groups.items():
         for ours, theirs in zip(runs, result[label], strict=True):
-            same = all(np.array_equal(a, b) for a, b in zip(ours.transitions, theirs.transitions, strict=True))
+            same = all(
+                np.array_equal(a, b)
+                for a, b in zip(ours.transitions, theirs.transitions, strict=True)
+            )
             expect(same and ours.method == theirs.method, "other transitions")
             expect(np.array_equal(ours.q, theirs.q), "another q")
 
@@ -107,9 +125,20 @@ class Foreign(gymnasium.Env):
     **attributes: its own, such as `drive` or `state`
     """
 
-    def __init__(self, shape=(2, 3), n=2, observation=None, reward=1.0, terminated=False, info=None, **attributes):
+    def __init__(
+        self,
+        shape=(2, 3),
+        n=2,
+        observation=None,
+        reward=1.0,
+        terminated=False,
+        info=None,
+        **attributes,
+    ):
         self.observation_space = (
-            gymnasium.spaces.MultiDiscrete(shape) if np.ndim(shape) else gymnasium.spaces.Discrete(shape)
+            gymnasium.spaces.MultiDiscrete(shape)
+            if np.ndim(shape)
+            else gymnasium.spaces.Discrete(shape)
         )
         self.action_space = gymnasium.spaces.Discrete(n)
         self.told = observation, reward, terminated, {} if info is None else info
@@ -142,7 +171,9 @@ class Odd:
     def _raise(self, *_):
         raise self.how("an odd object")
 
-    __repr__ = __eq__ = __len__ = __iter__ = __float__ = __bool__ = __call__ = __array__ = __fspath__ = _raise
+    __repr__ = __eq__ = __len__ = __iter__ = __float__ = __bool__ = __call__ = (
+        __array__
+    ) = __fspath__ = _raise
     __hash__ = object.__hash__
 
 
@@ -170,7 +201,9 @@ def recursive():
 
 def check(lesson, name):
     """The check of an exercise."""
-    return vars(importlib.import_module(f"rlrobot_course.{lesson}.exercises").check)[name]
+    return vars(importlib.import_module(f"rlrobot_course.{lesson}.exercises").check)[
+        name
+    ]
 
 
 def judged(verdict):
@@ -192,7 +225,9 @@ def drawn(picture):
     """A picture shows itself as a notebook would ask it to."""
     if hasattr(picture, "figure"):
         picture = picture.figure
-    picture._repr_mimebundle_() if hasattr(picture, "_repr_mimebundle_") else picture._repr_png_()
+    picture._repr_mimebundle_() if hasattr(
+        picture, "_repr_mimebundle_"
+    ) else picture._repr_png_()
     repr(picture)
 
 

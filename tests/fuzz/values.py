@@ -29,14 +29,20 @@ def value(*good: str, other: Sequence[str] = HOSTILE) -> Text:
     """Three times in four one of the good ones."""
     numbers = st.integers(-3, 30).map(repr) | st.floats().map(repr)
     usual = st.sampled_from(good) if good else numbers
-    return st.integers(0, 15).flatmap(lambda i: usual if i < 12 else st.sampled_from(other) if i < 15 else numbers)
+    return st.integers(0, 15).flatmap(
+        lambda i: usual if i < 12 else st.sampled_from(other) if i < 15 else numbers
+    )
 
 
 @st.composite
 def call(draw: Draw, function: str, *positional: Text | str, **named: Text) -> str:
     """A call: all positional arguments, a third of the named ones; rarely one too few or too many."""
     arguments = [each if isinstance(each, str) else draw(each) for each in positional]
-    arguments += [f"{name}={draw(each)}" for name, each in named.items() if draw(st.integers(0, 2)) == 0]
+    arguments += [
+        f"{name}={draw(each)}"
+        for name, each in named.items()
+        if draw(st.integers(0, 2)) == 0
+    ]
     match draw(st.integers(0, 39)):
         case 0 if arguments:
             arguments.pop()
@@ -50,7 +56,9 @@ def call(draw: Draw, function: str, *positional: Text | str, **named: Text) -> s
 def lines(*strategies: Text | str) -> Text:
     """A program of these lines, one after the other; an empty one is left out."""
     parts = [st.just(each) if isinstance(each, str) else each for each in strategies]
-    return st.tuples(*parts).map(lambda texts: "\n".join(text for text in texts if text) + "\n")
+    return st.tuples(*parts).map(
+        lambda texts: "\n".join(text for text in texts if text) + "\n"
+    )
 
 
 def some(*strategies: Text | str, most: int = 4) -> Text:

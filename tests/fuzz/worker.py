@@ -20,8 +20,15 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 ROOT = Path(__file__).parents[2]
 # Kernels are compiled from their bytecode, which must stay as it is. Which they are, mypy's settings know.
-_SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]["overrides"]
-_NAMES = [name for some in _SETTINGS if "disallow_untyped_defs" in some for name in some["module"]]
+_SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))[
+    "tool"
+]["mypy"]["overrides"]
+_NAMES = [
+    name
+    for some in _SETTINGS
+    if "disallow_untyped_defs" in some
+    for name in some["module"]
+]
 KERNELS = [
     ".".join(path.relative_to(ROOT).with_suffix("").parts)
     for name in _NAMES
@@ -38,7 +45,9 @@ class Log:
 
     def begin(self, target: str, case: dict[str, bytes]) -> None:
         """Remember a case before it is tried."""
-        self.last.write_text(json.dumps({"counts": self.counts, "target": target, "case": packed(case)}))
+        self.last.write_text(
+            json.dumps({"counts": self.counts, "target": target, "case": packed(case)})
+        )
 
     def write(self) -> None:
         """Keep what was found; done whenever that is something new, and at the end."""
@@ -66,7 +75,11 @@ def tried(target, case, log: Log) -> None:
     except Fault as fault:
         log.counts["found"] += 1
         if fault.signature not in log.found:
-            log.found[fault.signature] = {"what": str(fault), "case": packed(case), "target": target.name}
+            log.found[fault.signature] = {
+                "what": str(fault),
+                "case": packed(case),
+                "target": target.name,
+            }
             log.write()
 
 
@@ -93,7 +106,9 @@ def with_atheris(target, inputs: int, seed: int, log: Log, folder: Path) -> None
     import atheris
     import hypothesis
 
-    @hypothesis.settings(database=None, deadline=None, suppress_health_check=list(hypothesis.HealthCheck))
+    @hypothesis.settings(
+        database=None, deadline=None, suppress_health_check=list(hypothesis.HealthCheck)
+    )
     @hypothesis.given(target.cases)
     def attack(case):
         tried(target, case, log)
@@ -101,7 +116,9 @@ def with_atheris(target, inputs: int, seed: int, log: Log, folder: Path) -> None
     begun = time.time()
 
     def one(data: bytes) -> None:
-        attack.hypothesis.fuzz_one_input(data + bytes(8000))  # zeros draw what is simplest
+        attack.hypothesis.fuzz_one_input(
+            data + bytes(8000)
+        )  # zeros draw what is simplest
         if log.counts["inputs"] >= inputs or time.time() - begun > 30 + inputs:
             log.write()
             os._exit(0)  # libFuzzer would never return
@@ -129,15 +146,21 @@ def main() -> None:
     parser.add_argument("targets", nargs="*")
     parser.add_argument("--inputs", type=int, default=100)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--plain", action="store_true", help="without atheris, even if it is there")
-    parser.add_argument("--kept", type=Path, help="try the cases in this folder instead")
+    parser.add_argument(
+        "--plain", action="store_true", help="without atheris, even if it is there"
+    )
+    parser.add_argument(
+        "--kept", type=Path, help="try the cases in this folder instead"
+    )
     arguments = parser.parse_intermixed_args()
     folder = arguments.folder.resolve()
     instrumented = contextlib.nullcontext()
     if not arguments.plain:
         import atheris
 
-        instrumented = atheris.instrument_imports(include=["rlrobot_edu"], exclude=KERNELS)
+        instrumented = atheris.instrument_imports(
+            include=["rlrobot_edu"], exclude=KERNELS
+        )
     with instrumented:
         import rlrobot_edu as rl
 
@@ -156,13 +179,19 @@ def main() -> None:
     if arguments.kept:
         for path in sorted(arguments.kept.glob("*/*/")):
             files = (file for file in path.rglob("*") if file.is_file())
-            case = {file.relative_to(path).as_posix(): file.read_bytes() for file in files}
+            case = {
+                file.relative_to(path).as_posix(): file.read_bytes() for file in files
+            }
             tried(all_targets.TARGETS[path.parent.name], case, log)
     for name in arguments.targets:
         if arguments.plain:
-            with_hypothesis(all_targets.TARGETS[name], arguments.inputs, arguments.seed, log)
+            with_hypothesis(
+                all_targets.TARGETS[name], arguments.inputs, arguments.seed, log
+            )
         else:
-            with_atheris(all_targets.TARGETS[name], arguments.inputs, arguments.seed, log, folder)
+            with_atheris(
+                all_targets.TARGETS[name], arguments.inputs, arguments.seed, log, folder
+            )
     log.write()
 
 

@@ -27,7 +27,9 @@ class Given:
 
 def steps(job):
     """A tape of transitions, learned from step by step."""
-    m = new_memory(tuple(job["shape"]), job["n_actions"], Parameters(**job["parameters"]))
+    m = new_memory(
+        tuple(job["shape"]), job["n_actions"], Parameters(**job["parameters"])
+    )
     kernels = make_step(parse_method(job["method"]))
     told = []
     for s, a, r, s_next, terminated, u in job["tape"]:
@@ -42,7 +44,9 @@ def run(job):
     """A whole run in a sample model of the toolkit's."""
     model = rl.SampleModel.from_recording(rl.read_recording(job["model"]))
     tables = rl.make_env(model).unwrapped._tables
-    m = new_memory(tuple(tables.shape.tolist()), tables.n_actions, Parameters(**job["parameters"]))
+    m = new_memory(
+        tuple(tables.shape.tolist()), tables.n_actions, Parameters(**job["parameters"])
+    )
     log = Transitions.empty(job["steps"])
     at = np.array([0, -1, 0, 0, 0])
     run = make_run(parse_method(job["method"]), begin, outcome)
@@ -53,5 +57,8 @@ def run(job):
 for line in sys.stdin:
     job = json.loads(line)
     m, told = {"steps": steps, "run": run}[job["kind"]](job)
-    told |= {name: getattr(m, name).tolist() for name in ("q", "e", "visits", "probabilities")}
+    told |= {
+        name: getattr(m, name).tolist()
+        for name in ("q", "e", "visits", "probabilities")
+    }
     print(json.dumps(told | {"temperature": float(m.now.temperature)}), flush=True)

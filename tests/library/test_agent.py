@@ -21,17 +21,26 @@ def test_every_method_learns_and_its_probabilities_are_probabilities(method):
     world = RandomWorld(p_end=0.1)
     agent = rl.Agent(world, method, seed=0)
     for step in rl.steps(agent, world, steps=200):
-        assert step.probabilities.sum() == pytest.approx(1) and step.probabilities[step.a] > 0
+        assert (
+            step.probabilities.sum() == pytest.approx(1)
+            and step.probabilities[step.a] > 0
+        )
         assert (step.bias is None) == ("BIASSR" not in method)
         assert step.temperature >= 1
     assert np.isfinite(agent.q).all() and agent.visits.sum() == 200
 
 
-@pytest.mark.parametrize("wrong, meant", [("TOSL+QBIASR", "TOSL+QBIASSR"), ("sarsa+sr", "SARSA+SR")])
-def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(wrong, meant):
+@pytest.mark.parametrize(
+    "wrong, meant", [("TOSL+QBIASR", "TOSL+QBIASSR"), ("sarsa+sr", "SARSA+SR")]
+)
+def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(
+    wrong, meant
+):
     with pytest.raises(ValueError, match="unknown method") as error:
         rl.Agent("wander_simple", wrong)
-    assert meant in str(error.value) and all(name in str(error.value) for name in ALGORITHMS | SELECTIONS)
+    assert meant in str(error.value) and all(
+        name in str(error.value) for name in ALGORITHMS | SELECTIONS
+    )
 
 
 @pytest.mark.parametrize(
@@ -103,7 +112,9 @@ def test_the_history_is_what_the_steps_say():
     assert [step.r for step in walked] == history.rewards.tolist()
     assert [step.terminated for step in walked] == history.terminated.tolist()
     rewards = np.array([step.r for step in walked])
-    np.testing.assert_allclose(history.average_reward, [rewards[: t + 1].mean() for t in range(300)])
+    np.testing.assert_allclose(
+        history.average_reward, [rewards[: t + 1].mean() for t in range(300)]
+    )
     ends = np.flatnonzero(history.terminated)
     assert history.returns[1] == pytest.approx(rewards[ends[0] + 1 : ends[1] + 1].sum())
 
@@ -154,33 +165,67 @@ print(digest.hexdigest())
 def test_compiled_or_not_stepped_or_not_the_numbers_are_the_same_to_the_last_bit():
     def digest(how, disable):
         env = {**os.environ, "NUMBA_DISABLE_JIT": disable}
-        run = subprocess.run([sys.executable, "-c", SCRIPT, how], env=env, capture_output=True, text=True, check=True)
+        run = subprocess.run(
+            [sys.executable, "-c", SCRIPT, how],
+            env=env,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
         return run.stdout
 
-    results = {(how, jit): digest(how, jit) for how in ("loop", "steps") for jit in ("0", "1")}
-    assert len(set(results.values())) == 1, json.dumps({str(k): v for k, v in results.items()}, indent=2)
+    results = {
+        (how, jit): digest(how, jit) for how in ("loop", "steps") for jit in ("0", "1")
+    }
+    assert len(set(results.values())) == 1, json.dumps(
+        {str(k): v for k, v in results.items()}, indent=2
+    )
 
 
 def test_the_package_is_quick_to_import_because_heavy_libraries_wait():
-    heavy = ("numba", "pymunk", "pybullet", "meshcat", "matplotlib", "scipy", "IPython", "ipywidgets", "joblib")
+    heavy = (
+        "numba",
+        "pymunk",
+        "pybullet",
+        "meshcat",
+        "matplotlib",
+        "scipy",
+        "IPython",
+        "ipywidgets",
+        "joblib",
+    )
     script = f"import sys, rlrobot_edu; print([m for m in {heavy} if m in sys.modules])"
-    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    run = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
     assert run.stdout.strip() == "[]"
 
 
 @pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+SR", "SL+SR", "SARSA+EGLE"])
-def test_who_is_evaluated_acts_as_one_who_learns_next_to_nothing_and_stays_as_it_was(method):
+def test_who_is_evaluated_acts_as_one_who_learns_next_to_nothing_and_stays_as_it_was(
+    method,
+):
     world = RandomWorld(p_end=0.1)
-    agent, slow = (rl.Agent(world, method, seed=0, lam=0.5, loop_evasion=False) for _ in range(2))
+    agent, slow = (
+        rl.Agent(world, method, seed=0, lam=0.5, loop_evasion=False) for _ in range(2)
+    )
     for learner in (agent, slow):
         rl.learn(learner, RandomWorld(p_end=0.1), steps=200, progress=False)
     slow.change(alpha=1e-300)
-    q, visits, drawn = agent.q.copy(), agent.visits.copy(), agent.rng.bit_generator.state
+    q, visits, drawn = (
+        agent.q.copy(),
+        agent.visits.copy(),
+        agent.rng.bit_generator.state,
+    )
     evaluated = rl.evaluate(agent, RandomWorld(p_end=0.1), 300)
     stepped = list(rl.steps(agent.frozen(), RandomWorld(p_end=0.1), 300))
     learned = rl.learn(slow, RandomWorld(p_end=0.1), 300, progress=False)
-    assert np.array_equal(evaluated.rewards, learned.rewards) and np.array_equal(evaluated.q, q)
-    assert [step.r for step in stepped] == evaluated.rewards.tolist() and all(np.isnan(step.delta) for step in stepped)
+    assert np.array_equal(evaluated.rewards, learned.rewards) and np.array_equal(
+        evaluated.q, q
+    )
+    assert [step.r for step in stepped] == evaluated.rewards.tolist() and all(
+        np.isnan(step.delta) for step in stepped
+    )
     assert np.array_equal(agent.q, q) and np.array_equal(agent.visits, visits)
     assert agent.rng.bit_generator.state == drawn
 
@@ -190,7 +235,10 @@ def test_a_frozen_agent_goes_wherever_an_agent_goes(wander_model):
     agent = rl.Agent(wander_model, "TOSL+SR", planner="dyna", seed=0)
     rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)
     still = agent.frozen()
-    in_python = [step.r for step in rl.steps(agent.frozen(), rl.make_env(wander_model, seed=1), 400)]
+    in_python = [
+        step.r
+        for step in rl.steps(agent.frozen(), rl.make_env(wander_model, seed=1), 400)
+    ]
     compiled = rl.learn(still, rl.make_env(wander_model, seed=1), 400, progress=False)
     assert compiled.rewards.tolist() == in_python and np.array_equal(still.q, agent.q)
     recording = rl.record(agent.frozen(), rl.make_env(wander_model, seed=1), 400)

@@ -11,7 +11,12 @@ import rlrobot_edu as rl
 from rlrobot_edu import files
 
 METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG", "SARSA+SR", "ESARSA+SR")
-AS_GIVEN = (float, np.float32, np.longdouble, Fraction)  # kinds of numbers that a learner may have at hand
+AS_GIVEN = (
+    float,
+    np.float32,
+    np.longdouble,
+    Fraction,
+)  # kinds of numbers that a learner may have at hand
 NUMBERS = {
     "alpha": st.floats(0.01, 1.5), "temperature": st.floats(-1, 60), "epsilon": st.floats(0, 1.5),
     "r_max": st.floats(-1, 100),
@@ -36,7 +41,12 @@ def lived(agent, steps):
 def lived_anew(agent, steps):
     """After the beginning of an episode, also the traces and the last selection."""
     agent.begin_episode(0)
-    return [*lived(agent, steps), agent.e.tobytes(), agent.probabilities.tobytes(), agent.rng.random()]
+    return [
+        *lived(agent, steps),
+        agent.e.tobytes(),
+        agent.probabilities.tobytes(),
+        agent.rng.random(),
+    ]
 
 
 @pytest.mark.long
@@ -66,7 +76,9 @@ def test_a_saved_agent_comes_back_and_its_next_episode_is_the_same_bit_for_bit(
         assert lived_anew(loaded, steps) == lived_anew(agent, steps)
 
 
-def test_an_agent_too_large_for_a_file_keeps_the_file_that_it_had(tmp_path, monkeypatch):
+def test_an_agent_too_large_for_a_file_keeps_the_file_that_it_had(
+    tmp_path, monkeypatch
+):
     agent, path = rl.Agent("wander_simple", seed=0), tmp_path / "agent.npz"
     agent.save(path)
     monkeypatch.setattr(files, "LARGEST", 5000)
@@ -77,10 +89,16 @@ def test_an_agent_too_large_for_a_file_keeps_the_file_that_it_had(tmp_path, monk
 
 
 def test_an_agent_whose_values_have_no_end_keeps_the_file_that_it_had(tmp_path):
-    agent, path = rl.Agent("wander_simple", "TOSL+SR", alpha=1, seed=0), tmp_path / "agent.npz"
+    agent, path = (
+        rl.Agent("wander_simple", "TOSL+SR", alpha=1, seed=0),
+        tmp_path / "agent.npz",
+    )
     agent.save(path)
     agent.q[0, 0] = 1e308
-    with pytest.raises(ValueError, match="q of this agent is out of range, so it could not be read again"):
+    with pytest.raises(
+        ValueError,
+        match="q of this agent is out of range, so it could not be read again",
+    ):
         agent.save(path)
     assert rl.Agent.load(path).visits.sum() == 0
 
@@ -92,11 +110,17 @@ def test_a_parameter_that_no_file_can_keep_is_refused_at_once(number):
 
 
 @pytest.mark.parametrize("packed", [True, False])
-def test_a_file_that_would_be_too_large_to_read_is_not_written(tmp_path, monkeypatch, packed):
+def test_a_file_that_would_be_too_large_to_read_is_not_written(
+    tmp_path, monkeypatch, packed
+):
     array, path = np.random.default_rng(0).random(50_000), tmp_path / "file.npz"
-    monkeypatch.setattr(files, "LARGEST", array.nbytes + 300)  # room for the numbers, and for nothing around them
+    monkeypatch.setattr(
+        files, "LARGEST", array.nbytes + 300
+    )  # room for the numbers, and for nothing around them
     with pytest.raises(ValueError, match="would not be read again"):
         files.save_arrays(path, "agent", {}, {"array": array}, packed)
     monkeypatch.setattr(files, "LARGEST", round(1.001 * array.nbytes) + 3000)
     files.save_arrays(path, "agent", {}, {"array": array}, packed)
-    assert np.array_equal(files.load_arrays(path, "agent", lambda about, arrays: arrays["array"]), array)
+    assert np.array_equal(
+        files.load_arrays(path, "agent", lambda about, arrays: arrays["array"]), array
+    )

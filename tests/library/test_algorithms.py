@@ -34,7 +34,9 @@ def test_tosl_with_full_traces_equals_the_online_lambda_return_at_every_step(see
     agent = rl.Agent(world, "TOSL+SR", lam=lam, alpha=0.3, traces="full", seed=seed)
     transitions, q_after = [], []
     for step in rl.steps(agent, world, steps=60):
-        transitions.append((step.s, step.a, step.r, step.s_next, step.a_next, step.terminated))
+        transitions.append(
+            (step.s, step.a, step.r, step.s_next, step.a_next, step.terminated)
+        )
         q_after.append(agent.q.copy())
         if step.terminated:
             break
@@ -44,7 +46,9 @@ def test_tosl_with_full_traces_equals_the_online_lambda_return_at_every_step(see
 
 
 @pytest.mark.parametrize("selection", ["SR", "QBIASSR", "EG", "RANDOM"])
-def test_expected_sarsa_weighs_each_next_value_with_the_probability_of_its_action(selection):
+def test_expected_sarsa_weighs_each_next_value_with_the_probability_of_its_action(
+    selection,
+):
     world = RandomWorld(seed=2, p_end=0.05)
     agent = rl.Agent(world, f"ESARSA+{selection}", alpha=0.3, seed=4)
     q, walk = np.zeros((world.n_states, 3)), list(rl.steps(agent, world, steps=400))
@@ -54,7 +58,11 @@ def test_expected_sarsa_weighs_each_next_value_with_the_probability_of_its_actio
         delta = step.r + 0.9 * v_next - q[step.s, step.a]
         q[step.s, step.a] += 0.3 * delta
         assert step.delta == pytest.approx(delta, abs=1e-12)
-    assert np.allclose(np.delete(agent.q, walk[-1].s, axis=0), np.delete(q, walk[-1].s, axis=0), atol=1e-12)
+    assert np.allclose(
+        np.delete(agent.q, walk[-1].s, axis=0),
+        np.delete(q, walk[-1].s, axis=0),
+        atol=1e-12,
+    )
 
 
 def test_expected_sarsa_is_sarsa_on_average_over_the_next_action():
@@ -71,11 +79,23 @@ def test_expected_sarsa_is_sarsa_on_average_over_the_next_action():
     assert step.delta == pytest.approx(p @ deltas) and np.ptp(deltas) > 0.1
 
 
-@pytest.mark.parametrize("algorithm, accumulating", [("SL", False), ("SL", True), ("TOSL", False)])
-def test_reduced_traces_equal_a_textbook_loop_that_drops_small_traces_and_those_of_old_states(algorithm, accumulating):
+@pytest.mark.parametrize(
+    "algorithm, accumulating", [("SL", False), ("SL", True), ("TOSL", False)]
+)
+def test_reduced_traces_equal_a_textbook_loop_that_drops_small_traces_and_those_of_old_states(
+    algorithm, accumulating
+):
     world = RandomWorld(shape=(5, 4, 4), seed=3)
     alpha, gamma, lam = 0.2, 0.8, 0.7
-    agent = rl.Agent(world, f"{algorithm}+SR", alpha=alpha, gamma=gamma, lam=lam, accumulating=accumulating, seed=1)
+    agent = rl.Agent(
+        world,
+        f"{algorithm}+SR",
+        alpha=alpha,
+        gamma=gamma,
+        lam=lam,
+        accumulating=accumulating,
+        seed=1,
+    )
     n = math.floor(math.log(0.01) / math.log(gamma * lam))
     q, e, q_old, recent = np.zeros((80, 3)), np.zeros((80, 3)), 0.0, []
     left = 0
@@ -116,19 +136,29 @@ def test_a_trace_is_above_its_threshold_or_gone_and_the_register_names_the_state
     algorithm, traces, smallest
 ):
     world = RandomWorld(shape=(4, 10), seed=2)
-    agent = rl.Agent(world, f"{algorithm}+SR", gamma=0.5, lam=0.4, traces=traces, seed=2)
+    agent = rl.Agent(
+        world, f"{algorithm}+SR", gamma=0.5, lam=0.4, traces=traces, seed=2
+    )
     gone = 0
     for step in rl.steps(agent, world, steps=300):
-        e, register = agent.memory.e, agent.memory.register[: agent.memory.now.register_size]
+        e, register = (
+            agent.memory.e,
+            agent.memory.register[: agent.memory.now.register_size],
+        )
         assert ((e == 0) | (e >= smallest)).all()
-        assert sorted(register) == [s for s in range(40) if e[s].any()] and register[0] == step.s
+        assert (
+            sorted(register) == [s for s in range(40) if e[s].any()]
+            and register[0] == step.s
+        )
         gone += not e[step.s].all()
     assert gone > 100
 
 
 def test_where_nothing_is_remembered_a_trace_lasts_for_its_step_alone():
     world = RandomWorld(seed=4)
-    agents = [rl.Agent(world, method, lam=0.0, seed=4) for method in ("SL+SR", "SARSA+SR")]
+    agents = [
+        rl.Agent(world, method, lam=0.0, seed=4) for method in ("SL+SR", "SARSA+SR")
+    ]
     for agent in agents:
         rl.learn(agent, RandomWorld(seed=4), steps=200, progress=False)
     assert not agents[0].memory.e.any() and agents[0].memory.now.register_size == 0
@@ -146,9 +176,15 @@ def test_full_traces_reach_further_back_than_reduced_ones():
     np.testing.assert_allclose(finals["reduced"], finals["full"], atol=0.05)
 
 
-@given(st.integers(0, 2**32), st.lists(st.integers(1, 5), min_size=1, max_size=4), st.integers(1, 6))
+@given(
+    st.integers(0, 2**32),
+    st.lists(st.integers(1, 5), min_size=1, max_size=4),
+    st.integers(1, 6),
+)
 @settings(max_examples=60, deadline=None)
-def test_the_bias_is_the_mean_of_numpy_means_along_the_axes_of_q(seed, shape, n_actions):
+def test_the_bias_is_the_mean_of_numpy_means_along_the_axes_of_q(
+    seed, shape, n_actions
+):
     rng = np.random.default_rng(seed)
     n_states = int(np.prod(shape))
     q, bias = rng.normal(size=(n_states, n_actions)), np.zeros(n_actions)
@@ -159,7 +195,11 @@ def test_the_bias_is_the_mean_of_numpy_means_along_the_axes_of_q(seed, shape, n_
 
 def test_the_papers_example_of_24_states_number_by_number():
     task = rl.load_task("worked_example")
-    assert task.states.shape == (2, 2, 3, 2) and task.states.n == 24 and task.actions.n == 3
+    assert (
+        task.states.shape == (2, 2, 3, 2)
+        and task.states.n == 24
+        and task.actions.n == 3
+    )
 
     def state(x, y, theta, d):
         return task.states.encode({"X": x, "Y": y, "theta": theta, "d": d})
@@ -177,7 +217,10 @@ def test_the_papers_example_of_24_states_number_by_number():
     for inputs, row in values.items():
         q[state(*inputs)] = row
     s = state(1, 1, 90, 1)
-    families = {name: q[members].mean(axis=0) for name, members in task.states.siblings(s).items()}
+    families = {
+        name: q[members].mean(axis=0)
+        for name, members in task.states.siblings(s).items()
+    }
     np.testing.assert_allclose(families["X"], (1, -2, 4))
     np.testing.assert_allclose(families["Y"], (3, 0, 1))
     np.testing.assert_allclose(families["theta"], (-1, 4, 3))
@@ -190,7 +233,9 @@ def test_the_papers_example_of_24_states_number_by_number():
     softmax(q[s], 1.0, p)
     np.testing.assert_allclose(p, 1 / 3)
     softmax(q[s] + bias, 1.0, p)
-    np.testing.assert_allclose(p, np.exp([1.25, 1.5, 1.75]) / (3.4903 + 4.4817 + 5.7546), atol=1e-4)
+    np.testing.assert_allclose(
+        p, np.exp([1.25, 1.5, 1.75]) / (3.4903 + 4.4817 + 5.7546), atol=1e-4
+    )
 
 
 @given(st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=9), st.floats(0.01, 100))
@@ -209,7 +254,9 @@ def test_loop_evasion_sets_the_temperature_that_a_plain_list_says():
     plain = NumpyLoopEvasion(21, 1.0)
     temperatures = []
     for t in range(3000):
-        few = 3 if t // 200 % 2 else 40  # now and then the agent is caught among a few states
+        few = (
+            3 if t // 200 % 2 else 40
+        )  # now and then the agent is caught among a few states
         s, r = int(rng.integers(few)), float(rng.choice([-10, -0.02, 2]))
         watch_for_loops(agent.memory, s, r)
         temperatures.append(float(agent.memory.now.temperature))
@@ -218,7 +265,9 @@ def test_loop_evasion_sets_the_temperature_that_a_plain_list_says():
 
 
 @pytest.mark.parametrize("n_states, length", [(4, 4), (24, 6), (1024, 21)])
-def test_the_queue_of_loop_evasion_is_as_long_as_the_register_within_its_limits(n_states, length):
+def test_the_queue_of_loop_evasion_is_as_long_as_the_register_within_its_limits(
+    n_states, length
+):
     agent = rl.Agent(RandomWorld(shape=(n_states,)), "TOSL+SR")
     assert len(agent.memory.queue_states) == length
 
@@ -229,15 +278,27 @@ def test_tosl_qbiassr_on_a_model_equals_the_plain_numpy_loop_of_the_page(wander_
     history = rl.learn(agent, env, steps=3600, progress=False)
     world = NumpyModelWorld(wander_model, np.random.default_rng(11))
     q, rewards = method_of_the_page()(
-        world, wander_model.shape, wander_model.n_actions, wander_model.r_max, 3600, np.random.default_rng(7)
+        world,
+        wander_model.shape,
+        wander_model.n_actions,
+        wander_model.r_max,
+        3600,
+        np.random.default_rng(7),
     )
     np.testing.assert_array_equal(history.rewards, rewards)
     np.testing.assert_allclose(agent.q, q, atol=1e-9)
 
 
-def test_q_learning_on_a_model_equals_the_plain_numpy_loop_that_benchmarks_race(wander_model):
+def test_q_learning_on_a_model_equals_the_plain_numpy_loop_that_benchmarks_race(
+    wander_model,
+):
     agent = rl.Agent(wander_model, "Q+SR", seed=7, loop_evasion=False)
-    rl.learn(agent, rl.make_env(wander_model, seed=np.random.SeedSequence(11)), steps=3600, progress=False)
+    rl.learn(
+        agent,
+        rl.make_env(wander_model, seed=np.random.SeedSequence(11)),
+        steps=3600,
+        progress=False,
+    )
     world = NumpyModelWorld(wander_model, np.random.default_rng(11))
     q = numpy_q_learning(world, 3600, np.random.default_rng(7))
     np.testing.assert_allclose(agent.q, q, atol=1e-9)
@@ -245,7 +306,10 @@ def test_q_learning_on_a_model_equals_the_plain_numpy_loop_that_benchmarks_race(
 
 def test_a_terminal_step_does_not_bootstrap_and_a_truncated_one_does():
     class OneStep(gymnasium.Env):
-        observation_space, action_space = gymnasium.spaces.Discrete(2), gymnasium.spaces.Discrete(1)
+        observation_space, action_space = (
+            gymnasium.spaces.Discrete(2),
+            gymnasium.spaces.Discrete(1),
+        )
 
         def __init__(self, terminated):
             self.terminated = terminated

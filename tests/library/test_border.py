@@ -57,20 +57,34 @@ def task_file(tmp_path):
 
 def test_a_changed_task_is_the_same_task_on_every_core():
     task = dataclasses.replace(rl.load_task("wander_simple"), step_time=0.2)
-    one, two = (rl.compare(task, ["Q+SR"], 2, steps=60, n_jobs=n, progress=False).final["Q+SR"] for n in (1, 2))
+    one, two = (
+        rl.compare(task, ["Q+SR"], 2, steps=60, n_jobs=n, progress=False).final["Q+SR"]
+        for n in (1, 2)
+    )
     assert np.array_equal(one, two)
-    assert not np.array_equal(one, rl.compare("wander_simple", ["Q+SR"], 2, steps=60, progress=False).final["Q+SR"])
+    assert not np.array_equal(
+        one,
+        rl.compare("wander_simple", ["Q+SR"], 2, steps=60, progress=False).final[
+            "Q+SR"
+        ],
+    )
 
 
 @pytest.mark.parametrize("travel", [lambda t: pickle.loads(pickle.dumps(t)), copy.deepcopy, copy.copy,
                                     lambda t: cloudpickle.loads(cloudpickle.dumps(t))])  # fmt: skip
-def test_a_task_travels_as_it_was_loaded_whatever_becomes_of_its_file(task_file, travel):
+def test_a_task_travels_as_it_was_loaded_whatever_becomes_of_its_file(
+    task_file, travel
+):
     task = dataclasses.replace(rl.load_task(task_file), step_time=0.3)
     task_file.write_text(TASK.replace("LIMIT = 0.5", "LIMIT = 5"))
     there = travel(task)
     task_file.unlink()
-    assert travel(there).step_time == 0.3 and there.fingerprint == task.fingerprint != ""
-    assert there.reward_for({}, {"laser_front": 1.0}) == 1 and there.path == str(task_file)
+    assert (
+        travel(there).step_time == 0.3 and there.fingerprint == task.fingerprint != ""
+    )
+    assert there.reward_for({}, {"laser_front": 1.0}) == 1 and there.path == str(
+        task_file
+    )
 
 
 def test_an_environment_whose_task_was_changed_is_copied_with_the_change():
@@ -78,9 +92,13 @@ def test_an_environment_whose_task_was_changed_is_copied_with_the_change():
     assert copy.deepcopy(env).task.step_time == 0.2
 
 
-def test_a_store_knows_another_content_of_the_tasks_file_and_another_function(task_file, tmp_path):
+def test_a_store_knows_another_content_of_the_tasks_file_and_another_function(
+    task_file, tmp_path
+):
     def run(task):
-        return rl.compare(task, ["Q+SR"], 1, steps=10, progress=False, store=tmp_path / "store")
+        return rl.compare(
+            task, ["Q+SR"], 1, steps=10, progress=False, store=tmp_path / "store"
+        )
 
     task = rl.load_task(task_file)
     run(task)
@@ -110,10 +128,22 @@ def test_a_function_is_known_by_what_it_does_and_by_what_it_reaches():
 
     one = "def g(x):\n    return x > LIMIT\ndef f(x):\n    return g(x) + 1"
     assert made(1, one) == made(1, "\n\n" + one)
-    assert len({made(1, one), made(2, one), made(1, one.replace("+ 1", "+ 2")), made(1, one.replace(">", "<"))}) == 4
+    assert (
+        len(
+            {
+                made(1, one),
+                made(2, one),
+                made(1, one.replace("+ 1", "+ 2")),
+                made(1, one.replace(">", "<")),
+            }
+        )
+        == 4
+    )
     command = f"exec({one!r}, space := {{'LIMIT': 1}})\nprint(code_of(space['f']))"
     command = f"from rlrobot_edu.learning.fingerprint import code_of\n{command}"
-    assert subprocess.check_output([sys.executable, "-c", command], text=True).strip() == made(1, one)
+    assert subprocess.check_output(
+        [sys.executable, "-c", command], text=True
+    ).strip() == made(1, one)
 
 
 # An agent sees what its environment shows
@@ -132,7 +162,9 @@ def test_a_wrapper_that_renames_the_states_renames_what_is_learned(world, wander
     agents = [rl.Agent(world, "Q+RANDOM", seed=1) for _ in range(2)]
     plain, turned = rl.make_env(world, seed=2), Turned(rl.make_env(world, seed=2))
     pairs = zip(agents, (plain, turned), strict=True)
-    histories = [rl.learn(agent, env, 150, keep=True, progress=False) for agent, env in pairs]
+    histories = [
+        rl.learn(agent, env, 150, keep=True, progress=False) for agent, env in pairs
+    ]
     n = agents[0].q.shape[0]
     assert np.array_equal(histories[1].s, n - 1 - histories[0].s)
     assert np.array_equal(agents[1].q, agents[0].q[::-1]) and agents[0].q.any()
@@ -179,7 +211,11 @@ def test_a_foreign_info_is_not_mistaken_for_a_state():
 def test_spaces_that_do_not_begin_at_zero_are_counted_from_their_start():
     env = RandomWorld()
     env.observation_space = gymnasium.spaces.MultiDiscrete([3, 2], start=[5, -1])
-    assert [state_numbers(env)(np.array(o)) for o in ([5, -1], [5, 0], [7, 0])] == [0, 1, 5]
+    assert [state_numbers(env)(np.array(o)) for o in ([5, -1], [5, 0], [7, 0])] == [
+        0,
+        1,
+        5,
+    ]
     env.observation_space = gymnasium.spaces.Discrete(4, start=2)
     assert [state_numbers(env)(o) for o in (2, np.int64(5))] == [0, 3]
     with pytest.raises(ValueError, match="6, which is not in its Discrete"):
@@ -208,14 +244,26 @@ BAD = st.one_of(
 )  # fmt: skip
 
 
-@given(BAD, st.sampled_from(["s", "a", "r", "s_next", "begin", "update", "a_next", "step", "outcomes"]))
+@given(
+    BAD,
+    st.sampled_from(
+        ["s", "a", "r", "s_next", "begin", "update", "a_next", "step", "outcomes"]
+    ),
+)
 @settings(max_examples=200, deadline=None)
 def test_no_state_action_or_reward_that_is_not_there_gets_through(bad, where):
-    model = rl.SampleModel.from_recording(recording_of([(0, 0, 5.0, 1, 0), (1, 1, 0.0, 3, 0)]))
+    model = rl.SampleModel.from_recording(
+        recording_of([(0, 0, 5.0, 1, 0), (1, 1, 0.0, 3, 0)])
+    )
     agent, env = rl.Agent(model, seed=0), rl.make_env(model, seed=0)
     env.reset(seed=0)
     transition = {"s": 0, "a": 1, "r": 1.0, "s_next": 2, "terminated": False}
-    if where == "r" and isinstance(bad, int | float) and math.isfinite(bad) and abs(bad) < 1e300:
+    if (
+        where == "r"
+        and isinstance(bad, int | float)
+        and math.isfinite(bad)
+        and abs(bad) < 1e300
+    ):
         return
     with pytest.raises(ValueError):
         if where == "begin":
@@ -242,9 +290,13 @@ def test_a_model_must_be_reset_before_its_first_step(wander_model):
 
 @pytest.mark.parametrize("env", ["wander_simple", "model"])
 @pytest.mark.parametrize("episodes", [0, -1, 1.5, "two"])
-def test_a_number_of_episodes_means_the_same_on_a_robot_and_on_a_model(env, episodes, wander_model):
+def test_a_number_of_episodes_means_the_same_on_a_robot_and_on_a_model(
+    env, episodes, wander_model
+):
     env = rl.make_env(wander_model if env == "model" else env)
-    with pytest.raises(ValueError, match="episodes must be None or a whole number of at least 1"):
+    with pytest.raises(
+        ValueError, match="episodes must be None or a whole number of at least 1"
+    ):
         rl.learn(rl.Agent(env), env, 5, episodes=episodes, progress=False)
 
 
@@ -264,7 +316,9 @@ def test_a_setting_of_the_wrong_kind_is_refused_in_words(settings, match):
 
 
 def test_a_world_without_a_reward_above_zero_asks_for_r_max():
-    model = rl.SampleModel.from_recording(recording_of([(0, 0, -1.0, 1, 0)], rewards=(-1.0,)))
+    model = rl.SampleModel.from_recording(
+        recording_of([(0, 0, -1.0, 1, 0)], rewards=(-1.0,))
+    )
     with pytest.raises(ValueError, match="give the size of a large one"):
         rl.Agent(model)
     rl.learn(rl.Agent(model, r_max=1), rl.make_env(model), 10, progress=False)
@@ -274,7 +328,9 @@ def test_a_world_without_a_reward_above_zero_asks_for_r_max():
 def test_a_table_that_no_memory_could_hold_is_refused_before_it_is_made(shape):
     from rlrobot_edu.learning.size import Size
 
-    with pytest.raises(ValueError, match=r"too many for a table|must be a whole number"):
+    with pytest.raises(
+        ValueError, match=r"too many for a table|must be a whole number"
+    ):
         rl.Agent(Size(shape, 4))
 
 
@@ -344,7 +400,9 @@ def test_an_agents_file_is_believed_only_as_a_whole(saved_agent, name, change):
         ("about", say(episode_steps="ten")), ("about", say(colour="red")),
     ],
 )  # fmt: skip
-def test_a_models_file_is_believed_only_as_a_whole(tmp_path, wander_model, name, change):
+def test_a_models_file_is_believed_only_as_a_whole(
+    tmp_path, wander_model, name, change
+):
     path = tmp_path / "model.npz"
     wander_model.save(path)
     changed(path, name, change)
@@ -355,12 +413,18 @@ def test_a_models_file_is_believed_only_as_a_whole(tmp_path, wander_model, name,
 def test_every_array_of_a_model_is_looked_at(wander_model):
     for name in DTYPES:
         with pytest.raises(ValueError, match=name):
-            dataclasses.replace(wander_model, **{name: np.array(["x"] * len(getattr(wander_model, name)))})
+            dataclasses.replace(
+                wander_model,
+                **{name: np.array(["x"] * len(getattr(wander_model, name)))},
+            )
 
 
 def test_a_file_that_claims_to_be_huge_is_refused_by_its_header(tmp_path):
     path = tmp_path / "bomb.npz"
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive, archive.open("about.npy", "w") as entry:
+    with (
+        zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive,
+        archive.open("about.npy", "w") as entry,
+    ):
         for _ in range(400):
             entry.write(bytes(2**20))
     for load in (rl.Agent.load, rl.SampleModel.load):
@@ -368,7 +432,9 @@ def test_a_file_that_claims_to_be_huge_is_refused_by_its_header(tmp_path):
             load(path)
 
 
-@pytest.mark.parametrize("kind", ["fifo", "folder", "nothing", "empty", "npy", "text", "pickle", "encrypted"])
+@pytest.mark.parametrize(
+    "kind", ["fifo", "folder", "nothing", "empty", "npy", "text", "pickle", "encrypted"]
+)
 def test_what_is_no_file_of_arrays_is_refused_by_name(tmp_path, kind):
     path = tmp_path / "agent.npz"
     if kind == "fifo":
@@ -388,7 +454,9 @@ def test_what_is_no_file_of_arrays_is_refused_by_name(tmp_path, kind):
         data[data.index(b"PK\x01\x02") + 8] |= 1
         path.write_bytes(data)
     elif kind != "nothing":
-        path.write_bytes({"empty": b"", "text": b"PK, not a zip", "pickle": pickle.dumps([1])}[kind])
+        path.write_bytes(
+            {"empty": b"", "text": b"PK, not a zip", "pickle": pickle.dumps([1])}[kind]
+        )
     for load in (rl.Agent.load, rl.SampleModel.load):
         with pytest.raises((ValueError, FileNotFoundError), match=r"agent\.npz"):
             load(path)
@@ -399,11 +467,22 @@ def test_what_is_no_file_of_arrays_is_refused_by_name(tmp_path, kind):
 
 @pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9, 1e15])
 def test_plans_end_and_scale_with_the_rewards(scale):
-    rows = [(0, 0, 5.0 * scale, 1, 0), (1, 1, 0.0, 0, 0), (1, 0, scale, 1, 0), (0, 1, -scale, 0, 0)]
+    rows = [
+        (0, 0, 5.0 * scale, 1, 0),
+        (1, 1, 0.0, 0, 0),
+        (1, 0, scale, 1, 0),
+        (0, 1, -scale, 0, 0),
+    ]
     rewards = (-scale, 0.0, scale, 5.0 * scale)
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 1), rewards=rewards), unseen="stay")
+    model = rl.SampleModel.from_recording(
+        recording_of(rows, shape=(2, 1), rewards=rewards), unseen="stay"
+    )
     assert model.best_average_reward() == pytest.approx(2.5 * scale)
-    assert rl.value_iteration(model, 0.5).v[1] == pytest.approx(2 * scale * 5 / 3, rel=1e-6) or scale < 1
+    assert (
+        rl.value_iteration(model, 0.5).v[1]
+        == pytest.approx(2 * scale * 5 / 3, rel=1e-6)
+        or scale < 1
+    )
 
 
 @pytest.mark.parametrize("tolerance", [0, -1, math.nan, math.inf])
@@ -415,7 +494,9 @@ def test_a_tolerance_that_is_never_reached_is_refused(wander_model, tolerance):
 def test_values_beyond_all_numbers_are_refused():
     rows, rewards = [(0, 0, 1e308, 0, 0)], (1e308,)
     with pytest.raises(ValueError, match="up to 1e100"):
-        rl.SampleModel.from_recording(recording_of(rows, shape=(1, 1), n_actions=1, rewards=rewards))
+        rl.SampleModel.from_recording(
+            recording_of(rows, shape=(1, 1), n_actions=1, rewards=rewards)
+        )
 
 
 # The place where it runs
@@ -434,15 +515,33 @@ def test_what_is_no_seed_is_refused_wherever_one_is_given(seed, wander_model):
         lambda: rl.make_env("wander_simple", seed=seed),
         lambda: rl.make_env(wander_model, seed=seed),
         lambda: rl.repeat(wander_model, "Q+SR", repetitions=1, steps=5, seed=seed),
-        lambda: rl.compare(wander_model, ["Q+SR"], 1, steps=5, seed=seed, progress=False),
+        lambda: rl.compare(
+            wander_model, ["Q+SR"], 1, steps=5, seed=seed, progress=False
+        ),
     ):
-        with pytest.raises(ValueError, match="seed must be a whole number of at least 0"):
+        with pytest.raises(
+            ValueError, match="seed must be a whole number of at least 0"
+        ):
             use()
 
 
 def test_numpys_whole_numbers_count_like_pythons(wander_model):
     n = np.int64(2)
-    assert len(rl.compare(wander_model, ["Q+SR"], n, steps=np.int64(5), progress=False)["Q+SR"]) == 2
+    assert (
+        len(
+            rl.compare(wander_model, ["Q+SR"], n, steps=np.int64(5), progress=False)[
+                "Q+SR"
+            ]
+        )
+        == 2
+    )
     assert len(rl.repeat(wander_model, "Q+SR", repetitions=n, steps=5)) == 2
-    assert len(rl.record(rl.Agent(wander_model), rl.make_env(wander_model), steps=n)) == 2
-    assert dataclasses.replace(rl.load_task("wander_simple"), episode_steps=n).episode_steps == 2
+    assert (
+        len(rl.record(rl.Agent(wander_model), rl.make_env(wander_model), steps=n)) == 2
+    )
+    assert (
+        dataclasses.replace(
+            rl.load_task("wander_simple"), episode_steps=n
+        ).episode_steps
+        == 2
+    )

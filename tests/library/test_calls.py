@@ -16,7 +16,10 @@ def learned(method="TOSL+SR", **settings):
 
 
 def temperatures(agent, steps=3):
-    return [step.temperature for step in rl.steps(agent, rl.make_env("wander_simple", seed=1), steps=steps)]
+    return [
+        step.temperature
+        for step in rl.steps(agent, rl.make_env("wander_simple", seed=1), steps=steps)
+    ]
 
 
 def test_a_changed_temperature_is_that_of_the_next_choices_with_loop_evasion_or_without():
@@ -28,7 +31,9 @@ def test_a_changed_temperature_is_that_of_the_next_choices_with_loop_evasion_or_
         env = rl.make_env("wander_simple", seed=1)
         rl.learn(agent, env, steps=2, progress=False)
         agent.change(temperature=3)
-        assert [step.temperature for step in rl.steps(agent, env, steps=3, resume=True)][1:] == [3, 3]
+        assert [
+            step.temperature for step in rl.steps(agent, env, steps=3, resume=True)
+        ][1:] == [3, 3]
 
 
 def test_without_loop_evasion_the_temperature_that_a_loop_has_raised_falls_back():
@@ -68,7 +73,9 @@ def test_unknown_settings_are_refused_and_the_nearest_one_suggested():
     for run in (lambda **more: rl.compare("wander_simple", ["Q+SR"], **some, **more),
                 lambda **more: rl.repeat("wander_simple", "Q+SR", **some, **more),
                 lambda **more: rl.compare("wander_simple", {"mine": {"method": "Q+SR", **more}}, **some)):  # fmt: skip
-        with pytest.raises(ValueError, match="no setting 'temprature'; did you mean 'temperature'"):
+        with pytest.raises(
+            ValueError, match="no setting 'temprature'; did you mean 'temperature'"
+        ):
             run(temprature=2)
     with pytest.raises(ValueError, match="a seed of its own"):
         rl.compare("wander_simple", {"mine": {"method": "Q+SR", "seed": 3}}, **some)
@@ -76,7 +83,15 @@ def test_unknown_settings_are_refused_and_the_nearest_one_suggested():
 
 def test_whatever_takes_agent_and_environment_says_in_which_order():
     agent, env = rl.Agent("wander_simple"), rl.make_env("wander_simple")
-    for call in (rl.learn, rl.evaluate, rl.steps, rl.record, rl.film, rl.watch, rl.Stepper):
+    for call in (
+        rl.learn,
+        rl.evaluate,
+        rl.steps,
+        rl.record,
+        rl.film,
+        rl.watch,
+        rl.Stepper,
+    ):
         with pytest.raises(ValueError, match=r"[Aa]gent and an environment"):
             call(env, agent, *([5] if call is not rl.Stepper else []))
     with pytest.raises(ValueError, match="got Agent and Agent"):
@@ -94,7 +109,9 @@ def test_no_film_is_empty_and_no_average_of_nothing_is_asked_for():
         type(film)([], [])
     nothing = rl.learn(agent, env, steps=0, progress=False)
     assert len(nothing.average_reward) == 0 and "0 steps" in repr(nothing)
-    with pytest.raises(ValueError, match="a history without steps has no average reward"):
+    with pytest.raises(
+        ValueError, match="a history without steps has no average reward"
+    ):
         nothing.final_average_reward  # noqa: B018
 
 
@@ -107,13 +124,22 @@ def test_an_episode_of_a_model_that_is_over_time_is_cut_off_however_it_got_there
 
 
 PACKAGE = Path(rl.__file__).parent
-FOLDERS = sorted(path.parent.relative_to(PACKAGE).as_posix() for path in PACKAGE.glob("*/**/__init__.py"))
+FOLDERS = sorted(
+    path.parent.relative_to(PACKAGE).as_posix()
+    for path in PACKAGE.glob("*/**/__init__.py")
+)
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_the_page_of_a_folder_names_all_its_files(folder):
-    page = ast.get_docstring(ast.parse((PACKAGE / folder / "__init__.py").read_text(encoding="utf-8")))
+    page = ast.get_docstring(
+        ast.parse((PACKAGE / folder / "__init__.py").read_text(encoding="utf-8"))
+    )
     inside = {path.stem for path in (PACKAGE / folder).glob("*.py")} | {
         path.parent.name for path in (PACKAGE / folder).glob("*/__init__.py")
     }
-    assert not [name for name in sorted(inside - {"__init__"}) if not re.search(rf"\b{name}\b", page)]
+    assert not [
+        name
+        for name in sorted(inside - {"__init__"})
+        if not re.search(rf"\b{name}\b", page)
+    ]

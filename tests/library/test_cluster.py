@@ -14,10 +14,14 @@ distributed = pytest.importorskip("distributed")
 
 
 @pytest.mark.long
-def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path, monkeypatch):
+def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(
+    tmp_path, monkeypatch
+):
     def compare(**more):
         methods = ["TOSL+QBIASSR", "Q+SR"]
-        return rl.compare("wander_simple", methods, 8, steps=1500, seed=5, progress=False, **more)
+        return rl.compare(
+            "wander_simple", methods, 8, steps=1500, seed=5, progress=False, **more
+        )
 
     save, killed = Store.save, []
 
@@ -29,7 +33,9 @@ def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path,
             killed.append(done)
 
     with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as cluster,
         distributed.Client(cluster) as client,
     ):
         before = set(client.run(os.getpid).values())

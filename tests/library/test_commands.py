@@ -43,11 +43,17 @@ def test_help_names_every_command_with_a_line_and_three_to_begin_with(capsys):
     for name in NAMES:
         assert f" {name} " in text
     first = text.partition("begin with:")[2]
-    assert re.findall(r"rlrobot-edu ([a-z-]+) ", first) == ["doctor", "lab", "check-task"]
+    assert re.findall(r"rlrobot-edu ([a-z-]+) ", first) == [
+        "doctor",
+        "lab",
+        "check-task",
+    ]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_help_of_a_command_says_what_it_does_with_an_example_that_can_be_typed(capsys, name):
+def test_help_of_a_command_says_what_it_does_with_an_example_that_can_be_typed(
+    capsys, name
+):
     text = help_of(capsys, name)
     (example,) = re.findall(rf"Example: rlrobot-edu ({name}.*)$", text)
     run, _ = commands.parse(example.split())
@@ -63,10 +69,14 @@ def test_help_calls_the_command_as_it_was_called(monkeypatch, capsys, called, na
     assert help_of(capsys, "tasks").startswith(f"usage: {name} tasks ")
 
 
-def test_tasks_are_listed_and_a_new_one_is_written_where_you_are(capsys, tmp_path, monkeypatch):
+def test_tasks_are_listed_and_a_new_one_is_written_where_you_are(
+    capsys, tmp_path, monkeypatch
+):
     monkeypatch.chdir(tmp_path)
     commands.main(["tasks"])
-    assert {line.split()[0] for line in capsys.readouterr().out.splitlines()} == set(rl.available_tasks())
+    assert {line.split()[0] for line in capsys.readouterr().out.splitlines()} == set(
+        rl.available_tasks()
+    )
     commands.main(["new-task", "follow_wall"])
     assert "Written: follow_wall.py" in capsys.readouterr().out
     with pytest.raises(SystemExit, match="follow_wall"):
@@ -80,14 +90,23 @@ def test_a_wrong_task_is_told_in_a_sentence():
         commands.main(["fresh", "77"])
 
 
-def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems_number(tmp_path, monkeypatch):
+def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems_number(
+    tmp_path, monkeypatch
+):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(os, "fsync", Mock(side_effect=PermissionError(13, "Permission denied")))
-    with pytest.raises(SystemExit, match=r"^not writable; choose a folder of your own: 'mine\.py'$"):
+    monkeypatch.setattr(
+        os, "fsync", Mock(side_effect=PermissionError(13, "Permission denied"))
+    )
+    with pytest.raises(
+        SystemExit, match=r"^not writable; choose a folder of your own: 'mine\.py'$"
+    ):
         commands.main(["new-task", "mine"])
 
 
-@pytest.mark.parametrize("more", [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []])
+@pytest.mark.parametrize(
+    "more",
+    [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []],
+)
 def test_what_follows_lab_goes_to_jupyterlab_as_it_stands(more):
     assert commands.parse(["lab", *more]) == (commands.open_lab, {"more": more})
 
@@ -95,7 +114,10 @@ def test_what_follows_lab_goes_to_jupyterlab_as_it_stands(more):
 def test_an_option_that_is_not_known_is_refused(capsys):
     with pytest.raises(SystemExit) as end:
         commands.main(["tasks", "--quick"])
-    assert end.value.code == 2 and "unrecognized arguments: --quick" in capsys.readouterr().err
+    assert (
+        end.value.code == 2
+        and "unrecognized arguments: --quick" in capsys.readouterr().err
+    )
 
 
 def test_the_library_has_its_own_commands_without_the_course(capsys):

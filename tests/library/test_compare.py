@@ -33,7 +33,11 @@ METHODS = ["TOSL+QBIASSR", "Q+SR"]
 
 
 def small(model, **more):
-    return rl.compare(model, METHODS, **{"repetitions": 5, "steps": 300, "seed": 1, "progress": False, **more})
+    return rl.compare(
+        model,
+        METHODS,
+        **{"repetitions": 5, "steps": 300, "seed": 1, "progress": False, **more},
+    )
 
 
 @pytest.mark.long
@@ -42,7 +46,9 @@ def test_the_result_depends_on_the_seed_and_not_on_the_number_of_cores(wander_mo
     assert same(one, small(wander_model, n_jobs=2))
     with joblib.parallel_config("loky", n_jobs=2):
         assert same(one, small(wander_model, n_jobs=None))
-    assert not np.array_equal(one.final["Q+SR"], small(wander_model, seed=2).final["Q+SR"])
+    assert not np.array_equal(
+        one.final["Q+SR"], small(wander_model, seed=2).final["Q+SR"]
+    )
 
 
 def test_a_repetition_does_not_depend_on_the_others(wander_model):
@@ -54,16 +60,30 @@ def test_a_repetition_does_not_depend_on_the_others(wander_model):
 def test_a_repetition_can_be_made_again_by_hand(wander_model):
     history = small(wander_model)["Q+SR"][2]
     seeds = np.random.SeedSequence(1, spawn_key=(zlib.crc32(b"Q+SR"), 2)).spawn(2)
-    agent, env = rl.Agent(wander_model, "Q+SR", seed=seeds[0]), rl.make_env(wander_model, seeds[1])
-    assert np.array_equal(rl.learn(agent, env, 300, progress=False).rewards, history.rewards)
-    assert np.array_equal(agent.q, history.q) and np.array_equal(agent.visits, history.visits)
+    agent, env = (
+        rl.Agent(wander_model, "Q+SR", seed=seeds[0]),
+        rl.make_env(wander_model, seeds[1]),
+    )
+    assert np.array_equal(
+        rl.learn(agent, env, 300, progress=False).rewards, history.rewards
+    )
+    assert np.array_equal(agent.q, history.q) and np.array_equal(
+        agent.visits, history.visits
+    )
     assert history.seconds > 0
 
 
-def test_one_method_with_different_parameters_can_be_compared_under_labels_of_its_own(wander_model):
+def test_one_method_with_different_parameters_can_be_compared_under_labels_of_its_own(
+    wander_model,
+):
     sweep = {f"λ = {lam}": {"method": "TOSL+SR", "lam": lam} for lam in (0.0, 0.9)}
-    result = rl.compare(wander_model, sweep, 2, steps=200, progress=False, temperature=2.0)
-    assert list(result.groups) == ["λ = 0.0", "λ = 0.9"] and result["λ = 0.0"][0].method == "TOSL+SR"
+    result = rl.compare(
+        wander_model, sweep, 2, steps=200, progress=False, temperature=2.0
+    )
+    assert (
+        list(result.groups) == ["λ = 0.0", "λ = 0.9"]
+        and result["λ = 0.0"][0].method == "TOSL+SR"
+    )
 
 
 @pytest.mark.parametrize(
@@ -72,7 +92,9 @@ def test_one_method_with_different_parameters_can_be_compared_under_labels_of_it
      (["Q+SR"], {"alpha": 2}, "alpha must be"), (["Q+SR"], {"repetitions": 0}, "repetitions must be a whole"),
      (["Q+SR"], {"episodes": 3}, "goes on for ever")],
 )  # fmt: skip
-def test_what_cannot_be_compared_is_refused_before_anything_runs(wander_model, methods, more, match):
+def test_what_cannot_be_compared_is_refused_before_anything_runs(
+    wander_model, methods, more, match
+):
     with pytest.raises(ValueError, match=match):
         rl.compare(wander_model, methods, **{"steps": 10, **more})
 
@@ -87,7 +109,9 @@ def test_transitions_are_kept_on_request_and_join_up(wander_model):
 
 
 def test_episodes_are_compared_by_the_average_reward_of_the_last_one(episodes_model):
-    result = rl.compare(episodes_model, METHODS, 3, episodes=5, progress=False, n_jobs=1)
+    result = rl.compare(
+        episodes_model, METHODS, 3, episodes=5, progress=False, n_jobs=1
+    )
     for history in result["Q+SR"]:
         ends = np.flatnonzero(history.terminated | history.truncated)
         assert len(ends) == 5 and ends[-1] == len(history) - 1
@@ -95,15 +119,27 @@ def test_episodes_are_compared_by_the_average_reward_of_the_last_one(episodes_mo
         expected = (last.sum() + 5.0 * (8 - len(last)) * history.terminated[-1]) / 8
         assert history.final_average_reward == pytest.approx(expected)
     assert result["Q+SR"].curves.shape == (3, 8)
-    assert rl.compare(episodes_model, ["Q+SR"], 1, steps=30, progress=False)["Q+SR"][0].last_episode.shape == (8,)
-    assert result.optimum == pytest.approx((8 - 3) * 5 / 8) and max(result.final["Q+SR"]) <= result.optimum
+    assert rl.compare(episodes_model, ["Q+SR"], 1, steps=30, progress=False)["Q+SR"][
+        0
+    ].last_episode.shape == (8,)
+    assert (
+        result.optimum == pytest.approx((8 - 3) * 5 / 8)
+        and max(result.final["Q+SR"]) <= result.optimum
+    )
 
 
 def test_the_compiled_loop_and_the_steps_end_after_the_same_episode(episodes_model):
     histories = []
-    for env in (rl.make_env(episodes_model, seed=1), gymnasium.Wrapper(rl.make_env(episodes_model, seed=1))):
-        agent = rl.Agent(episodes_model, seed=0)  # behind a wrapper the loop is not compiled
-        histories.append(rl.learn(agent, env, 100, episodes=4, keep=True, progress=False))
+    for env in (
+        rl.make_env(episodes_model, seed=1),
+        gymnasium.Wrapper(rl.make_env(episodes_model, seed=1)),
+    ):
+        agent = rl.Agent(
+            episodes_model, seed=0
+        )  # behind a wrapper the loop is not compiled
+        histories.append(
+            rl.learn(agent, env, 100, episodes=4, keep=True, progress=False)
+        )
     for name in ("s", "a", "rewards", "s_next", "terminated", "truncated"):
         assert np.array_equal(getattr(histories[0], name), getattr(histories[1], name))
     assert histories[0].terminated.sum() + histories[0].truncated.sum() == 4
@@ -111,18 +147,24 @@ def test_the_compiled_loop_and_the_steps_end_after_the_same_episode(episodes_mod
 
 def test_a_goal_counts_for_the_rest_of_its_episode():
     flags = np.array([False, True, False, False, False])
-    transitions = Transitions.empty(5)._replace(r=np.array([0.0, 5.0, 1.0, 1.0, 1.0]), terminated=flags)
+    transitions = Transitions.empty(5)._replace(
+        r=np.array([0.0, 5.0, 1.0, 1.0, 1.0]), terminated=flags
+    )
     nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
     history = rl.History("Q+SR", transitions, nothing, 0.0, Size((1,), 1, 10.0, 4))
     assert history.average_reward == pytest.approx([0, 25 / 4, 26 / 5, 27 / 6, 28 / 7])
     assert history.last_episode == pytest.approx([0, 2.5, 5, 6.25])
 
 
-def test_a_history_knows_all_that_the_agent_knew_also_of_pairs_it_never_tried(wander_model):
+def test_a_history_knows_all_that_the_agent_knew_also_of_pairs_it_never_tried(
+    wander_model,
+):
     agent = rl.Agent(wander_model, seed=0)
     agent.q[1000] = 3.0
     history = rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)
-    assert np.array_equal(history.q, agent.q) and np.array_equal(history.visits, agent.visits)
+    assert np.array_equal(history.q, agent.q) and np.array_equal(
+        history.visits, agent.visits
+    )
 
 
 @pytest.mark.parametrize("keep", [True, False])
@@ -130,10 +172,21 @@ def test_a_history_in_a_file_reads_back_as_it_was(wander_model, tmp_path, keep):
     history = small(wander_model, repetitions=1, keep=keep)["Q+SR"][0]
     history.save(tmp_path / "it.npz")
     again = rl.History.load(tmp_path / "it.npz")
-    assert (again.method, again.seconds, again.size) == (history.method, history.seconds, history.size)
-    for mine, its in zip((*history.transitions, *history.learned), (*again.transitions, *again.learned), strict=True):
+    assert (again.method, again.seconds, again.size) == (
+        history.method,
+        history.seconds,
+        history.size,
+    )
+    for mine, its in zip(
+        (*history.transitions, *history.learned),
+        (*again.transitions, *again.learned),
+        strict=True,
+    ):
         assert mine.dtype == its.dtype and np.array_equal(mine, its)
-    assert np.array_equal(again.average_reward, history.average_reward) and (again.s is None) != keep
+    assert (
+        np.array_equal(again.average_reward, history.average_reward)
+        and (again.s is None) != keep
+    )
 
 
 @pytest.mark.parametrize(
@@ -142,69 +195,120 @@ def test_a_history_in_a_file_reads_back_as_it_was(wander_model, tmp_path, keep):
      ("terminated", np.zeros(0, bool)), ("a", np.full(300, 0.5)), ("pair", np.full(2, -1)), ("q", np.zeros(1)),
      ("visits", np.array(["many"]))],
 )  # fmt: skip
-def test_a_history_that_cannot_be_is_refused_by_name(wander_model, tmp_path, name, change):
-    history, path = small(wander_model, repetitions=1, keep=True)["Q+SR"][0], tmp_path / "it.npz"
+def test_a_history_that_cannot_be_is_refused_by_name(
+    wander_model, tmp_path, name, change
+):
+    history, path = (
+        small(wander_model, repetitions=1, keep=True)["Q+SR"][0],
+        tmp_path / "it.npz",
+    )
     parts = {"transitions": history.transitions, "learned": history.learned}
-    changed = {key: part._replace(**{name: change}) for key, part in parts.items() if name in part._fields}
+    changed = {
+        key: part._replace(**{name: change})
+        for key, part in parts.items()
+        if name in part._fields
+    }
     dataclasses.replace(history, **changed).save(path)
-    with pytest.raises(ValueError, match=rf"it\.npz: this history is damaged.*\({name} cannot be that of one history"):
+    with pytest.raises(
+        ValueError,
+        match=rf"it\.npz: this history is damaged.*\({name} cannot be that of one history",
+    ):
         rl.History.load(path)
 
 
 def test_a_comparison_says_what_it_found(wander_model):
     result = small(wander_model)
-    assert result.table().rows[0][2] == pytest.approx(np.mean([h.average_reward[-1] for h in result["TOSL+QBIASSR"]]))
+    assert result.table().rows[0][2] == pytest.approx(
+        np.mean([h.average_reward[-1] for h in result["TOSL+QBIASSR"]])
+    )
     picture = result.plot(title="Two methods")
     assert len(picture.axes[0].collections) == 2  # the bands
-    assert "between groups" in str(result.anova().table()) and len(result.tukey().pairs) == 1
+    assert (
+        "between groups" in str(result.anova().table())
+        and len(result.tukey().pairs) == 1
+    )
 
 
 # The store
 
 
-def test_a_store_gives_back_what_was_run_and_runs_only_what_is_missing(wander_model, tmp_path):
+def test_a_store_gives_back_what_was_run_and_runs_only_what_is_missing(
+    wander_model, tmp_path
+):
     first = small(wander_model, repetitions=3, store=tmp_path / "s")
     files = set((tmp_path / "s").glob("*/*.npz"))
     more = small(wander_model, store=tmp_path / "s", n_jobs=2)
-    assert same(more, small(wander_model)) and files < set((tmp_path / "s").glob("*/*.npz"))
-    assert [h.seconds for h in first["Q+SR"]] == [h.seconds for h in more["Q+SR"][:3]]  # not run again
+    assert same(more, small(wander_model)) and files < set(
+        (tmp_path / "s").glob("*/*.npz")
+    )
+    assert [h.seconds for h in first["Q+SR"]] == [
+        h.seconds for h in more["Q+SR"][:3]
+    ]  # not run again
     assert same(small(wander_model, store=tmp_path / "s"), more)
 
 
-def test_a_store_is_a_folder_of_histories_that_can_be_opened_without_the_call(wander_model, tmp_path):
+def test_a_store_is_a_folder_of_histories_that_can_be_opened_without_the_call(
+    wander_model, tmp_path
+):
     ran = small(wander_model, repetitions=2, store=tmp_path)
-    names = ["experiment.json", "model.npz", *(f"{method}/{i:04d}.npz" for method in METHODS for i in range(2))]
-    assert {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")} == set(names)
-    assert np.array_equal(rl.History.load(tmp_path / "Q+SR" / "0001.npz").q, ran["Q+SR"][1].q)
+    names = [
+        "experiment.json",
+        "model.npz",
+        *(f"{method}/{i:04d}.npz" for method in METHODS for i in range(2)),
+    ]
+    assert {
+        path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")
+    } == set(names)
+    assert np.array_equal(
+        rl.History.load(tmp_path / "Q+SR" / "0001.npz").q, ran["Q+SR"][1].q
+    )
     opened = rl.Comparison.load(tmp_path)
-    assert same(opened, ran) and str(opened.table()) == str(ran.table()) and opened.optimum == ran.optimum
+    assert (
+        same(opened, ran)
+        and str(opened.table()) == str(ran.table())
+        and opened.optimum == ran.optimum
+    )
     assert opened.name == "model"
 
 
 def test_a_store_of_a_task_is_opened_with_the_toolkits_task_or_the_given_one(tmp_path):
-    ran = small("wander_simple", repetitions=2, steps=40, store=tmp_path / "s", n_jobs=1)
-    assert same(rl.Comparison.load(tmp_path / "s"), ran) and rl.Comparison.load(tmp_path / "s").name == "wander_simple"
+    ran = small(
+        "wander_simple", repetitions=2, steps=40, store=tmp_path / "s", n_jobs=1
+    )
+    assert (
+        same(rl.Comparison.load(tmp_path / "s"), ran)
+        and rl.Comparison.load(tmp_path / "s").name == "wander_simple"
+    )
     mine = dataclasses.replace(rl.load_task("wander_simple"), name="mine")
     small(mine, repetitions=1, steps=40, store=tmp_path / "mine", n_jobs=1)
     assert rl.Comparison.load(tmp_path / "mine", mine).world is mine
 
 
 def test_what_is_no_store_or_an_empty_one_is_not_opened(wander_model, tmp_path):
-    with pytest.raises(ValueError, match=r"holds no experiment\.json, so it is no store"):
+    with pytest.raises(
+        ValueError, match=r"holds no experiment\.json, so it is no store"
+    ):
         rl.Comparison.load(tmp_path)
     small(wander_model, repetitions=1, store=tmp_path / "s")
     for path in (tmp_path / "s").glob("*/*.npz"):
         path.unlink()
-    with pytest.raises(ValueError, match="no repetition has been finished in this store"):
+    with pytest.raises(
+        ValueError, match="no repetition has been finished in this store"
+    ):
         rl.Comparison.load(tmp_path / "s")
 
 
 def test_shares_are_counted_from_one_and_make_the_whole_together_and_the_same_call_adds_what_is_lost(
     wander_model, tmp_path
 ):
-    whole, same_call = small(wander_model, repetitions=3), {"repetitions": 3, "store": tmp_path}
+    whole, same_call = (
+        small(wander_model, repetitions=3),
+        {"repetitions": 3, "store": tmp_path},
+    )
     first, second = (small(wander_model, share=(k, 2), **same_call) for k in (1, 2))
-    assert sum(map(len, first.values())) + sum(map(len, second.values())) == sum(map(len, whole.values()))
+    assert sum(map(len, first.values())) + sum(map(len, second.values())) == sum(
+        map(len, whole.values())
+    )
     assert same(rl.Comparison.load(tmp_path), whole)
     for number in (0, 2):
         (tmp_path / "Q+SR" / f"{number:04d}.npz").unlink()
@@ -215,14 +319,27 @@ def test_shares_are_counted_from_one_and_make_the_whole_together_and_the_same_ca
             small(wander_model, share=share)
 
 
-@pytest.mark.parametrize("label", ["..", "a/b", "λ = 0.9", "", "C:*?", "50 %", ".hidden"])
-def test_a_label_may_be_any_text_and_its_files_stay_inside_the_store(wander_model, tmp_path, label):
+@pytest.mark.parametrize(
+    "label", ["..", "a/b", "λ = 0.9", "", "C:*?", "50 %", ".hidden"]
+)
+def test_a_label_may_be_any_text_and_its_files_stay_inside_the_store(
+    wander_model, tmp_path, label
+):
     def compared(**more):
-        return rl.compare(wander_model, {label: {"method": "Q+SR"}}, 1, steps=9, progress=False, **more)
+        return rl.compare(
+            wander_model,
+            {label: {"method": "Q+SR"}},
+            1,
+            steps=9,
+            progress=False,
+            **more,
+        )
 
     ran = compared(store=tmp_path / "s")
     assert [path.name for path in tmp_path.iterdir()] == ["s"]
-    assert same(compared(store=tmp_path / "s"), ran) and same(rl.Comparison.load(tmp_path / "s"), ran)
+    assert same(compared(store=tmp_path / "s"), ran) and same(
+        rl.Comparison.load(tmp_path / "s"), ran
+    )
 
 
 @pytest.mark.parametrize(
@@ -231,17 +348,27 @@ def test_a_label_may_be_any_text_and_its_files_stay_inside_the_store(wander_mode
      ({"keep": True}, "keep is False"), ({"unseen": "stay"}, "unseen is uniform"),
      ({"methods": ["Q+SR"]}, "methods is")],
 )  # fmt: skip
-def test_a_store_of_another_experiment_is_refused_with_the_difference(wander_model, tmp_path, more, difference):
+def test_a_store_of_another_experiment_is_refused_with_the_difference(
+    wander_model, tmp_path, more, difference
+):
     small(wander_model, repetitions=1, store=tmp_path / "s")
-    model = rl.SampleModel(**{**vars(wander_model), "unseen": more.pop("unseen", "uniform")})
+    model = rl.SampleModel(
+        **{**vars(wander_model), "unseen": more.pop("unseen", "uniform")}
+    )
     arguments = {"repetitions": 1, "steps": 300, "seed": 1, "progress": False, **more}
     with pytest.raises(ValueError, match=difference):
-        rl.compare(model, arguments.pop("methods", METHODS), store=tmp_path / "s", **arguments)
+        rl.compare(
+            model, arguments.pop("methods", METHODS), store=tmp_path / "s", **arguments
+        )
 
 
-def test_a_store_of_another_version_task_or_folder_is_refused(wander_model, tmp_path, monkeypatch):
+def test_a_store_of_another_version_task_or_folder_is_refused(
+    wander_model, tmp_path, monkeypatch
+):
     small(wander_model, repetitions=1, store=tmp_path / "s")
-    with pytest.raises(ValueError, match="world is a sample model in the store, the task wander_simple"):
+    with pytest.raises(
+        ValueError, match="world is a sample model in the store, the task wander_simple"
+    ):
         small("wander_simple", repetitions=1, store=tmp_path / "s")
     monkeypatch.setattr("rlrobot_edu.experiments.compare.__version__", "9.9")
     with pytest.raises(ValueError, match=r"version is .* in the store, 9\.9"):
@@ -253,9 +380,16 @@ def test_a_store_of_another_version_task_or_folder_is_refused(wander_model, tmp_
 
 
 @pytest.mark.parametrize(
-    "damage", [lambda data: data[:-20], lambda data: data[:500] + b"?" + data[501:], lambda _: b""]
+    "damage",
+    [
+        lambda data: data[:-20],
+        lambda data: data[:500] + b"?" + data[501:],
+        lambda _: b"",
+    ],
 )
-def test_a_damaged_file_is_named_and_the_others_are_kept(wander_model, tmp_path, damage):
+def test_a_damaged_file_is_named_and_the_others_are_kept(
+    wander_model, tmp_path, damage
+):
     small(wander_model, store=tmp_path / "s")
     path = sorted((tmp_path / "s").glob("*/*.npz"))[1]
     path.write_bytes(damage(path.read_bytes()))
@@ -287,7 +421,9 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
     """
     said = store.with_suffix(".txt")
     with open(said, "w") as file:
-        process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
+        process = subprocess.Popen(
+            [sys.executable, "-c", LONG, store], stderr=file, start_new_session=True
+        )
     while len(list(store.glob("*/*.npz"))) < 2:
         assert process.poll() is None, said.read_text()
         time.sleep(0.02)
@@ -314,7 +450,12 @@ def test_what_was_finished_before_kill_9_is_not_lost(tmp_path):
     assert len(kept) >= 2
     arguments = {"repetitions": 4, "steps": 1500, "seed": 3, "progress": False}
     resumed = rl.compare("wander_simple", METHODS, store=store, n_jobs=2, **arguments)
-    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in store.glob("*/*.npz")}.items()
+    assert (
+        kept.items()
+        <= {
+            path.name: path.stat().st_mtime_ns for path in store.glob("*/*.npz")
+        }.items()
+    )
     assert same(resumed, rl.compare("wander_simple", METHODS, n_jobs=2, **arguments))
 
 
@@ -323,20 +464,55 @@ def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
     code, said = interrupted(tmp_path / "s", signal.SIGINT)
     assert code != 0 and "the same call goes on" in said and str(tmp_path / "s") in said
     assert "repetition" in said and "<" in said  # the progress bar, with the time left
-    assert json.loads((tmp_path / "s" / "experiment.json").read_text())["alpha of Q+SR"] == 0.1
+    assert (
+        json.loads((tmp_path / "s" / "experiment.json").read_text())["alpha of Q+SR"]
+        == 0.1
+    )
     assert sum(map(len, rl.Comparison.load(tmp_path / "s").groups.values())) >= 2
 
 
-def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_robot(tmp_path):
+def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_robot(
+    tmp_path,
+):
     weak = rl.Realism(wheel_slip=0.5)
     ideal, slipping = (
-        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=realism)
+        rl.compare(
+            "wander_simple",
+            ["Q+SR"],
+            2,
+            steps=30,
+            n_jobs=1,
+            progress=False,
+            realism=realism,
+        )
         for realism in (None, weak)
     )
-    assert not np.array_equal(ideal.groups["Q+SR"][0].rewards, slipping.groups["Q+SR"][0].rewards)
-    rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=weak, store=tmp_path / "s")
-    with pytest.raises(ValueError, match=r"realism is .*wheel_slip=0.5.* in the store, None in this call"):
-        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, store=tmp_path / "s")
+    assert not np.array_equal(
+        ideal.groups["Q+SR"][0].rewards, slipping.groups["Q+SR"][0].rewards
+    )
+    rl.compare(
+        "wander_simple",
+        ["Q+SR"],
+        2,
+        steps=30,
+        n_jobs=1,
+        progress=False,
+        realism=weak,
+        store=tmp_path / "s",
+    )
+    with pytest.raises(
+        ValueError,
+        match=r"realism is .*wheel_slip=0.5.* in the store, None in this call",
+    ):
+        rl.compare(
+            "wander_simple",
+            ["Q+SR"],
+            2,
+            steps=30,
+            n_jobs=1,
+            progress=False,
+            store=tmp_path / "s",
+        )
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
     with pytest.raises(ValueError, match="only a task has a robot"):
         rl.compare(model, ["Q+SR"], 2, steps=30, progress=False, realism=weak)
@@ -347,13 +523,20 @@ def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_r
 
 def test_a_comparison_is_a_mapping_of_labels_to_runs(wander_model):
     result = small(wander_model, repetitions=2)
-    assert list(result) == METHODS and len(result) == 2 and "Q+SR" in result and "SARSA+SR" not in result
+    assert (
+        list(result) == METHODS
+        and len(result) == 2
+        and "Q+SR" in result
+        and "SARSA+SR" not in result
+    )
     assert (
         dict(result.items()) == result.groups
         and result.get("no") is None
         and next(iter(result.values())) is result[METHODS[0]]
     )
-    assert result == result and result != small(wander_model, repetitions=2)  # other histories
+    assert result == result and result != small(
+        wander_model, repetitions=2
+    )  # other histories
     for again in (copy.copy(result), pickle.loads(pickle.dumps(result))):
         assert same(again, result) and repr(again) == repr(result)
     with pytest.raises(KeyError):
@@ -396,24 +579,39 @@ def test_a_length_that_cannot_be_is_refused(episodes_model, length, match):
 
 
 @given(st.integers(8, 200))
-def test_as_many_episodes_are_run_as_fit_into_the_steps_if_all_are_long(episodes_model, steps):
-    history = rl.compare(episodes_model, ["Q+RANDOM"], 1, steps=steps, n_jobs=1, progress=False)["Q+RANDOM"][0]
+def test_as_many_episodes_are_run_as_fit_into_the_steps_if_all_are_long(
+    episodes_model, steps
+):
+    history = rl.compare(
+        episodes_model, ["Q+RANDOM"], 1, steps=steps, n_jobs=1, progress=False
+    )["Q+RANDOM"][0]
     assert len(history.returns) == steps // 8 and len(history) <= steps
 
 
-def test_without_a_length_a_repetition_has_an_hour_or_one_whole_episode(episodes_model, wander_model):
+def test_without_a_length_a_repetition_has_an_hour_or_one_whole_episode(
+    episodes_model, wander_model
+):
     longer = rl.SampleModel(**{**vars(episodes_model), "episode_steps": 5000})
     counts = [
-        len(rl.compare(model, ["Q+RANDOM"], 1, n_jobs=1, progress=False)["Q+RANDOM"][0].returns)
+        len(
+            rl.compare(model, ["Q+RANDOM"], 1, n_jobs=1, progress=False)["Q+RANDOM"][
+                0
+            ].returns
+        )
         for model in (episodes_model, longer)
     ]
     assert counts == [3600 // 8, 1]
-    assert len(rl.compare(wander_model, ["Q+SR"], 1, n_jobs=1, progress=False)["Q+SR"][0]) == 3600
+    assert (
+        len(rl.compare(wander_model, ["Q+SR"], 1, n_jobs=1, progress=False)["Q+SR"][0])
+        == 3600
+    )
 
 
 def test_a_model_that_nothing_cuts_off_has_episodes_if_it_can_end(episodes_model):
     endless = rl.SampleModel(**{**vars(episodes_model), "episode_steps": None})
-    history = rl.compare(endless, ["Q+RANDOM"], 1, episodes=7, n_jobs=1, progress=False)["Q+RANDOM"][0]
+    history = rl.compare(
+        endless, ["Q+RANDOM"], 1, episodes=7, n_jobs=1, progress=False
+    )["Q+RANDOM"][0]
     assert history.terminated.sum() == 7 and history.terminated[-1]
 
 
@@ -428,15 +626,23 @@ def ragged():
 def history_of(rewards, episode_steps=None):
     flags = np.array(rewards) == 5
     transitions = Transitions.empty(len(rewards))._replace(
-        r=np.array(rewards, float), terminated=flags, truncated=np.zeros(len(rewards), bool)
+        r=np.array(rewards, float),
+        terminated=flags,
+        truncated=np.zeros(len(rewards), bool),
     )
     nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
-    return rl.History("Q+SR", transitions, nothing, 1.0, Size((1,), 1, 10.0, episode_steps))
+    return rl.History(
+        "Q+SR", transitions, nothing, 1.0, Size((1,), 1, 10.0, episode_steps)
+    )
 
 
 def test_curves_of_different_lengths_end_in_nan():
     curves = ragged().curves
-    assert curves.shape == (3, 6) and np.isnan(curves[2, 4:]).all() and not np.isnan(curves[:, :4]).any()
+    assert (
+        curves.shape == (3, 6)
+        and np.isnan(curves[2, 4:]).all()
+        and not np.isnan(curves[:, :4]).any()
+    )
     for row, history in zip(curves, ragged(), strict=True):
         assert np.array_equal(row[~np.isnan(row)], history.last_episode)
     assert Runs().curves.shape[0] == 0
@@ -444,7 +650,10 @@ def test_curves_of_different_lengths_end_in_nan():
 
 def test_a_comparison_and_plot_learning_draw_the_same_as_far_as_all_repetitions_go():
     result = rl.Comparison(rl.load_task("navigation_1k"), {"Q+SR": ragged()})
-    drawn = [picture.axes[0].lines[0].get_xydata() for picture in (result.plot(), rl.plot_learning(result["Q+SR"]))]
+    drawn = [
+        picture.axes[0].lines[0].get_xydata()
+        for picture in (result.plot(), rl.plot_learning(result["Q+SR"]))
+    ]
     assert np.array_equal(*drawn) and drawn[0][:, 0].tolist() == [1, 2, 3, 4]
     assert np.allclose(drawn[0][:, 1], ragged().curves[:, :4].mean(axis=0))
     assert rl.plot_learning(ragged()).axes[0].get_xlabel() == "step of the last episode"
@@ -475,14 +684,23 @@ def test_sums_that_differ_by_rounding_alone_prove_nothing():
      ({"n_jobs": 0}, "n_jobs == 0"), ({"seed": "x"}, "seed must be"), ({"realism": 3}, "realism must be"),
      ({"repetitions": 2.5}, "repetitions must be"), ({"no": 1}, "an agent has no setting 'no'")],
 )  # fmt: skip
-def test_an_argument_of_another_kind_is_refused_in_a_sentence(wander_model, arguments, match):
+def test_an_argument_of_another_kind_is_refused_in_a_sentence(
+    wander_model, arguments, match
+):
     with pytest.raises(ValueError, match=match):
-        rl.compare(wander_model, arguments.pop("methods", ["Q+SR"]), **{"steps": 10, "progress": False, **arguments})
+        rl.compare(
+            wander_model,
+            arguments.pop("methods", ["Q+SR"]),
+            **{"steps": 10, "progress": False, **arguments},
+        )
 
 
 def test_the_methods_may_come_from_a_generator(wander_model):
     assert same(
-        small(wander_model), rl.compare(wander_model, (m for m in METHODS), 5, steps=300, seed=1, progress=False)
+        small(wander_model),
+        rl.compare(
+            wander_model, (m for m in METHODS), 5, steps=300, seed=1, progress=False
+        ),
     )
 
 
@@ -498,7 +716,9 @@ rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=2, store=sys.argv[1])
 
 @pytest.mark.long
 def test_a_program_without_a_console_can_compare(tmp_path):
-    subprocess.run([sys.executable, "-c", WITHOUT_STREAMS, tmp_path / "s"], check=True, timeout=300)
+    subprocess.run(
+        [sys.executable, "-c", WITHOUT_STREAMS, tmp_path / "s"], check=True, timeout=300
+    )
     assert len(rl.Comparison.load(tmp_path / "s")["Q+SR"]) == 2
 
 
@@ -515,7 +735,11 @@ def test_no_worker_outlives_a_parent_that_is_killed_as_soon_as_there_is_one():
     parent, workers = psutil.Process(process.pid), []
     while not workers:
         assert process.poll() is None
-        workers = [child for child in parent.children(recursive=True) if "Loky" in " ".join(child.cmdline())]
+        workers = [
+            child
+            for child in parent.children(recursive=True)
+            if "Loky" in " ".join(child.cmdline())
+        ]
     workers = parent.children(recursive=True)
     process.kill()
     process.wait()

@@ -31,7 +31,9 @@ def test_the_shares_sum_to_each_value_and_nothing_else_is_learned(method, settin
     np.testing.assert_array_equal(agent.q, other.q)
     np.testing.assert_array_equal(credit.q, other.q)
     values = [getattr(made, "value", made) for made in credit._made_of.flat]
-    np.testing.assert_array_equal(np.reshape(np.array(values, float), agent.q.shape), agent.q)  # to the last bit
+    np.testing.assert_array_equal(
+        np.reshape(np.array(values, float), agent.q.shape), agent.q
+    )  # to the last bit
     for s, a in every(agent):
         assert credit.shares(s, a).sum() == pytest.approx(agent.q[s, a], abs=1e-12)
         assert credit.start(s, a) == pytest.approx(0, abs=1e-12)
@@ -45,19 +47,30 @@ def lived_again(agent, steps, rewards):
     for step, r in zip(steps, rewards, strict=True):
         if previous is None or previous.terminated or previous.truncated:
             agent.begin_episode(step.s)
-        agent.update(step.s, step.a, r, step.s_next, -1 if step.a_next is None else step.a_next, step.terminated)
+        agent.update(
+            step.s,
+            step.a,
+            r,
+            step.s_next,
+            -1 if step.a_next is None else step.a_next,
+            step.terminated,
+        )
         previous = step
     return agent.q
 
 
-@pytest.mark.parametrize(("method", "settings"), [one for one in METHODS if one[0][:2] not in ("ES", "Q+")])
+@pytest.mark.parametrize(
+    ("method", "settings"), [one for one in METHODS if one[0][:2] not in ("ES", "Q+")]
+)
 def test_the_weights_are_the_derivatives(method, settings):
     _, credit = credit_of(method, steps=60, **settings)
     for t in (0, 17, 42, 59):
         bumped = credit.rewards.copy()
         bumped[t] += 1.0
         after, before = (
-            lived_again(rl.Agent("worked_example", method, seed=1, **settings), credit.steps, r).copy()
+            lived_again(
+                rl.Agent("worked_example", method, seed=1, **settings), credit.steps, r
+            ).copy()
             for r in (bumped, credit.rewards)
         )
         weights = [credit.weights(s, a)[t] for s, a in np.ndindex(*credit.q.shape)]
@@ -71,7 +84,9 @@ def test_what_an_agent_knew_before_is_the_start_and_an_episodes_end_forgets_trac
     lake.reset(seed=0)
     credit = rl.credit(agent, lake, 100)
     for s, a in every(agent):
-        assert credit.start(s, a) + credit.shares(s, a).sum() == pytest.approx(agent.q[s, a], abs=1e-12)
+        assert credit.start(s, a) + credit.shares(s, a).sum() == pytest.approx(
+            agent.q[s, a], abs=1e-12
+        )
     s, a = np.argwhere(agent.visits == 0)[0].tolist()  # never tried, so nobody paid
     assert credit.start(s, a) == 0.5 and "Credit of 100 steps" in repr(credit)
 
@@ -82,7 +97,9 @@ def test_why_names_the_steps_that_made_the_difference():
     told = credit.why(13, 1, 0)
     t = int(np.argmax(np.abs(parted)))
     apart = credit.q[13, 1] - credit.q[13, 0]
-    assert told.startswith(f"Q(13, 1) − Q(13, 0) = {apart:+.3g}. Most of it: step {t + 1} (")
+    assert told.startswith(
+        f"Q(13, 1) − Q(13, 0) = {apart:+.3g}. Most of it: step {t + 1} ("
+    )
     assert "no reward yet" in credit.why(0, 1, 1)
 
 
@@ -112,6 +129,8 @@ def test_who_plans_and_too_much_are_refused():
 
 def test_the_page_says_what_its_code_prints(capsys):
     page = Path(__file__).parents[2] / "docs/credit.md"
-    code, printed = re.findall(r"```(?:python|text)\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    code, printed = re.findall(
+        r"```(?:python|text)\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL
+    )
     exec(code, {"rl": rl})
     assert capsys.readouterr().out == printed

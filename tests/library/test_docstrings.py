@@ -28,7 +28,9 @@ CODES = {
     "PR07": "a parameter without a description",
     "RT03": "a return value without a description",
 }
-NEVER = {"rlrobot_edu.BiasExplorer.still: no Raises of ValueError"}  # it asks for a stage that there is
+NEVER = {
+    "rlrobot_edu.BiasExplorer.still: no Raises of ValueError"
+}  # it asks for a stage that there is
 
 
 def public_names() -> list[str]:
@@ -49,7 +51,9 @@ def function_of(thing: Any) -> Any:
         thing = getattr(thing, "__post_init__", thing.__init__)
     for behind in ("__func__", "fget", "func", "py_func"):
         thing = getattr(thing, behind, thing)
-    is_ours = inspect.isfunction(thing) and thing.__code__.co_filename.startswith(rl.__path__[0])
+    is_ours = inspect.isfunction(thing) and thing.__code__.co_filename.startswith(
+        rl.__path__[0]
+    )
     return thing if is_ours else None
 
 
@@ -58,24 +62,34 @@ def thing_of(name: str) -> Any:
     return functools.reduce(getattr, name.split(".")[1:], rl)
 
 
-def exceptions_of(thing: Any, owner: Any, is_called: bool = False) -> set[type[BaseException]]:
+def exceptions_of(
+    thing: Any, owner: Any, is_called: bool = False
+) -> set[type[BaseException]]:
     """What a thing raises, or what it calls of the library does, one level deep; what stands in a try may be caught."""
     if (function := function_of(thing)) is None:
         return set()
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
-    tries = [node for node in ast.walk(tree) if isinstance(node, ast.Try) and node.handlers]
+    tries = [
+        node for node in ast.walk(tree) if isinstance(node, ast.Try) and node.handlers
+    ]
     caught = {node for each in tries for line in each.body for node in ast.walk(line)}
     names = {**vars(builtins), **function.__globals__, "self": owner, "cls": owner}
     found = set()
     for node in set(ast.walk(tree)) - caught:
         called = getattr(node, "exc", node)
-        is_plain = isinstance(called, ast.Call) and re.fullmatch(r"[\w.]+", ast.unparse(called.func))
-        with suppress(NameError, AttributeError):  # a name that is local, or an attribute of an object
+        is_plain = isinstance(called, ast.Call) and re.fullmatch(
+            r"[\w.]+", ast.unparse(called.func)
+        )
+        with suppress(
+            NameError, AttributeError
+        ):  # a name that is local, or an attribute of an object
             value = eval(ast.unparse(called.func), names) if is_plain else None
             if isinstance(node, ast.Raise) and value is not None:
                 found.add(value)
             elif not is_called:
-                found |= exceptions_of(value, value if inspect.isclass(value) else owner, is_called=True)
+                found |= exceptions_of(
+                    value, value if inspect.isclass(value) else owner, is_called=True
+                )
     return found - {NotImplementedError}
 
 
@@ -84,7 +98,9 @@ def faults_of(name: str) -> list[str]:
     checked = validate(name)
     faults = [f"{code} {said}" for code, said in checked["errors"] if code in CODES]
     thing, sections = thing_of(name), NumpyDocString(checked["docstring"])
-    is_method = inspect.isfunction(thing) or inspect.ismethod(thing)  # numpydoc's RT01 passes over class methods
+    is_method = inspect.isfunction(thing) or inspect.ismethod(
+        thing
+    )  # numpydoc's RT01 passes over class methods
     if is_method and thing.__annotations__["return"] not in (None, "None"):
         faults += [] if sections["Returns"] + sections["Yields"] else ["no Returns"]
     said = {each.type.rpartition(".")[2] for each in sections["Raises"]}

@@ -17,14 +17,21 @@ from rlrobot_edu.__main__ import main
 from rlrobot_edu.learning import jit
 from rlrobot_edu.tools import doctor
 
-PROJECT = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+PROJECT = tomllib.loads(
+    (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
+)["project"]
 EXTRAS = PROJECT["optional-dependencies"]
 COMMAND = f'{doctor.PIP} install "rlrobot-edu[{{}}]"'.format
 
 
 def said(name: str) -> doctor.Finding:
     """What the doctor finds under this name."""
-    (finding,) = (f for findings in doctor.examine().sections.values() for f in findings if f.name == name)
+    (finding,) = (
+        f
+        for findings in doctor.examine().sections.values()
+        for f in findings
+        if f.name == name
+    )
     return finding
 
 
@@ -47,7 +54,9 @@ def absent(monkeypatch):
 @pytest.fixture
 def needs(monkeypatch):
     """A function that gives the package other requirements than its own."""
-    return lambda *lines: monkeypatch.setattr(metadata, "requires", lambda name: list(lines))
+    return lambda *lines: monkeypatch.setattr(
+        metadata, "requires", lambda name: list(lines)
+    )
 
 
 def test_every_extra_has_words_for_what_is_missing_without_it():
@@ -55,10 +64,14 @@ def test_every_extra_has_words_for_what_is_missing_without_it():
 
 
 @pytest.mark.parametrize("extra", EXTRAS)
-def test_an_extra_is_there_with_its_versions_or_is_missed_with_the_command_that_brings_it(extra):
+def test_an_extra_is_there_with_its_versions_or_is_missed_with_the_command_that_brings_it(
+    extra,
+):
     says = said(extra).says
     if doctor.WITHOUT[extra] in says:
-        assert any(words in says for words in (COMMAND(extra), "no wheel", "no such extra"))
+        assert any(
+            words in says for words in (COMMAND(extra), "no wheel", "no such extra")
+        )
     else:
         for name, version in (part.split(" ") for part in says.split(", ")):
             assert metadata.version(name) == version
@@ -66,22 +79,30 @@ def test_an_extra_is_there_with_its_versions_or_is_missed_with_the_command_that_
 
 def test_a_healthy_installation_is_well_and_names_all_that_the_package_needs(capsys):
     diagnosis = doctor.examine()
-    core = {canonicalize_name(finding.name): finding for finding in diagnosis.sections["Needed by everything"]}
-    assert core.keys() == {canonicalize_name(Requirement(line).name) for line in PROJECT["dependencies"]}
+    core = {
+        canonicalize_name(finding.name): finding
+        for finding in diagnosis.sections["Needed by everything"]
+    }
+    assert core.keys() == {
+        canonicalize_name(Requirement(line).name) for line in PROJECT["dependencies"]
+    }
     assert core["numpy"].says == metadata.version("numpy") and not diagnosis.is_broken
 
     with pytest.raises(SystemExit) as end:
         main(["doctor"])
     text = capsys.readouterr().out
     assert not end.value.code
-    assert f"{rl.__version__} in {jit.PACKAGE}" in text and ("All is well." in text or "What to do:" in text)
+    assert f"{rl.__version__} in {jit.PACKAGE}" in text and (
+        "All is well." in text or "What to do:" in text
+    )
 
 
 def test_a_part_of_an_extra_that_is_missing_is_named_with_what_it_disables(absent):
     absent("websockets")
     finding = said("ros")
     assert (
-        finding.says == f"websockets is missing.\nWithout it {doctor.WITHOUT['ros']}.\nTo install it: {COMMAND('ros')}"
+        finding.says
+        == f"websockets is missing.\nWithout it {doctor.WITHOUT['ros']}.\nTo install it: {COMMAND('ros')}"
     )
     assert not finding.to_do and not finding.is_broken  # nobody must have it
 
@@ -92,45 +113,67 @@ def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
 
 
 def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
-    needs('cyclonedds>=11; python_version < "3" and extra == "arm"', 'rosbags; extra == "ros"')
+    needs(
+        'cyclonedds>=11; python_version < "3" and extra == "arm"',
+        'rosbags; extra == "ros"',
+    )
     assert said("arm").says.startswith(
         f"no wheel of cyclonedds for Python 3.{sys.version_info.minor} on {sys.platform}"
     )
     assert COMMAND("arm") not in said("arm").says
 
 
-def test_an_extra_that_an_older_installation_did_not_have_is_no_wheel_that_is_missing(needs):
+def test_an_extra_that_an_older_installation_did_not_have_is_no_wheel_that_is_missing(
+    needs,
+):
     needs('rosbags; extra == "ros"')  # a checkout has gone on since pip was told of it
     assert said("teach").says.startswith("pip knows no such extra")
     assert str(doctor.examine()).count("pip install -e .") == 1
 
 
-@pytest.mark.parametrize(("spec", "command"), [(None, "uv pip"), (object(), "python -m pip")])
-def test_what_installs_something_is_pip_or_uv_where_an_environment_has_no_pip(monkeypatch, spec, command):
+@pytest.mark.parametrize(
+    ("spec", "command"), [(None, "uv pip"), (object(), "python -m pip")]
+)
+def test_what_installs_something_is_pip_or_uv_where_an_environment_has_no_pip(
+    monkeypatch, spec, command
+):
     with monkeypatch.context() as patch:
         patch.setattr(importlib.util, "find_spec", lambda name: spec)
         assert command == importlib.reload(doctor).PIP
     importlib.reload(doctor)
 
 
-def test_a_damaged_package_of_the_core_is_broken_and_the_command_fails(monkeypatch, capsys):
+def test_a_damaged_package_of_the_core_is_broken_and_the_command_fails(
+    monkeypatch, capsys
+):
     monkeypatch.setitem(sys.modules, "pymunk", None)  # importing it fails
     finding = said("pymunk")
-    assert finding.is_broken and "cannot be imported: ModuleNotFoundError" in finding.says
+    assert (
+        finding.is_broken and "cannot be imported: ModuleNotFoundError" in finding.says
+    )
     with pytest.raises(SystemExit) as end:
         main(["doctor"])
     assert end.value.code == 1
-    assert re.search(r'What to do:\n1\. .*pip install\s+--force-reinstall\s+"pymunk>=7.0"', capsys.readouterr().out)
+    assert re.search(
+        r'What to do:\n1\. .*pip install\s+--force-reinstall\s+"pymunk>=7.0"',
+        capsys.readouterr().out,
+    )
 
 
-@pytest.mark.parametrize(("line", "words"), [("numpy>=999", ", not >=999"), ("no-such-thing", "is missing")])
-def test_a_package_of_the_core_that_does_not_fit_or_is_not_there_is_broken(needs, line, words):
+@pytest.mark.parametrize(
+    ("line", "words"), [("numpy>=999", ", not >=999"), ("no-such-thing", "is missing")]
+)
+def test_a_package_of_the_core_that_does_not_fit_or_is_not_there_is_broken(
+    needs, line, words
+):
     needs(line)
     finding = said(re.split(">", line)[0])
     assert finding.is_broken and words in finding.says and f'"{line}"' in finding.to_do
 
 
-def test_a_package_that_pip_does_not_know_is_told_how_to_be_installed(monkeypatch, absent):
+def test_a_package_that_pip_does_not_know_is_told_how_to_be_installed(
+    monkeypatch, absent
+):
     def unknown(name):
         raise metadata.PackageNotFoundError(name)
 
@@ -150,7 +193,10 @@ def test_an_older_version_known_to_pip_is_told(monkeypatch):
 def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_path):
     monkeypatch.setattr(jit, "IS_PLAIN", False)
     monkeypatch.setattr(jit, "numba", jit.numba or jit)
-    for folder, words in [(tmp_path, "not compiled yet"), (None, "compiled anew by every process")]:
+    for folder, words in [
+        (tmp_path, "not compiled yet"),
+        (None, "compiled anew by every process"),
+    ]:
         monkeypatch.setattr(jit, "cache_folder", lambda folder=folder: folder)
         assert words in said("kernels").says
     (tmp_path / "learn.nbc").touch()
@@ -163,7 +209,9 @@ def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_p
 
 
 def test_arms_without_pybullet_are_said_to_be_geometry(monkeypatch):
-    monkeypatch.setitem(sys.modules, "rlrobot_edu.robots.engines.bullet.simulation", None)
+    monkeypatch.setitem(
+        sys.modules, "rlrobot_edu.robots.engines.bullet.simulation", None
+    )
     assert said("arms").says.startswith("geometry alone (engine='kinematic')")
 
 
@@ -173,7 +221,11 @@ def test_a_folder_that_nobody_may_write_to_is_something_to_do(monkeypatch):
 
     monkeypatch.setattr(doctor.tempfile, "TemporaryFile", refuse)
     finding = said("folder")
-    assert "Permission denied" in finding.says and "a folder of your own" in finding.to_do and not finding.is_broken
+    assert (
+        "Permission denied" in finding.says
+        and "a folder of your own" in finding.to_do
+        and not finding.is_broken
+    )
 
 
 def test_nothing_is_asked_of_the_network(monkeypatch):
@@ -188,6 +240,8 @@ def test_nothing_is_asked_of_the_network(monkeypatch):
 def test_the_report_stands_in_two_columns_and_no_line_is_longer_than_a_terminal():
     text = str(doctor.examine())
     for line in text.splitlines():
-        assert len(line) <= doctor.WIDTH or line.strip().count(" ") <= 5, line  # a path is not broken
+        assert len(line) <= doctor.WIDTH or line.strip().count(" ") <= 5, (
+            line
+        )  # a path is not broken
         if line.startswith("  "):
             assert re.match(rf".{{{doctor.INDENT}}}\S", line), line

@@ -40,7 +40,9 @@ from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 
-NASTY = "<script>alert(\"é & 'x'\")</script>\n_a_ $\\nope$ |`b` *c* ]]> <!-- [d](e) &lt; \\"
+NASTY = (
+    "<script>alert(\"é & 'x'\")</script>\n_a_ $\\nope$ |`b` *c* ]]> <!-- [d](e) &lt; \\"
+)
 SHORT = ("<b>&$|$", "_mine", "*`'\"\\")  # short enough to head a column
 
 
@@ -90,7 +92,9 @@ def drawn(figure: Figure) -> list[str]:
         warnings.simplefilter("error")
         figure.savefig(io.BytesIO(), format="png", dpi=40)
     texts = [text.get_text() for text in figure.findobj(Text) if text.get_visible()]
-    formulas = [text for text in texts if cbook.is_math_text(text) and "mathdefault" not in text]
+    formulas = [
+        text for text in texts if cbook.is_math_text(text) and "mathdefault" not in text
+    ]
     assert not formulas
     return [text.replace(r"\$", "$") for text in texts]
 
@@ -109,13 +113,20 @@ def task_with(names) -> rl.Task:
     move = rl.OutputVariable(name, values=[0, 1, 2], words=words)
     own = task.command
     return dataclasses.replace(
-        task, name=name, description=name, outputs=[move], command=lambda values: own({"move": values[name]})
+        task,
+        name=name,
+        description=name,
+        outputs=[move],
+        command=lambda values: own({"move": values[name]}),
     )
 
 
 @pytest.fixture(scope="module")
 def tasks():
-    return [task_with(names) for names in ((NASTY, *SHORT), (tame(NASTY), *map(tame, SHORT)))]
+    return [
+        task_with(names)
+        for names in ((NASTY, *SHORT), (tame(NASTY), *map(tame, SHORT)))
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +136,10 @@ def long_words():
 
 
 def steppers(tasks, method="TOSL+QBIASSR"):
-    return [rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), at=3) for task in tasks]
+    return [
+        rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), at=3)
+        for task in tasks
+    ]
 
 
 @pytest.mark.long
@@ -135,16 +149,25 @@ def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
         same_page(view(nasty), view(calm), *texts)
         says(nasty.picture(), *texts)
         data = nasty._repr_mimebundle_()
-        json.dumps({key: value for key, value in data.items() if isinstance(value, str)})
+        json.dumps(
+            {key: value for key, value in data.items() if isinstance(value, str)}
+        )
     same_page(*map(view, steppers(tasks, "Q+EG")))
 
 
 def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
-    recordings = [rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=60) for task in long_words]
+    recordings = [
+        rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=60)
+        for task in long_words
+    ]
     views = []
     for recording, task in zip(recordings, long_words, strict=True):
         model = rl.SampleModel.from_recording(recording)
-        views.append(rl.Stepper(rl.Agent(model, seed=0), rl.make_env(model, seed=0), at=2, task=task))
+        views.append(
+            rl.Stepper(
+                rl.Agent(model, seed=0), rl.make_env(model, seed=0), at=2, task=task
+            )
+        )
     same_page(*map(view, views), NASTY)
     says(views[0].picture(), NASTY)
 
@@ -152,7 +175,9 @@ def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
 def test_a_bias_explorer_shows_names_and_words_as_they_stand(tasks, long_words):
     for few, texts in ((tasks, SHORT), (long_words, [NASTY])):
         q = np.random.default_rng(0).normal(size=(24, 3))
-        nasty, calm = (BiasExplorer(task, {task.name: q, "_mine": q}, state=21) for task in few)
+        nasty, calm = (
+            BiasExplorer(task, {task.name: q, "_mine": q}, state=21) for task in few
+        )
         same_page(*(explored(each)[21]["html"] for each in (nasty, calm)), *texts)
         says(nasty.picture(), *texts)
         assert all(text in nasty.picture().alt for text in texts)
@@ -168,8 +193,15 @@ LABELS = (NASTY, "_mine", "$x$", "a\nb")
 
 
 def legend_of(figure: Figure) -> list[str]:
-    legends = [*figure.legends, *(ax.get_legend() for ax in figure.axes if ax.get_legend())]
-    return [text.get_text().replace(r"\$", "$") for legend in legends for text in legend.get_texts()]
+    legends = [
+        *figure.legends,
+        *(ax.get_legend() for ax in figure.axes if ax.get_legend()),
+    ]
+    return [
+        text.get_text().replace(r"\$", "$")
+        for legend in legends
+        for text in legend.get_texts()
+    ]
 
 
 @pytest.mark.parametrize("own_axes", [False, True])
@@ -177,11 +209,15 @@ def test_learning_curves_name_every_curve_in_the_legend(own_axes):
     figure = Figure()
     options = {"ax": figure.add_subplot()} if own_axes else {}
     several = [history(0), history(1)]
-    shown = rl.plot_learning(*[several] * len(LABELS), labels=LABELS, title=NASTY, **options)
+    shown = rl.plot_learning(
+        *[several] * len(LABELS), labels=LABELS, title=NASTY, **options
+    )
     figure = figure if own_axes else shown
     says(figure, NASTY, *LABELS)
     names = legend_of(figure)
-    assert len(names) == len(LABELS) and all(label in name for label, name in zip(LABELS, names, strict=True))
+    assert len(names) == len(LABELS) and all(
+        label in name for label, name in zip(LABELS, names, strict=True)
+    )
     if not own_axes:
         assert all(label in shown.still().alt for label in LABELS)
 
@@ -190,7 +226,11 @@ def test_learning_curves_name_every_curve_in_the_legend(own_axes):
 def comparisons(tasks):
     """The same comparison in both tasks, with labels of both kinds."""
     each = []
-    for task, labels in zip(tasks, (LABELS, ["y" * i + tame(label) for i, label in enumerate(LABELS)]), strict=True):
+    for task, labels in zip(
+        tasks,
+        (LABELS, ["y" * i + tame(label) for i, label in enumerate(LABELS)]),
+        strict=True,
+    ):
         methods = {label: {"method": "Q+SR"} for label in labels}
         each.append(rl.compare(task, methods, 3, steps=60, n_jobs=1, progress=False))
     return each
@@ -208,13 +248,20 @@ def test_the_name_of_a_task_file_is_drawn_as_it_stands(tmp_path):
     path.write_bytes(Path(rl.load_task("worked_example").path).read_bytes())
     result = rl.compare(path, ["Q+SR"], 2, steps=60, n_jobs=1, progress=False)
     says(result.plot(), path.stem)
-    plain_name = rl.compare("worked_example", ["Q+SR"], 2, steps=60, n_jobs=1, progress=False)
-    same_page(*(rendered(in_markdown(each.table())) for each in (result, plain_name)), path.stem)
+    plain_name = rl.compare(
+        "worked_example", ["Q+SR"], 2, steps=60, n_jobs=1, progress=False
+    )
+    same_page(
+        *(rendered(in_markdown(each.table())) for each in (result, plain_name)),
+        path.stem,
+    )
 
 
 def rendered(document: str) -> str:
     mistune = pytest.importorskip("mistune")
-    return mistune.create_markdown(escape=False, plugins=["table", "strikethrough"])(document)
+    return mistune.create_markdown(escape=False, plugins=["table", "strikethrough"])(
+        document
+    )
 
 
 def test_the_tables_of_a_comparison_show_labels_as_they_stand(comparisons):
@@ -278,20 +325,33 @@ def test_scenes_are_named_on_pictures_and_pages_as_they_stand():
 
 def nasty_source() -> Source:
     source = small_source()
-    states = StateSpace([dataclasses.replace(v, name=f"{NASTY}{i}") for i, v in enumerate(source.states.inputs)])
-    actions = ActionSpace([rl.OutputVariable(NASTY, values=[0, 1], unit=NASTY, words=[NASTY, "_mine"])])
-    texts = dict.fromkeys(("task_name", "robot", "scene", "method", "version", "platform"), NASTY)
+    states = StateSpace(
+        [
+            dataclasses.replace(v, name=f"{NASTY}{i}")
+            for i, v in enumerate(source.states.inputs)
+        ]
+    )
+    actions = ActionSpace(
+        [rl.OutputVariable(NASTY, values=[0, 1], unit=NASTY, words=[NASTY, "_mine"])]
+    )
+    texts = dict.fromkeys(
+        ("task_name", "robot", "scene", "method", "version", "platform"), NASTY
+    )
     return dataclasses.replace(source, states=states, actions=actions, **texts)
 
 
 def test_a_data_package_keeps_every_name_as_it_is(tmp_path):
     s = np.array([0, 1, 2])
     ends = np.zeros(3, dtype=bool)
-    recording = Recording(Transitions(s, s % 2, np.zeros(3), s + 1, ends, ends), nasty_source())
+    recording = Recording(
+        Transitions(s, s % 2, np.zeros(3), s + 1, ends, ends), nasty_source()
+    )
     assert NASTY in repr(recording)
     recording.save(tmp_path)
     package = json.loads((tmp_path / "datapackage.json").read_text(encoding="utf-8"))
-    assert NASTY in package["title"] and set(package["name"]) <= set(string.ascii_lowercase + string.digits + "._-")
+    assert NASTY in package["title"] and set(package["name"]) <= set(
+        string.ascii_lowercase + string.digits + "._-"
+    )
     assert rl.read_recording(tmp_path).source == recording.source
 
 
@@ -299,12 +359,32 @@ def test_the_pictures_of_the_lessons_show_labels_and_titles_as_they_stand(tasks)
     rng = np.random.default_rng(0)
     wide = rl.InputVariable(NASTY, cuts=[0.3, 0.6], unit="$m$", low=0.0)
     says(plot_bins([wide], {NASTY: 0.4}), NASTY, "$m$")
-    says(plot_pull(rng.normal(size=2), rng.normal(size=2), LABELS[:2], 10.0), *LABELS[:2])
-    says(plot_corridor({NASTY: np.ones((3, 4)), "_mine": np.ones((3, 4))}, NASTY), NASTY, "_mine")
-    says(plot_worth({label: ((1.0, 0.1), (2.0, 0.1)) for label in LABELS}, NASTY), *LABELS)
-    says(plot_shuffled({"a": rng.normal(size=5), "b": rng.normal(size=5)}, NASTY, times=50), NASTY)
-    says(plot_many({label: np.ones(2) for label in LABELS}, np.arange(3), "x", NASTY), NASTY, *LABELS)
-    figure = plot_one_value(tasks[0], 0, 0, {label: {} for label in LABELS}, NASTY, steps=60)
+    says(
+        plot_pull(rng.normal(size=2), rng.normal(size=2), LABELS[:2], 10.0), *LABELS[:2]
+    )
+    says(
+        plot_corridor({NASTY: np.ones((3, 4)), "_mine": np.ones((3, 4))}, NASTY),
+        NASTY,
+        "_mine",
+    )
+    says(
+        plot_worth({label: ((1.0, 0.1), (2.0, 0.1)) for label in LABELS}, NASTY),
+        *LABELS,
+    )
+    says(
+        plot_shuffled(
+            {"a": rng.normal(size=5), "b": rng.normal(size=5)}, NASTY, times=50
+        ),
+        NASTY,
+    )
+    says(
+        plot_many({label: np.ones(2) for label in LABELS}, np.arange(3), "x", NASTY),
+        NASTY,
+        *LABELS,
+    )
+    figure = plot_one_value(
+        tasks[0], 0, 0, {label: {} for label in LABELS}, NASTY, steps=60
+    )
     says(figure, *LABELS)
     assert len(legend_of(figure)) == len(LABELS)
 

@@ -24,7 +24,9 @@ def film():
 
 
 def compared(model, **more):
-    return rl.compare(model, ["TOSL+QBIASSR", "Q+SR"], 2, steps=60, n_jobs=1, progress=False, **more)
+    return rl.compare(
+        model, ["TOSL+QBIASSR", "Q+SR"], 2, steps=60, n_jobs=1, progress=False, **more
+    )
 
 
 def writes(model, film):
@@ -45,7 +47,11 @@ KINDS = ["agent", "model", "recording", "film", "page"]
 
 def content(folder):
     """Every file below a folder, and what it holds."""
-    return {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
+    return {
+        path.relative_to(folder): path.read_bytes()
+        for path in Path(folder).rglob("*")
+        if path.is_file()
+    }
 
 
 # Folders of any name
@@ -54,7 +60,9 @@ NAMES = ["ä 日本 😀", "a#b%20c%", "[x] {y} it's $HOME", "n" * 120 + "/" + "
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(name, model, film, tmp_path, monkeypatch):
+def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(
+    name, model, film, tmp_path, monkeypatch
+):
     pytest.importorskip("meshcat")
     folder = tmp_path / name
     folder.mkdir(parents=True)
@@ -62,8 +70,13 @@ def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(name, model, 
     for kind, write in writes(model, film).items():
         write(folder / kind)
     rl.playground("playground.html")
-    assert rl.Agent.load("agent").q.shape == (4, 4) and rl.SampleModel.load(folder / "model").n_states == 24
-    assert len(rl.read_recording(folder / "recording")) == len(rl.read_recording("worked_example"))
+    assert (
+        rl.Agent.load("agent").q.shape == (4, 4)
+        and rl.SampleModel.load(folder / "model").n_states == 24
+    )
+    assert len(rl.read_recording(folder / "recording")) == len(
+        rl.read_recording("worked_example")
+    )
     assert rl.load_task(folder / rl.new_task("mine")).name == "mine"
     assert same(compared(model, store="store"), compared(model, store=folder / "store"))
 
@@ -83,20 +96,28 @@ def test_on_a_full_disk_the_old_file_stays_nothing_is_left_behind_and_the_error_
     old = content(tmp_path)
     for size in (0, 400):
         for name in ("it", "new"):
-            with full_disk(size), pytest.raises(OSError, match="File too large") as refusal:
+            with (
+                full_disk(size),
+                pytest.raises(OSError, match="File too large") as refusal,
+            ):
                 write(tmp_path / name)
             assert str(tmp_path / name) in str(refusal.value)
         assert content(tmp_path) == old
 
 
 @needs_limits
-def test_a_comparison_that_fills_the_disk_names_the_file_and_goes_on_when_there_is_room(model, tmp_path):
+def test_a_comparison_that_fills_the_disk_names_the_file_and_goes_on_when_there_is_room(
+    model, tmp_path
+):
     store = tmp_path / "s"
     with full_disk(100), pytest.raises(OSError, match=r"experiment\.json"):
         compared(model, store=store)
     assert content(store) == {}  # which makes it no folder of anybody else
     model.save(tmp_path / "model.npz")
-    with full_disk((tmp_path / "model.npz").stat().st_size), pytest.raises(OSError, match=r"0000\.npz"):
+    with (
+        full_disk((tmp_path / "model.npz").stat().st_size),
+        pytest.raises(OSError, match=r"0000\.npz"),
+    ):
         compared(model, store=store, keep=True)
     assert set(content(store)) == {Path("experiment.json"), Path("model.npz")}
     assert same(compared(model, store=store, keep=True), compared(model))
@@ -124,7 +145,10 @@ def test_a_folder_that_cannot_be_written_to_is_named(kind, model, film, read_onl
         pytest.importorskip("meshcat")
         film.show3d()  # what it imports, nobody might not be allowed to read
     write = writes(model, film)[kind]
-    with as_nobody(), pytest.raises(PermissionError, match="choose a folder of your own") as refusal:
+    with (
+        as_nobody(),
+        pytest.raises(PermissionError, match="choose a folder of your own") as refusal,
+    ):
         write(read_only / "it")
     assert str(read_only) in str(refusal.value)
     with as_nobody(), pytest.raises(PermissionError) as refusal:
@@ -150,25 +174,40 @@ def test_a_whole_store_in_a_read_only_folder_can_be_read(model, read_only):
 # A store that was tampered with
 
 
-@pytest.mark.parametrize("leftover", [".experiment.json.0123.part", "Q+SR/.0000.npz.0123.part", "model.npz"])
+@pytest.mark.parametrize(
+    "leftover", [".experiment.json.0123.part", "Q+SR/.0000.npz.0123.part", "model.npz"]
+)
 def test_a_start_that_was_killed_goes_on(model, tmp_path, leftover):
     compared(model, store=tmp_path / "whole")
     if leftover[0] != ".":
-        shutil.copytree(tmp_path / "whole", tmp_path / "s", ignore=shutil.ignore_patterns("0*.npz", "model.npz"))
+        shutil.copytree(
+            tmp_path / "whole",
+            tmp_path / "s",
+            ignore=shutil.ignore_patterns("0*.npz", "model.npz"),
+        )
     (tmp_path / "s" / leftover).parent.mkdir(parents=True, exist_ok=True)
-    (tmp_path / "s" / leftover).write_bytes((tmp_path / "whole" / "model.npz").read_bytes())
+    (tmp_path / "s" / leftover).write_bytes(
+        (tmp_path / "whole" / "model.npz").read_bytes()
+    )
     assert same(compared(model, store=tmp_path / "s"), compared(model))
     assert same(rl.Comparison.load(tmp_path / "s"), compared(model))
 
 
-@pytest.mark.parametrize("name", ["TOSL+QBIASSR/0000.npz", "Q+SR/0001.npz", "Q+SR/0007.npz"])
+@pytest.mark.parametrize(
+    "name", ["TOSL+QBIASSR/0000.npz", "Q+SR/0001.npz", "Q+SR/0007.npz"]
+)
 def test_a_file_of_a_store_that_was_renamed_is_refused_by_name(model, tmp_path, name):
     compared(model, store=tmp_path)
     os.replace(tmp_path / "Q+SR" / "0000.npz", tmp_path / name)
     opens = [lambda: rl.Comparison.load(tmp_path)]
-    opens += [lambda: compared(model, store=tmp_path)] if "0007" not in name else []  # which asks for two repetitions
+    opens += (
+        [lambda: compared(model, store=tmp_path)] if "0007" not in name else []
+    )  # which asks for two repetitions
     for open_it in opens:
-        with pytest.raises(ValueError, match=rf"{Path(name).name}.* 0 of Q\+SR .*, expected .*delete this file"):
+        with pytest.raises(
+            ValueError,
+            match=rf"{Path(name).name}.* 0 of Q\+SR .*, expected .*delete this file",
+        ):
             open_it()
     (tmp_path / name).unlink()
     assert same(compared(model, store=tmp_path), compared(model))
@@ -183,7 +222,9 @@ def test_a_file_of_another_origin_is_refused_by_name(model, tmp_path, whose):
         shutil.copy(tmp_path / "1" / "Q+SR" / "0000.npz", path)
     else:
         result["Q+SR"][0].save(path)
-    with pytest.raises(ValueError, match=r"0000\.npz.*, expected 'repetition 0 of Q\+SR of experiment"):
+    with pytest.raises(
+        ValueError, match=r"0000\.npz.*, expected 'repetition 0 of Q\+SR of experiment"
+    ):
         compared(model, store=tmp_path / "0")
 
 
@@ -195,13 +236,20 @@ NO_STORE = [
 
 
 @pytest.mark.parametrize("text", NO_STORE, ids=lambda text: str(text[:20]))
-def test_what_is_no_description_of_a_store_is_refused_by_name_and_stays(model, tmp_path, text):
+def test_what_is_no_description_of_a_store_is_refused_by_name_and_stays(
+    model, tmp_path, text
+):
     compared(model, store=tmp_path)
     (tmp_path / "experiment.json").write_bytes(text)
     before = content(tmp_path)
-    for open_it in (lambda: compared(model, store=tmp_path), lambda: rl.Comparison.load(tmp_path)):
+    for open_it in (
+        lambda: compared(model, store=tmp_path),
+        lambda: rl.Comparison.load(tmp_path),
+    ):
         with pytest.raises(ValueError) as refusal:
             open_it()
-        assert "experiment.json: this file of the store is damaged" in str(refusal.value)
+        assert "experiment.json: this file of the store is damaged" in str(
+            refusal.value
+        )
         assert len(str(refusal.value)) < 500
     assert content(tmp_path) == before

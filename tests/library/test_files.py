@@ -13,8 +13,12 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.files import ABANDONED, parts_of, write_together, write_whole
 
-posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has neither modes nor pipes of this kind")
-root = pytest.mark.skipif(getattr(os, "geteuid", lambda: 1)() != 0, reason="only root makes devices")
+posix = pytest.mark.skipif(
+    sys.platform == "win32", reason="Windows has neither modes nor pipes of this kind"
+)
+root = pytest.mark.skipif(
+    getattr(os, "geteuid", lambda: 1)() != 0, reason="only root makes devices"
+)
 
 
 def mode(path):
@@ -78,7 +82,9 @@ def test_links_that_go_round_in_a_circle_are_refused(tmp_path):
 def test_two_names_of_one_place_leave_the_last_content_and_nothing_else(tmp_path):
     (tmp_path / "link").symlink_to("real")
     write_together({tmp_path / "real": "first", tmp_path / "link": "second"})
-    assert (tmp_path / "real").read_text() == "second" and only(tmp_path, "link", "real")
+    assert (tmp_path / "real").read_text() == "second" and only(
+        tmp_path, "link", "real"
+    )
 
 
 @posix
@@ -86,7 +92,9 @@ def test_another_name_of_a_file_keeps_the_old_content(tmp_path):
     (tmp_path / "one").write_text("old")
     os.link(tmp_path / "one", tmp_path / "other")
     write_whole(tmp_path / "one", "new")
-    assert (tmp_path / "one").read_text() == "new" and (tmp_path / "other").read_text() == "old"
+    assert (tmp_path / "one").read_text() == "new" and (
+        tmp_path / "other"
+    ).read_text() == "old"
 
 
 @pytest.mark.parametrize("protected", [0o444, 0o400, 0o555])

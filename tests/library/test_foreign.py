@@ -21,7 +21,10 @@ from rlrobot_edu.models.source import time_limit
 class Paying(gymnasium.Env):
     """Two squares and two actions; every step pays the same."""
 
-    observation_space, action_space = gymnasium.spaces.Discrete(2), gymnasium.spaces.Discrete(2)
+    observation_space, action_space = (
+        gymnasium.spaces.Discrete(2),
+        gymnasium.spaces.Discrete(2),
+    )
 
     def __init__(self, reward=1.0, terminated=False):
         self.reward, self.terminated = reward, terminated
@@ -55,7 +58,9 @@ def test_a_reward_of_any_real_type_is_the_float_that_it_becomes(kind, number):
         warnings.simplefilter("error")
         reward = kind(number)
         (agent, history), (other, same) = paid(reward), paid(float(reward))
-    assert np.array_equal(agent.q, other.q) and np.array_equal(history.rewards, same.rewards)
+    assert np.array_equal(agent.q, other.q) and np.array_equal(
+        history.rewards, same.rewards
+    )
 
 
 @pytest.mark.parametrize(
@@ -69,8 +74,13 @@ def test_a_reward_of_any_real_type_is_the_float_that_it_becomes(kind, number):
     ],
     ids=repr,
 )  # fmt: skip
-def test_a_reward_that_is_no_number_that_learning_can_bear_is_refused_in_one_sentence(reward):
-    with warnings.catch_warnings(), pytest.raises(ValueError, match="a reward must be a number, at least -1e"):
+def test_a_reward_that_is_no_number_that_learning_can_bear_is_refused_in_one_sentence(
+    reward,
+):
+    with (
+        warnings.catch_warnings(),
+        pytest.raises(ValueError, match="a reward must be a number, at least -1e"),
+    ):
         warnings.simplefilter("error")
         paid(reward)
 
@@ -79,12 +89,20 @@ def test_a_reward_that_is_no_number_that_learning_can_bear_is_refused_in_one_sen
     reward=st.floats(-1e100, 1e100), gamma=st.sampled_from([0.0, 0.9, 1 - 1e-9]), alpha=st.sampled_from([0.1, 1.0]),
     lam=st.sampled_from([0.0, 0.9, 1.0]),
 )  # fmt: skip
-def test_whatever_reward_is_taken_every_number_stays_finite(reward, gamma, alpha, lam, tmp_path_factory):
+def test_whatever_reward_is_taken_every_number_stays_finite(
+    reward, gamma, alpha, lam, tmp_path_factory
+):
     agent, history = paid(reward, 200, gamma=gamma, alpha=alpha, lam=lam)
     path = tmp_path_factory.mktemp("finite")
     agent.save(path / "agent.npz"), history.save(path / "history.npz")
     rl.Agent.load(path / "agent.npz"), rl.History.load(path / "history.npz")
-    for numbers in (agent.q, agent.e, history.average_reward, history.average_reward**2, history.last_episode):
+    for numbers in (
+        agent.q,
+        agent.e,
+        history.average_reward,
+        history.average_reward**2,
+        history.last_episode,
+    ):
         assert np.isfinite(numbers).all()
 
 
@@ -94,10 +112,15 @@ def test_rewards_that_no_agent_could_bear_are_refused_in_recordings_models_and_t
             recording_of([(0, 0, reward, 1, False)], rewards=(reward, 1.0))
         with pytest.raises(ValueError, match="finite number"):
             replace(rl.load_task("wander_simple"), rewards=[reward, 1.0])
-    model = rl.SampleModel.from_recording(recording_of([(0, 0, 1.0, 1, False)], rewards=(-1.0, 1.0)))
+    model = rl.SampleModel.from_recording(
+        recording_of([(0, 0, 1.0, 1, False)], rewards=(-1.0, 1.0))
+    )
     with pytest.raises(ValueError, match="rewards cannot be that of one sample model"):
         replace(model, rewards=np.array([-1e308, 1.0]))
-    with pytest.raises(ValueError, match="r_max must be a finite number of at least 1e-100, at most 1e100"):
+    with pytest.raises(
+        ValueError,
+        match="r_max must be a finite number of at least 1e-100, at most 1e100",
+    ):
         rl.Agent("wander_simple", r_max=1e308)
 
 
@@ -108,8 +131,12 @@ def test_numpys_truths_are_told_as_pythons_own():
 
 
 def test_an_observation_that_is_no_whole_number_is_called_so():
-    env = gymnasium.wrappers.TransformObservation(Paying(), float, Paying.observation_space)
-    with pytest.raises(ValueError, match=r"bin 0\.0 does not exist: bins are 0 to 1, in whole numbers"):
+    env = gymnasium.wrappers.TransformObservation(
+        Paying(), float, Paying.observation_space
+    )
+    with pytest.raises(
+        ValueError, match=r"bin 0\.0 does not exist: bins are 0 to 1, in whole numbers"
+    ):
         rl.learn(rl.Agent(env), env, 5, progress=False)
 
 
@@ -126,7 +153,10 @@ class OldReset(Paying):
 @pytest.mark.parametrize("kind", [OldStep, OldReset])
 def test_an_environment_that_answers_as_the_old_gym_is_told_what_to_do(kind):
     env = kind()
-    with pytest.raises(ValueError, match=r"must return \d values, as in Gymnasium, .*GymV21CompatibilityV0"):
+    with pytest.raises(
+        ValueError,
+        match=r"must return \d values, as in Gymnasium, .*GymV21CompatibilityV0",
+    ):
         rl.learn(rl.Agent(env), env, 5, progress=False)
 
 
@@ -148,7 +178,9 @@ def test_a_world_whose_largest_reward_is_no_number_is_refused(reward):
     if reward is None:
         rl.Agent(world)
     else:
-        with pytest.raises(ValueError, match="r_max of a world must be a finite number"):
+        with pytest.raises(
+            ValueError, match="r_max of a world must be a finite number"
+        ):
             rl.Agent(world, "Q+EG")
 
 
@@ -165,11 +197,19 @@ def routes(env, path):
     recording = rl.record(agent, env, steps=4000)
     recording.save(path)
     again = rl.read_recording(path)
-    model, read = (rl.SampleModel.from_recording(r, unseen="stay") for r in (recording, again))
+    model, read = (
+        rl.SampleModel.from_recording(r, unseen="stay") for r in (recording, again)
+    )
     model.save(path / "model.npz")
     world = rl.make_env(rl.SampleModel.load(path / "model.npz"), seed=0)
-    second = rl.SampleModel.from_recording(rl.record(rl.Agent(world, "Q+RANDOM", seed=1), world, 4000), unseen="stay")
-    return env, *(rl.make_env(m, seed=0) for m in (model, read, second)), gymnasium.Wrapper(world)
+    second = rl.SampleModel.from_recording(
+        rl.record(rl.Agent(world, "Q+RANDOM", seed=1), world, 4000), unseen="stay"
+    )
+    return (
+        env,
+        *(rl.make_env(m, seed=0) for m in (model, read, second)),
+        gymnasium.Wrapper(world),
+    )
 
 
 WORLDS = {
@@ -177,41 +217,64 @@ WORLDS = {
     "two limits, the inner one shorter": lambda: TimeLimit(lake(12), 30),
     "two limits, the outer one shorter": lambda: TimeLimit(lake(30), 12),
     "a task with episodes": lambda: rl.make_env("worked_example", seed=0),
-    "such a task with a limit": lambda: TimeLimit(rl.make_env("worked_example", seed=0), 12),
-    "a task that goes on for ever": lambda: rl.make_env(replace(rl.load_task("worked_example"), episode_steps=None)),
+    "such a task with a limit": lambda: TimeLimit(
+        rl.make_env("worked_example", seed=0), 12
+    ),
+    "a task that goes on for ever": lambda: rl.make_env(
+        replace(rl.load_task("worked_example"), episode_steps=None)
+    ),
 }
 
 
 @pytest.mark.filterwarnings("ignore:.*has changed since")
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
-def test_a_world_has_the_same_episodes_and_the_same_average_reward_by_every_route(make, tmp_path):
+def test_a_world_has_the_same_episodes_and_the_same_average_reward_by_every_route(
+    make, tmp_path
+):
     worlds = routes(make(), tmp_path)
-    first, *others = (rl.learn(rl.Agent(w, "Q+EG", r_max=1, seed=2), w, 400, keep=True, progress=False) for w in worlds)
+    first, *others = (
+        rl.learn(
+            rl.Agent(w, "Q+EG", r_max=1, seed=2), w, 400, keep=True, progress=False
+        )
+        for w in worlds
+    )
     for history in others:
         assert history.size.episode_steps == first.size.episode_steps
         assert time_limit(worlds[0]) == time_limit(worlds[1]) == time_limit(worlds[3])
-        if first.size.n_states == 16:  # the lake's states tell all, so a model of it is exact
-            assert np.array_equal(history.s, first.s) and np.array_equal(history.terminated, first.terminated)
+        if (
+            first.size.n_states == 16
+        ):  # the lake's states tell all, so a model of it is exact
+            assert np.array_equal(history.s, first.s) and np.array_equal(
+                history.terminated, first.terminated
+            )
             assert np.array_equal(history.average_reward, first.average_reward)
             assert np.array_equal(history.last_episode, first.last_episode)
 
 
 def test_the_limit_of_a_world_is_the_smallest_of_its_wrappers():
     assert time_limit(Paying()) is None and time_limit(OrderEnforcing(Paying())) is None
-    assert time_limit(OrderEnforcing(TimeLimit(OrderEnforcing(TimeLimit(Paying(), 5)), 9))) == 5
+    assert (
+        time_limit(OrderEnforcing(TimeLimit(OrderEnforcing(TimeLimit(Paying(), 5)), 9)))
+        == 5
+    )
 
 
 def test_a_goal_of_other_peoples_worlds_counts_once():
     env = lake()
     history = rl.learn(rl.Agent(env, "Q+RANDOM", seed=1), env, 3000, progress=False)
-    assert history.rewards.sum() > 0 and history.average_reward[-1] == pytest.approx(history.rewards.mean())
+    assert history.rewards.sum() > 0 and history.average_reward[-1] == pytest.approx(
+        history.rewards.mean()
+    )
 
 
 @pytest.mark.parametrize("wrong", ["x", -1, 0, 2.5, True])
 def test_a_limit_that_is_none_is_refused(wrong):
     world = Paying()
     world.episode_steps = wrong
-    with pytest.raises(ValueError, match="episode_steps of a world must be None or a whole number of at least 1"):
+    with pytest.raises(
+        ValueError,
+        match="episode_steps of a world must be None or a whole number of at least 1",
+    ):
         rl.Agent(world)
     with pytest.raises(ValueError, match="time_limit"):
         replace(recording_of([(0, 0, 0.0, 1, False)]).source, time_limit=wrong)
@@ -219,10 +282,14 @@ def test_a_limit_that_is_none_is_refused(wrong):
 
 def test_where_every_step_costs_the_model_gives_the_agent_that_its_world_gives():
     cliff = gymnasium.make("CliffWalking-v1", max_episode_steps=50)
-    model = rl.SampleModel.from_recording(rl.record(rl.Agent(cliff, "Q+RANDOM", seed=0), cliff, 2000))
+    model = rl.SampleModel.from_recording(
+        rl.record(rl.Agent(cliff, "Q+RANDOM", seed=0), cliff, 2000)
+    )
     for method in ("Q+EG", "SARSA+EGLE", "TOSL+GREEDY", "SL+RANDOM"):
         for world in (model, rl.make_env(model)):
-            assert rl.Agent(world, method).parameters == rl.Agent(cliff, method).parameters
+            assert (
+                rl.Agent(world, method).parameters == rl.Agent(cliff, method).parameters
+            )
     with pytest.raises(ValueError, match=r"r_max must be .*where no reward is above 0"):
         rl.Agent(model, "Q+SR")
     assert rl.Agent(model, "Q+SR", r_max=10).parameters.r_max == 10
@@ -236,16 +303,33 @@ def with_goal(episode_steps=None):
     return replace(task, goal=lambda readings: True, episode_steps=episode_steps)
 
 
-@pytest.mark.parametrize("method", ["Q+EG", "SARSA+EGLE", "TOSL+GREEDY", "SL+RANDOM", "ESARSA+EG"])
+@pytest.mark.parametrize(
+    "method", ["Q+EG", "SARSA+EGLE", "TOSL+GREEDY", "SL+RANDOM", "ESARSA+EG"]
+)
 @pytest.mark.parametrize("traces", ["reduced", "full"])
 def test_without_discount_what_is_left_to_the_goal_is_learned(method, traces, tmp_path):
     """In a corridor in which each step costs 1, Q(s, right) is minus the number of steps to the goal."""
     rows = [(s, a, -1.0, s + a, s + a == 5) for s in range(5) for a in (0, 1)]
     recording = recording_of(rows, shape=(6,), rewards=(-1.0, 0.0))
-    model = replace(rl.SampleModel.from_recording(recording, unseen="stay"), starts=np.array([0]), time_limit=100)
-    agent = rl.Agent(model, method, gamma=1, lam=1, alpha=0.5, traces=traces, loop_evasion=False, seed=0)
+    model = replace(
+        rl.SampleModel.from_recording(recording, unseen="stay"),
+        starts=np.array([0]),
+        time_limit=100,
+    )
+    agent = rl.Agent(
+        model,
+        method,
+        gamma=1,
+        lam=1,
+        alpha=0.5,
+        traces=traces,
+        loop_evasion=False,
+        seed=0,
+    )
     rl.learn(agent, rl.make_env(model, seed=0), 4000, progress=False)
-    assert np.isfinite(agent.q).all() and len(agent.memory.register) == 6  # a trace that never fades needs all states
+    assert (
+        np.isfinite(agent.q).all() and len(agent.memory.register) == 6
+    )  # a trace that never fades needs all states
     if method.startswith("Q"):
         assert agent.q[:5, 1] == pytest.approx([-5, -4, -3, -2, -1], abs=1e-6)
     agent.save(tmp_path / "agent.npz")
@@ -254,7 +338,10 @@ def test_without_discount_what_is_left_to_the_goal_is_learned(method, traces, tm
 
 @pytest.mark.parametrize("method", ["Q+SR", "TOSL+QBIASSR", "Q+QBIASSR"])
 def test_without_discount_no_softmax_has_a_scale(method):
-    with pytest.raises(ValueError, match=r"gamma must be below 1 for a softmax, which divides Q by Rmax / \(1 - gamma"):
+    with pytest.raises(
+        ValueError,
+        match=r"gamma must be below 1 for a softmax, which divides Q by Rmax / \(1 - gamma",
+    ):
         rl.Agent(with_goal(), method, gamma=1)
 
 
@@ -270,9 +357,17 @@ def test_without_discount_there_must_be_an_end():
         rl.make_env(model),
         OrderEnforcing(rl.make_env(model)),
     ):
-        with pytest.raises(ValueError, match="gamma must be below 1 where no episode ends for good"):
+        with pytest.raises(
+            ValueError, match="gamma must be below 1 where no episode ends for good"
+        ):
             rl.Agent(world, "Q+EG", gamma=1)
-    for world in (with_goal(), rl.make_env(with_goal()), lake(), gymnasium.make("CliffWalking-v1"), Paying()):
+    for world in (
+        with_goal(),
+        rl.make_env(with_goal()),
+        lake(),
+        gymnasium.make("CliffWalking-v1"),
+        Paying(),
+    ):
         assert rl.Agent(world, "Q+EG", gamma=1).parameters.gamma == 1
 
 
@@ -280,7 +375,14 @@ def test_where_a_goal_ends_episodes_they_can_be_counted_without_a_limit():
     recording = rl.record(rl.Agent(lake(), "Q+RANDOM", seed=0), lake(), 500)
     model = rl.SampleModel.from_recording(recording, unseen="stay")
     some = {"episodes": 3, "repetitions": 1, "n_jobs": 1, "progress": False}
-    for world in (model, replace(rl.load_task("worked_example"), goal=lambda readings: True, episode_steps=None)):
+    for world in (
+        model,
+        replace(
+            rl.load_task("worked_example"),
+            goal=lambda readings: True,
+            episode_steps=None,
+        ),
+    ):
         (history,) = rl.compare(world, ["Q+EG"], **some)["Q+EG"]
         assert (history.terminated | history.truncated).sum() == 3
     with pytest.raises(ValueError, match="goes on for ever and has no episodes"):
@@ -290,7 +392,13 @@ def test_where_a_goal_ends_episodes_they_can_be_counted_without_a_limit():
 def test_a_store_tells_models_apart_by_their_limit(tmp_path):
     recording = rl.record(rl.Agent(lake(), "Q+RANDOM", seed=0), lake(), 500)
     model = rl.SampleModel.from_recording(recording)
-    some = {"repetitions": 1, "steps": 50, "n_jobs": 1, "progress": False, "store": tmp_path / "store"}
+    some = {
+        "repetitions": 1,
+        "steps": 50,
+        "n_jobs": 1,
+        "progress": False,
+        "store": tmp_path / "store",
+    }
     rl.compare(model, ["Q+EG"], **some)
     with pytest.raises(ValueError, match="time_limit"):
         rl.compare(replace(model, time_limit=40), ["Q+EG"], **some)

@@ -10,7 +10,9 @@ from fuzz.all_targets import TARGETS
 from fuzz.run import HERE, Outcome, once
 from fuzz.worker import unpacked
 
-SLOW = sorted(target.name for target in TARGETS.values() if target.share == 1)  # nearly a second an input
+SLOW = sorted(
+    target.name for target in TARGETS.values() if target.share == 1
+)  # nearly a second an input
 QUICK = sorted(TARGETS.keys() - set(SLOW))
 GROUPS = [(QUICK[i::3], 100) for i in range(3)] + [(SLOW, 30)]
 
@@ -31,9 +33,15 @@ def test_what_the_attack_once_found_is_mended():
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(("names", "inputs"), GROUPS, ids=[", ".join(names) for names, _ in GROUPS])
+@pytest.mark.parametrize(
+    ("names", "inputs"), GROUPS, ids=[", ".join(names) for names, _ in GROUPS]
+)
 def test_the_attack_finds_nothing(names, inputs):
     outcome, _ = once(["--plain", f"--inputs={inputs}", "--seed=0", *names])
     assert not outcome.found, told(outcome)
-    assert outcome.counts["inputs"] > 0.9 * inputs * len(names), "hypothesis knows when it has drawn all there is"
-    assert min(outcome.counts["accepted"], outcome.counts["refused"]) > 0.02 * inputs * len(names)
+    assert outcome.counts["inputs"] > 0.9 * inputs * len(names), (
+        "hypothesis knows when it has drawn all there is"
+    )
+    assert min(
+        outcome.counts["accepted"], outcome.counts["refused"]
+    ) > 0.02 * inputs * len(names)

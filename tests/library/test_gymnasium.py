@@ -28,12 +28,21 @@ def test_a_picture_is_what_gymnasium_asks_for_and_shows_where_the_robot_has_gone
     assert np.array_equal(env.render(), before)
     env.unwrapped.robot.act({"left_wheel": 2.0, "right_wheel": 2.0})
     after = env.render()
-    columns = [np.argwhere((p[..., 2] > 150) & (p[..., 0] < 30))[:, 1].mean() for p in (before, after)]  # of blue
-    assert 10 < columns[1] - columns[0] < 60  # it has gone to the right, by 0.2 m of 2 m
+    columns = [
+        np.argwhere((p[..., 2] > 150) & (p[..., 0] < 30))[:, 1].mean()
+        for p in (before, after)
+    ]  # of blue
+    assert (
+        10 < columns[1] - columns[0] < 60
+    )  # it has gone to the right, by 0.2 m of 2 m
 
 
-def test_a_picture_before_the_first_reset_and_one_that_nobody_ordered_are_told_in_words(env):
-    with pytest.raises(gymnasium.error.ResetNeeded, match=r"reset\(\) before the first render"):
+def test_a_picture_before_the_first_reset_and_one_that_nobody_ordered_are_told_in_words(
+    env,
+):
+    with pytest.raises(
+        gymnasium.error.ResetNeeded, match=r"reset\(\) before the first render"
+    ):
         env.unwrapped.render()
     blind = rl.make_env("wander_simple")
     blind.reset()
@@ -42,7 +51,10 @@ def test_a_picture_before_the_first_reset_and_one_that_nobody_ordered_are_told_i
 
 
 def test_what_cannot_be_drawn_is_refused_in_one_sentence(wander_model):
-    for make in (rl.make_env, lambda name, **mode: gymnasium.make(f"rlrobot/{name}-v0", **mode)):
+    for make in (
+        rl.make_env,
+        lambda name, **mode: gymnasium.make(f"rlrobot/{name}-v0", **mode),
+    ):
         with pytest.raises(ValueError, match="must be None or 'rgb_array', got 'ansi'"):
             make("wander_simple", render_mode="ansi")
     with pytest.raises(TypeError, match="render_mode"):

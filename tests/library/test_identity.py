@@ -146,9 +146,18 @@ print({pair: made(program) for pair, (program, _, _) in PAIRS.items()})
 def in_another_process(script, *folders, seed="1", **environment):
     """What a script prints in a process with another order of sets, whose working folder is the first one."""
     paths = os.pathsep.join(map(str, folders))
-    environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": paths, **environment}
+    environment = {
+        **os.environ,
+        "PYTHONHASHSEED": seed,
+        "PYTHONPATH": paths,
+        **environment,
+    }
     run = subprocess.run(
-        [sys.executable, "-c", script, folders[0]], env=environment, cwd=folders[0], capture_output=True, text=True
+        [sys.executable, "-c", script, folders[0]],
+        env=environment,
+        cwd=folders[0],
+        capture_output=True,
+        text=True,
     )
     assert run.returncode == 0, run.stderr
     return run.stdout.strip()
@@ -186,7 +195,11 @@ def module(tmp_path, monkeypatch):
     def write(name, text):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(textwrap.dedent(text), encoding="utf-8")
-        for loaded in [loaded for loaded in sys.modules if loaded.partition(".")[0].startswith("own_")]:
+        for loaded in [
+            loaded
+            for loaded in sys.modules
+            if loaded.partition(".")[0].startswith("own_")
+        ]:
             monkeypatch.delitem(sys.modules, loaded)
         importlib.invalidate_caches()
 
@@ -220,8 +233,13 @@ def test_an_edit_in_a_module_is_seen_however_the_module_is_reached(program, modu
 def test_what_a_function_does_not_ask_for_does_not_change_its_name(module):
     names = set()
     for other in (1, 2):
-        module("own_helper.py", f"OTHER = {other}\ndef g(x): return x\ndef unused(x): return {other}\n")
-        names.add(made(f"import own_helper\nq = {other}\ndef f(m): return own_helper.g(m.q)"))  # q is no global here
+        module(
+            "own_helper.py",
+            f"OTHER = {other}\ndef g(x): return x\ndef unused(x): return {other}\n",
+        )
+        names.add(
+            made(f"import own_helper\nq = {other}\ndef f(m): return own_helper.g(m.q)")
+        )  # q is no global here
     assert len(names) == 1
 
 
@@ -254,12 +272,16 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_neither_a_store_nor_a_saved_agent_takes_a_changed_method_for_the_same(change, wander_model, tmp_path):
+def test_neither_a_store_nor_a_saved_agent_takes_a_changed_method_for_the_same(
+    change, wander_model, tmp_path
+):
     program, old, new, flags = CHANGES[change]
 
     def run(method):
         about = {"repetitions": 1, "steps": 5, "progress": False, "n_jobs": 1}
-        return rl.compare(wander_model, [method], store=tmp_path / "store", **about)["MINE+SR"][0].q.sum()
+        return rl.compare(wander_model, [method], store=tmp_path / "store", **about)[
+            "MINE+SR"
+        ][0].q.sum()
 
     first = run(method_of(program))
     assert run(method_of(program)) == first
@@ -268,7 +290,9 @@ def test_neither_a_store_nor_a_saved_agent_takes_a_changed_method_for_the_same(c
     other = method_of(program.replace(old, new), **flags)
     with pytest.raises(ValueError, match="another experiment: the code of MINE"):
         run(other)
-    with pytest.raises(ValueError, match="is not the one that was given: the code of MINE"):
+    with pytest.raises(
+        ValueError, match="is not the one that was given: the code of MINE"
+    ):
         rl.Agent.load(tmp_path / "agent.npz", other)
 
 
@@ -282,14 +306,27 @@ print(made_of(pickle.loads(bytes.fromhex("{}"))))
 def test_the_toolkits_parts_are_not_own_ones_in_whatever_process():
     method = rl.Method("Q", "SR", "dyna")
     folders = (Path(__file__).parent,)
-    assert made_of(method) == made_of(pickle.loads(pickle.dumps(method))) == {"planner": "dyna"}
-    assert in_another_process(TOOLKITS.format(cloudpickle.dumps(method).hex()), *folders) == "{'planner': 'dyna'}"
-    impostor = rl.Method(rl.Algorithm("Q", rl.Method("SARSA", "SR").algorithm.update), "SR")
+    assert (
+        made_of(method)
+        == made_of(pickle.loads(pickle.dumps(method)))
+        == {"planner": "dyna"}
+    )
+    assert (
+        in_another_process(TOOLKITS.format(cloudpickle.dumps(method).hex()), *folders)
+        == "{'planner': 'dyna'}"
+    )
+    impostor = rl.Method(
+        rl.Algorithm("Q", rl.Method("SARSA", "SR").algorithm.update), "SR"
+    )
     assert [*made_of(impostor)] == ["planner", "the code of Q"]
 
 
 @pytest.mark.parametrize(
-    "make", [lambda: rl.Agent("wander_simple", planner="dyna"), lambda: rl.Method("Q", "SR", "dyna")]
+    "make",
+    [
+        lambda: rl.Agent("wander_simple", planner="dyna"),
+        lambda: rl.Method("Q", "SR", "dyna"),
+    ],
 )
 def test_what_plans_can_be_pickled(make):
     again = pickle.loads(pickle.dumps(make()))
@@ -323,10 +360,15 @@ def test_a_store_sees_an_edit_in_a_file_that_the_tasks_file_imports(module, tmp_
     (tmp_path / "own_task.py").write_text(TASK, encoding="utf-8")
     facts = []
     for limit in (0.5, 0.6, 0.5):
-        module("own_helper.py", f"LIMIT = {limit}\ndef g(x): return 1.0 if x > LIMIT else -1.0\n")
+        module(
+            "own_helper.py",
+            f"LIMIT = {limit}\ndef g(x): return 1.0 if x > LIMIT else -1.0\n",
+        )
         facts.append(facts_of(rl.load_task(tmp_path / "own_task.py")))
     assert facts[0] == facts[2]
-    assert [name for name in facts[0] if facts[0][name] != facts[1][name]] == ["the function reward"]
+    assert [name for name in facts[0] if facts[0][name] != facts[1][name]] == [
+        "the function reward"
+    ]
 
 
 FACTS = """
@@ -338,16 +380,23 @@ print(*(facts_of(rl.load_task(name)) for name in rl.available_tasks()), sep="; "
 
 @pytest.mark.long
 def test_the_facts_of_the_toolkits_tasks_are_the_same_in_every_process():
-    facts = {in_another_process(FACTS, Path(__file__).parent, seed=seed) for seed in "12"}
+    facts = {
+        in_another_process(FACTS, Path(__file__).parent, seed=seed) for seed in "12"
+    }
     assert len(facts) == 1
 
 
 def test_another_function_of_the_same_file_is_another_one(tmp_path, module):
     module("own_helper.py", "def g(x): return 1.0")
-    text = TASK.replace("task = ", "def other(before, after):\n    return 1.0\n\ntask = ")
+    text = TASK.replace(
+        "task = ", "def other(before, after):\n    return 1.0\n\ntask = "
+    )
     (tmp_path / "own_task.py").write_text(text, encoding="utf-8")
     task = rl.load_task(tmp_path / "own_task.py")
-    names = {code_of(task.reward.__globals__[name], file=task.path) for name in ("reward", "other")}
+    names = {
+        code_of(task.reward.__globals__[name], file=task.path)
+        for name in ("reward", "other")
+    }
     assert len(names) == 2
 
 
@@ -368,14 +417,21 @@ print(agent.q.tolist())
 @pytest.mark.skipif(IS_PLAIN, reason="needs kernels that are compiled")
 def test_an_edited_algorithm_runs_in_real_and_in_imagined_steps_alike(tmp_path):
     skipped = shutil.ignore_patterns("__pycache__", "course", "reproduction")
-    package = shutil.copytree(Path(rl.__file__).parent, tmp_path / "rlrobot_edu", ignore=skipped)
+    package = shutil.copytree(
+        Path(rl.__file__).parent, tmp_path / "rlrobot_edu", ignore=skipped
+    )
     shutil.copytree(shipped("tasks"), tmp_path / "tasks")
     path, seen = package / "learning" / "algorithms" / "q_learning.py", []
     text = path.read_text(encoding="utf-8")
     for rule in ("alpha * delta", "0.25 * delta", "0.125 * delta"):
-        path.write_text(text.replace("+= alpha * delta", f"+= {rule}"), encoding="utf-8")
+        path.write_text(
+            text.replace("+= alpha * delta", f"+= {rule}"), encoding="utf-8"
+        )
         q = [
-            in_another_process(LEARN, tmp_path, NUMBA_DISABLE_JIT=plain, PYTHONDONTWRITEBYTECODE="1") for plain in "01"
+            in_another_process(
+                LEARN, tmp_path, NUMBA_DISABLE_JIT=plain, PYTHONDONTWRITEBYTECODE="1"
+            )
+            for plain in "01"
         ]
         assert q[0] == q[1]
         seen.append(q[0])
@@ -398,10 +454,14 @@ def f(m, s, a, r, s_next, a_next, terminated):
 @pytest.mark.parametrize("world", ["wander_simple", "model"])
 @pytest.mark.parametrize("decorators", [("", "", "K"), ("", "@compiled", "K"), ("@compiled", "", "g(1.0)"),
                                         ("@compiled", "@compiled", "g(1.0)")])  # fmt: skip
-def test_what_a_method_refers_to_is_as_it_is_when_learning_begins(decorators, world, wander_model):
+def test_what_a_method_refers_to_is_as_it_is_when_learning_begins(
+    decorators, world, wander_model
+):
     world = wander_model if world == "model" else world
     method = method_of(HELPED.format(*decorators))
-    space = getattr(method.algorithm.update, "py_func", method.algorithm.update).__globals__
+    space = getattr(
+        method.algorithm.update, "py_func", method.algorithm.update
+    ).__globals__
     old = rl.Agent(world, method, seed=0)
     for k in (0.5, 0.25, 0.5, 0.125):
         space["K"] = k
@@ -417,12 +477,20 @@ def test_what_a_method_refers_to_is_as_it_is_when_learning_begins(decorators, wo
 def test_transfer_keeps_the_very_method():
     impostor = rl.Algorithm("Q", method_of(UPDATE).algorithm.update)
     planner = rl.Method("Q", "SR", "dyna").planner._replace(name="mine")
-    source = rl.Agent("wander_simple", rl.Method(impostor, "SR"), planner=planner, seed=0)
+    source = rl.Agent(
+        "wander_simple", rl.Method(impostor, "SR"), planner=planner, seed=0
+    )
     source.q[:] = 1.0
     agent = rl.transfer(source, "giraff_wander_simple")
     assert agent.method == source.method and agent.method.planner.name == "mine"
-    assert rl.transfer(source, "giraff_wander_simple", planner=None).method == rl.Method(impostor, "SR")
-    assert rl.transfer(source, "giraff_wander_simple", method="TOSL+SR").method == rl.Method("TOSL", "SR", planner)
+    assert rl.transfer(
+        source, "giraff_wander_simple", planner=None
+    ).method == rl.Method(impostor, "SR")
+    assert rl.transfer(
+        source, "giraff_wander_simple", method="TOSL+SR"
+    ).method == rl.Method("TOSL", "SR", planner)
     mine = rl.Selection("SR", rl.Method("Q", "GREEDY").selection.weigh)
-    given = rl.transfer(source, "giraff_wander_simple", method=rl.Method("SARSA", mine)).method
+    given = rl.transfer(
+        source, "giraff_wander_simple", method=rl.Method("SARSA", mine)
+    ).method
     assert given == rl.Method("SARSA", mine, planner)

@@ -12,7 +12,11 @@ from rlrobot_edu.learning import compiled_loop, progress
 from rlrobot_edu.models import model_env
 from rlrobot_edu.models.sampling import begin, outcome
 
-SETTINGS = [{"method": "Q+SR"}, {"method": "TOSL+QBIASSR"}, {"method": "SL+EGLE", "loop_evasion": True}]
+SETTINGS = [
+    {"method": "Q+SR"},
+    {"method": "TOSL+QBIASSR"},
+    {"method": "SL+EGLE", "loop_evasion": True},
+]
 
 
 def fresh(model, settings):
@@ -21,25 +25,35 @@ def fresh(model, settings):
 
 def same(history, other):
     names = ("s", "a", "rewards", "s_next", "terminated", "truncated", "q", "visits")
-    return all(np.array_equal(getattr(history, name), getattr(other, name)) for name in names)
+    return all(
+        np.array_equal(getattr(history, name), getattr(other, name)) for name in names
+    )
 
 
 def same_state(agent, env, other, twin):
     """Whether an agent and its world stand where others do, and will go on in the same way."""
     here, there = ((a.pending, w.state, w.episode_step, a.rng.random(), w.np_random.random())
                    for a, w in ((agent, env), (other, twin)))  # fmt: skip
-    return here == there and np.array_equal(agent.q, other.q) and np.array_equal(agent.e, other.e)
+    return (
+        here == there
+        and np.array_equal(agent.q, other.q)
+        and np.array_equal(agent.e, other.e)
+    )
 
 
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 @pytest.mark.parametrize("length", [1, 7, 8, 1000])
 @pytest.mark.parametrize("episodes", [None, 1, 30])
-def test_slices_of_any_length_make_the_same_history(episodes_model, settings, length, episodes, monkeypatch):
+def test_slices_of_any_length_make_the_same_history(
+    episodes_model, settings, length, episodes, monkeypatch
+):
     agent, env = fresh(episodes_model, settings)
     whole = rl.learn(agent, env, 300, episodes=episodes, keep=True, progress=False)
     monkeypatch.setattr(compiled_loop, "SLICE", length)
     other, twin = fresh(episodes_model, settings)
-    assert same(whole, rl.learn(other, twin, 300, episodes=episodes, keep=True, progress=False))
+    assert same(
+        whole, rl.learn(other, twin, 300, episodes=episodes, keep=True, progress=False)
+    )
     assert same_state(agent, env, other, twin)
 
 
@@ -65,13 +79,19 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
     def run_and_press(*arguments):
         slices.append(run(*arguments))
         if len(slices) == pressed_in:
-            signal.raise_signal(signal.SIGINT)  # the interpreter hears of it when it is back from the kernel
+            signal.raise_signal(
+                signal.SIGINT
+            )  # the interpreter hears of it when it is back from the kernel
         return slices[-1]
 
     monkeypatch.setattr(model_env, "make_run", lambda *of: run_and_press)
-    with pytest.raises(KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps") as stopped:
+    with pytest.raises(
+        KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps"
+    ) as stopped:
         rl.learn(agent, env, 1000, progress=False)
-    assert stopped.value._render_traceback_() == [str(stopped.value)], "one line in a notebook"
+    assert stopped.value._render_traceback_() == [str(stopped.value)], (
+        "one line in a notebook"
+    )
     assert agent.visits.sum() == 100 * pressed_in
     rl.learn(agent, env, 1000 - 100 * pressed_in, progress=False, resume=True)
     other, twin = fresh(wander_model, settings)
@@ -79,7 +99,9 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
     assert same_state(agent, env, other, twin)
 
 
-def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(wander_model, monkeypatch, ctrl_c):
+def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(
+    wander_model, monkeypatch, ctrl_c
+):
     agent, env = fresh(wander_model, {})
     rl.learn(agent, env, 1, progress=False)  # compiles
     is_running = threading.Event()
@@ -103,7 +125,9 @@ def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(wander_model, mon
             rl.learn(agent, env, 3 * 10**7, progress=False)
     finally:
         thread.join()
-    assert agent.visits.sum() - before[0] < 20 * compiled_loop.SLICE  # one or two, on a machine that does nothing else
+    assert (
+        agent.visits.sum() - before[0] < 20 * compiled_loop.SLICE
+    )  # one or two, on a machine that does nothing else
 
 
 def test_the_bar_moves_with_every_slice(wander_model, monkeypatch):

@@ -28,7 +28,9 @@ DRIVERS = Path(__file__).parents[1] / "javascript"
 METHODS = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
 N_STEPS, MODEL = 5000, "wander_1k"
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="node is missing: it runs JavaScript")
+pytestmark = pytest.mark.skipif(
+    shutil.which("node") is None, reason="node is missing: it runs JavaScript"
+)
 
 
 class Worker:
@@ -36,7 +38,11 @@ class Worker:
 
     def __init__(self, *command, **surroundings):
         self.process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env={**os.environ, **surroundings}
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env={**os.environ, **surroundings},
         )
 
     def ask(self, job):
@@ -70,10 +76,16 @@ text_of = cache(program_of)
 def memory_of(shape, n_actions, parameters):
     """A new memory in lists and numbers."""
     m = new_memory(shape, n_actions, Parameters(**parameters))
-    lists = {name: array.tolist() for name, array in m._asdict().items() if name not in ("parameters", "now")}
+    lists = {
+        name: array.tolist()
+        for name, array in m._asdict().items()
+        if name not in ("parameters", "now")
+    }
     records = {"parameters": (m.parameters, SETTINGS), "now": (m.now, NOW)}
     return lists | {
-        name: {number: np.asarray(getattr(record, number)).item() for number in dtype.names}
+        name: {
+            number: np.asarray(getattr(record, number)).item() for number in dtype.names
+        }
         for name, (record, dtype) in records.items()
     }
 
@@ -82,7 +94,9 @@ def both(node, plain, job, **more):
     """What came of a job in JavaScript, and in Python."""
     m = memory_of(tuple(job["shape"]), job["n_actions"], job["parameters"])
     ours = plain.ask(job)
-    return node.ask({**job, "program": text_of(job["method"]), "memory": m, **more}), ours
+    return node.ask(
+        {**job, "program": text_of(job["method"]), "memory": m, **more}
+    ), ours
 
 
 def is_drawn_by_exponentials(method):
@@ -102,7 +116,9 @@ def same_but_for_exponentials(method, theirs, ours):
     assert theirs["e"] == ours["e"] and theirs["visits"] == ours["visits"]
     assert theirs["temperature"] == ours["temperature"]
     if looser:
-        np.testing.assert_allclose(theirs["probabilities"], ours["probabilities"], rtol=1e-12)
+        np.testing.assert_allclose(
+            theirs["probabilities"], ours["probabilities"], rtol=1e-12
+        )
     else:
         assert theirs["probabilities"] == ours["probabilities"]
 
@@ -114,7 +130,10 @@ shares = st.floats(0.01, 0.99)
 @st.composite
 def jobs(draw):
     """A tape of transitions in a small world, for any method."""
-    shape, n_actions = draw(st.lists(st.integers(1, 4), min_size=1, max_size=3)), draw(st.integers(1, 4))
+    shape, n_actions = (
+        draw(st.lists(st.integers(1, 4), min_size=1, max_size=3)),
+        draw(st.integers(1, 4)),
+    )
     s, a = st.integers(0, int(np.prod(shape)) - 1), st.integers(0, n_actions - 1)
     row = st.tuples(s, a, numbers, s, st.booleans(), st.floats(0, 1, exclude_max=True))
     parameters = {
@@ -123,7 +142,10 @@ def jobs(draw):
         "traces": draw(st.sampled_from(["reduced", "full"])), "accumulating": draw(st.booleans()),
         "loop_evasion": draw(st.booleans()),
     }  # fmt: skip
-    method, tape = draw(st.sampled_from(METHODS)), draw(st.lists(row, min_size=1, max_size=40))
+    method, tape = (
+        draw(st.sampled_from(METHODS)),
+        draw(st.lists(row, min_size=1, max_size=40)),
+    )
     return {
         "kind": "steps", "method": method, "shape": shape, "n_actions": n_actions, "parameters": parameters,
         "tape": tape,
@@ -142,7 +164,9 @@ def test_on_any_tape_they_learn_what_plain_python_learns(node, plain):
 
 
 def run_job(method):
-    tables = rl.make_env(rl.SampleModel.from_recording(rl.read_recording(MODEL))).unwrapped._tables
+    tables = rl.make_env(
+        rl.SampleModel.from_recording(rl.read_recording(MODEL))
+    ).unwrapped._tables
     shape = tuple(tables.shape.tolist())
     rng = np.random.default_rng(0)
     job = {
@@ -150,17 +174,25 @@ def run_job(method):
         "n_actions": tables.n_actions,
         "parameters": {"r_max": 10.0}, "u": rng.random(4 * N_STEPS).tolist(), "v": rng.random(2 * N_STEPS).tolist(),
     }  # fmt: skip
-    lists = {name: np.asarray(thing).tolist() for name, thing in tables._asdict().items()}
+    lists = {
+        name: np.asarray(thing).tolist() for name, thing in tables._asdict().items()
+    }
     return job, {"tables": lists}
 
 
 @pytest.mark.parametrize(
-    "method", [m if m in ("TOSL+QBIASSR", "Q+EG") else pytest.param(m, marks=pytest.mark.long) for m in METHODS]
+    "method",
+    [
+        m if m in ("TOSL+QBIASSR", "Q+EG") else pytest.param(m, marks=pytest.mark.long)
+        for m in METHODS
+    ],
 )
 def test_in_a_sample_model_they_live_the_same_life(node, plain, method):
     job, more = run_job(method)
     theirs, ours = both(node, plain, job, **more)
-    assert theirs["rewards"] == ours["rewards"] and theirs["at"] == ours["at"], "step for step"
+    assert theirs["rewards"] == ours["rewards"] and theirs["at"] == ours["at"], (
+        "step for step"
+    )
     same_but_for_exponentials(method, theirs, ours)
 
 
@@ -168,7 +200,15 @@ def test_an_exponential_is_right_to_its_last_digit_but_one(node):
     @settings(max_examples=50, deadline=None)
     @given(st.lists(st.floats(-700, 0), min_size=1, max_size=50))
     def hold(x):
-        many = node.ask({"kind": "call", "method": "exp", "program": EXP, "name": "many", "arguments": [x]})
+        many = node.ask(
+            {
+                "kind": "call",
+                "method": "exp",
+                "program": EXP,
+                "name": "many",
+                "arguments": [x],
+            }
+        )
         ours = np.exp(np.array(x))
         assert (np.abs(np.array(many) - ours) <= np.spacing(ours)).all()
 
@@ -214,15 +254,40 @@ def test_what_has_no_translation_is_refused_with_file_and_line(kernel, line, wha
 
 def test_the_kinematic_base_drives_alike(node):
     """Into the walls of the maze and along them; a sine may differ by its last digit, and so what follows."""
-    body, walls, place = Body.of(PIONEER), walls_of(ARENAS["maze_6x6"]), np.array([PIONEER.axle, 0.0, 0.0])
-    near, touch, lengths = np.zeros(len(walls), dtype=np.int64), np.zeros(7), np.zeros(len(body.rays))
+    body, walls, place = (
+        Body.of(PIONEER),
+        walls_of(ARENAS["maze_6x6"]),
+        np.array([PIONEER.axle, 0.0, 0.0]),
+    )
+    near, touch, lengths = (
+        np.zeros(len(walls), dtype=np.int64),
+        np.zeros(7),
+        np.zeros(len(body.rays)),
+    )
     text, rng = program({"drive": drive, "look": look}), np.random.default_rng(0)
     for _ in range(60):
         motion = [float(rng.uniform(-0.2, 0.2)), float(rng.uniform(-1, 1))]
-        world = [body.hull.tolist(), body.radius, body.moment, walls.tolist(), near.tolist(), touch.tolist()]
-        job = {"kind": "call", "method": "base", "program": DROVE.replace("PROGRAM", text), "name": "drove"}
-        theirs = node.ask(job | {"arguments": [place.tolist(), *motion, 1.0, *world, body.rays.tolist()]})
-        drive(place, *motion, 1.0, body.hull, body.radius, body.moment, walls, near, touch)
+        world = [
+            body.hull.tolist(),
+            body.radius,
+            body.moment,
+            walls.tolist(),
+            near.tolist(),
+            touch.tolist(),
+        ]
+        job = {
+            "kind": "call",
+            "method": "base",
+            "program": DROVE.replace("PROGRAM", text),
+            "name": "drove",
+        }
+        theirs = node.ask(
+            job
+            | {"arguments": [place.tolist(), *motion, 1.0, *world, body.rays.tolist()]}
+        )
+        drive(
+            place, *motion, 1.0, body.hull, body.radius, body.moment, walls, near, touch
+        )
         look(place, body.rays, 5.02, walls, lengths)
         np.testing.assert_allclose(theirs, [*place, *lengths], atol=1e-9)
 
@@ -242,7 +307,13 @@ def python_division(a, b):
 def test_division_is_pythons(node):
     text = program({"python_division": python_division})
     for a, b in ((7, 2), (-7, 2), (7, -2), (-7, -2), (6, 3), (0.75, 0.5), (-0.75, 0.5)):
-        job = {"kind": "call", "method": "division", "program": text, "name": "python_division", "arguments": [a, b]}
+        job = {
+            "kind": "call",
+            "method": "division",
+            "program": text,
+            "name": "python_division",
+            "arguments": [a, b],
+        }
         assert node.ask(job) == list(python_division(a, b))
 
 

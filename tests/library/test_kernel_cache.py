@@ -19,7 +19,9 @@ from rlrobot_edu.learning import jit
 
 numba = pytest.importorskip("numba")
 kernel_cache = pytest.importorskip("rlrobot_edu.learning.kernel_cache")
-pytestmark = pytest.mark.skipif(numba.config.DISABLE_JIT, reason="needs kernels that are compiled")
+pytestmark = pytest.mark.skipif(
+    numba.config.DISABLE_JIT, reason="needs kernels that are compiled"
+)
 
 PACKAGE = Path(rl.__file__).parent
 
@@ -47,7 +49,9 @@ def load(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     monkeypatch.setattr(jit, "FOLDER", jit.cache_folder())
 
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a full disk would cut it off
+    monkeypatch.setattr(
+        sys, "dont_write_bytecode", True
+    )  # a full disk would cut it off
 
     def load_kernel(old="", new=""):
         """The kernel, after `old` in its file has been replaced with `new`."""
@@ -81,18 +85,27 @@ def test_a_kernel_is_compiled_once(load, tmp_path):
     assert len(kept(tmp_path)) == 1
 
 
-def test_an_edit_runs_wherever_it_is_and_what_no_kernel_is_made_of_costs_nothing(load, tmp_path):
+def test_an_edit_runs_wherever_it_is_and_what_no_kernel_is_made_of_costs_nothing(
+    load, tmp_path
+):
     assert not is_kept(load())
-    assert not is_kept(load("FACTOR = 2", "FACTOR = 3"), factor=3)  # what the kernel calls reaches it
+    assert not is_kept(
+        load("FACTOR = 2", "FACTOR = 3"), factor=3
+    )  # what the kernel calls reaches it
     assert not is_kept(load("FACTOR * x", "(FACTOR + 1) * x"), factor=4)
-    assert is_kept(load("(FACTOR + 1) * x", "FACTOR * x"), factor=3)  # the versions stand side by side
+    assert is_kept(
+        load("(FACTOR + 1) * x", "FACTOR * x"), factor=3
+    )  # the versions stand side by side
     assert is_kept(load("FACTOR = 3", "# an edit\n\nOTHER = 1\nFACTOR = 2"))
     assert len(kept(tmp_path)) == 3
 
 
 def test_a_kernel_that_no_process_has_asked_for_in_a_month_goes(load, tmp_path):
     is_kept(load())
-    (used,), unused = kept(tmp_path), [path for path in tmp_path.rglob("*.nbc") if "times" in path.name]
+    (used,), unused = (
+        kept(tmp_path),
+        [path for path in tmp_path.rglob("*.nbc") if "times" in path.name],
+    )
     for path in (used, *unused):
         os.utime(path, (0, 0))
     assert is_kept(load())  # which asks for it
@@ -124,7 +137,12 @@ def test_a_damaged_cache_is_made_anew_without_a_word(load, tmp_path, damage, cap
 @needs_limits
 def test_on_a_full_disk_kernels_run_and_are_kept_when_there_is_room(load, tmp_path):
     for _ in range(2):
-        with full_disk(20), pytest.warns(UserWarning, match="compiled kernels cannot be kept .*File too large"):
+        with (
+            full_disk(20),
+            pytest.warns(
+                UserWarning, match="compiled kernels cannot be kept .*File too large"
+            ),
+        ):
             assert not is_kept(load())
         assert not [*tmp_path.rglob("*.nbc")]
     assert not is_kept(load())
@@ -154,9 +172,13 @@ print(hashlib.sha256(agent.q.tobytes()).hexdigest(), jit.cache_folder() is None)
 @needs_limits
 @pytest.mark.parametrize("fault", ["no home", "full disk"])
 def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
-    package = shutil.copytree(PACKAGE, tmp_path / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__"))
+    package = shutil.copytree(
+        PACKAGE, tmp_path / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__")
+    )
     shutil.copytree(shipped("tasks"), tmp_path / "tasks")
-    if fault == "no home":  # and no place in the package: not even root can make a folder of a file
+    if (
+        fault == "no home"
+    ):  # and no place in the package: not even root can make a folder of a file
         (package / "__pycache__").touch()
 
     run = subprocess.run(
@@ -167,9 +189,15 @@ def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
         text=True,
     )
     assert run.returncode == 0, run.stderr
-    agent, env = rl.Agent("worked_example", "Q+SR", seed=0), rl.make_env("worked_example", seed=0)
+    agent, env = (
+        rl.Agent("worked_example", "Q+SR", seed=0),
+        rl.make_env("worked_example", seed=0),
+    )
     rl.learn(agent, env, steps=200, progress=False)
-    assert run.stdout.split() == [hashlib.sha256(agent.q.tobytes()).hexdigest(), str(fault == "no home")]
+    assert run.stdout.split() == [
+        hashlib.sha256(agent.q.tobytes()).hexdigest(),
+        str(fault == "no home"),
+    ]
     said = run.stderr.splitlines()
     assert len(said) < 4, run.stderr
     assert not [*tmp_path.rglob("*.nbc")]

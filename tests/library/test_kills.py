@@ -25,7 +25,9 @@ def grow_old(folder):
 
 
 @alone
-def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp_path):
+def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(
+    tmp_path,
+):
     path, contents = tmp_path / "agent.npz", []
     agents = [rl.Agent("wander_simple", seed=seed) for seed in range(2)]
     for agent in agents:
@@ -35,7 +37,12 @@ def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(
     old, new = contents
 
     found = set()
-    for _ in kills(lambda: [agent.save(path) for agent in agents[::-1]], KILLS, size=len(new), seconds=0.03):
+    for _ in kills(
+        lambda: [agent.save(path) for agent in agents[::-1]],
+        KILLS,
+        size=len(new),
+        seconds=0.03,
+    ):
         found.add(path.read_bytes())
     assert found == {old, new}
     assert parts(tmp_path)
@@ -49,9 +56,14 @@ def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(
 
 @pytest.mark.long
 @alone
-def test_a_recording_is_the_old_or_the_new_one_or_refused_whenever_its_writer_is_killed(tmp_path):
+def test_a_recording_is_the_old_or_the_new_one_or_refused_whenever_its_writer_is_killed(
+    tmp_path,
+):
     def recorded(seed):
-        agent, env = rl.Agent("worked_example", seed=seed), rl.make_env("worked_example", seed=seed)
+        agent, env = (
+            rl.Agent("worked_example", seed=seed),
+            rl.make_env("worked_example", seed=seed),
+        )
         return rl.record(agent, env, steps=40)
 
     def rows(recording):
@@ -61,7 +73,12 @@ def test_a_recording_is_the_old_or_the_new_one_or_refused_whenever_its_writer_is
     recorded(0).save(folder)
     old, new = (rows(recorded(seed)) for seed in (0, 1))
     size = (folder / "datapackage.json").stat().st_size
-    for _ in kills(lambda: [recorded(seed).save(folder) for seed in seeds], KILLS, size, seconds=0.1):
+    for _ in kills(
+        lambda: [recorded(seed).save(folder) for seed in seeds],
+        KILLS,
+        size,
+        seconds=0.1,
+    ):
         try:
             found.add(rows(rl.read_recording(folder)))
         except ValueError as error:  # killed between its two files
@@ -80,7 +97,15 @@ def test_a_comparison_goes_on_to_the_same_numbers_whenever_it_is_killed(tmp_path
     store = tmp_path / "s"
 
     def compared(n_jobs=1, **more):
-        return rl.compare(model, ["TOSL+QBIASSR", "Q+SR"], 3, steps=60, n_jobs=n_jobs, progress=False, **more)
+        return rl.compare(
+            model,
+            ["TOSL+QBIASSR", "Q+SR"],
+            3,
+            steps=60,
+            n_jobs=n_jobs,
+            progress=False,
+            **more,
+        )
 
     undisturbed = compared()
     for _ in kills(lambda: compared(store=store), KILLS, size=1000, seconds=0.2):
@@ -110,14 +135,20 @@ rl.compare(model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, store=sys.arg
 
 @pytest.mark.long
 @pytest.mark.parametrize("end", ["done", "killed"])
-def test_two_processes_on_one_store_come_to_the_same_numbers_and_neither_spoils_what_the_other_kept(tmp_path, end):
+def test_two_processes_on_one_store_come_to_the_same_numbers_and_neither_spoils_what_the_other_kept(
+    tmp_path, end
+):
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
 
     def compared(**more):
-        return rl.compare(model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, **more)
+        return rl.compare(
+            model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, **more
+        )
 
     command = [sys.executable, "-c", AT_WORK, tmp_path / "s"]
-    with subprocess.Popen(command, cwd=TESTS, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as first:
+    with subprocess.Popen(
+        command, cwd=TESTS, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as first:
         assert first.stdout.readline() == "saved\n"
         first_file = tmp_path / "s" / "Q+SR" / "0000.npz"
         kept = first_file.stat().st_mtime_ns

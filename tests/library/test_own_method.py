@@ -49,7 +49,9 @@ def world_of(name, wander_model):
 @pytest.mark.long
 @pytest.mark.parametrize("selection", ["SR", "QBIASSR", "EG"])
 @pytest.mark.parametrize("world", WORLDS)
-def test_sarsa_written_again_learns_what_the_librarys_learns_to_the_last_bit(world, selection, wander_model):
+def test_sarsa_written_again_learns_what_the_librarys_learns_to_the_last_bit(
+    world, selection, wander_model
+):
     world = world_of(world, wander_model)
     q = []
     for method in (rl.Method(MINE, selection), f"SARSA+{selection}"):
@@ -60,10 +62,14 @@ def test_sarsa_written_again_learns_what_the_librarys_learns_to_the_last_bit(wor
 
 
 @pytest.mark.long
-def test_an_algorithm_and_a_selection_of_ones_own_have_their_names_and_are_used(wander_model):
+def test_an_algorithm_and_a_selection_of_ones_own_have_their_names_and_are_used(
+    wander_model,
+):
     agent = rl.Agent(wander_model, rl.Method(HALF, LAST), seed=0)
     assert agent.method.name == "HALF+LAST"
-    history = rl.learn(agent, rl.make_env(wander_model, seed=1), steps=500, keep=True, progress=False)
+    history = rl.learn(
+        agent, rl.make_env(wander_model, seed=1), steps=500, keep=True, progress=False
+    )
     assert history.method == "HALF+LAST" and np.mean(history.a == 8) > 0.8
     q = np.zeros_like(agent.q)
     for s, a, r in zip(history.s, history.a, history.rewards, strict=True):
@@ -71,9 +77,13 @@ def test_an_algorithm_and_a_selection_of_ones_own_have_their_names_and_are_used(
     assert np.array_equal(q, agent.q)
 
 
-def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code(tmp_path):
+def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code(
+    tmp_path,
+):
     about = {"repetitions": 2, "steps": 60, "n_jobs": 2, "progress": False}
-    mine = rl.compare("wander_simple", [rl.Method(MINE, "SR")], store=tmp_path / "store", **about)
+    mine = rl.compare(
+        "wander_simple", [rl.Method(MINE, "SR")], store=tmp_path / "store", **about
+    )
     assert list(mine.groups) == ["MINE+SR"]
     same = rl.compare("wander_simple", {"MINE+SR": {"method": "SARSA+SR"}}, **about)
     for ours, theirs in zip(mine["MINE+SR"], same["MINE+SR"], strict=True):
@@ -83,16 +93,28 @@ def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code
         rl.compare("wander_simple", [other], store=tmp_path / "store", **about)
 
 
-def test_a_saved_agent_goes_on_with_its_own_method_and_with_no_other(wander_model, tmp_path):
+def test_a_saved_agent_goes_on_with_its_own_method_and_with_no_other(
+    wander_model, tmp_path
+):
     method, path = rl.Method(MINE, LAST), tmp_path / "agent.npz"
-    agent, env = rl.Agent(wander_model, method, seed=0), rl.make_env(wander_model, seed=1)
+    agent, env = (
+        rl.Agent(wander_model, method, seed=0),
+        rl.make_env(wander_model, seed=1),
+    )
     rl.learn(agent, env, steps=100, progress=False)
     agent.save(path)
     again = rl.Agent.load(path, method=method)
     assert np.array_equal(again.q, agent.q) and again.method.name == "MINE+LAST"
-    with pytest.raises(ValueError, match=r"agent\.npz: this agent has a method of its own; give it as method="):
+    with pytest.raises(
+        ValueError,
+        match=r"agent\.npz: this agent has a method of its own; give it as method=",
+    ):
         rl.Agent.load(path)
-    for other in (rl.Method(HALF, LAST), rl.Method(rl.Algorithm("MINE", half_update), LAST), rl.Method(MINE, "SR")):
+    for other in (
+        rl.Method(HALF, LAST),
+        rl.Method(rl.Algorithm("MINE", half_update), LAST),
+        rl.Method(MINE, "SR"),
+    ):
         with pytest.raises(ValueError, match="is not the one that was given"):
             rl.Agent.load(path, method=other)
 
@@ -100,23 +122,31 @@ def test_a_saved_agent_goes_on_with_its_own_method_and_with_no_other(wander_mode
 def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
     rl.Agent("wander_simple", rl.Method("TOSL", "SR")).save(tmp_path / "agent.npz")
     assert rl.Agent.load(tmp_path / "agent.npz").method.name == "TOSL+SR"
-    with pytest.raises(ValueError, match=r"the method is TOSL\+SR in the file, Q\+SR in this call"):
+    with pytest.raises(
+        ValueError, match=r"the method is TOSL\+SR in the file, Q\+SR in this call"
+    ):
         rl.Agent.load(tmp_path / "agent.npz", method=rl.Method("Q", "SR"))
     assert made_of(rl.Method("TOSL", "SR")) == {"planner": None}
 
 
 def test_the_stepper_shows_it_and_where_its_code_is():
-    from in_node import view  # here: this file is imported by processes that know no other
+    from in_node import (
+        view,
+    )  # here: this file is imported by processes that know no other
 
     env = rl.make_env("worked_example", seed=0)
-    stepper = rl.Stepper(rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5)
+    stepper = rl.Stepper(
+        rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5
+    )
     assert "δ" in view(stepper) and stepper.picture().png()
     where, code = code_html(stepper._tape.agent)
     assert "test_own_method.py" in where and "target" in code
 
 
 def test_unknown_parts_are_named_and_the_nearest_suggested():
-    with pytest.raises(ValueError, match="no selection 'QBIASR'; did you mean 'QBIASSR'"):
+    with pytest.raises(
+        ValueError, match="no selection 'QBIASR'; did you mean 'QBIASSR'"
+    ):
         rl.Method(MINE, "QBIASR")
     with pytest.raises(ValueError, match="no algorithm 'TOSLL'; did you mean 'TOSL'"):
         rl.Method("TOSLL", "SR")
@@ -136,7 +166,10 @@ print(hashlib.sha256(agent.q.tobytes()).hexdigest())
 def test_compiled_or_not_the_numbers_are_the_same_to_the_last_bit(tmp_path):
     folder = os.path.dirname(__file__)
     said = [
-        subprocess.check_output([sys.executable, "-c", PLAIN, folder], env={**os.environ, "NUMBA_DISABLE_JIT": plain})
+        subprocess.check_output(
+            [sys.executable, "-c", PLAIN, folder],
+            env={**os.environ, "NUMBA_DISABLE_JIT": plain},
+        )
         for plain in "01"
     ]
     assert said[0] == said[1]

@@ -21,7 +21,9 @@ def small_model(unseen="stay"):
 
 def learned(agent_seed=0):
     model = small_model()
-    return rl.learn(rl.Agent(model, seed=agent_seed), rl.make_env(model, seed=1), 30, progress=False)
+    return rl.learn(
+        rl.Agent(model, seed=agent_seed), rl.make_env(model, seed=1), 30, progress=False
+    )
 
 
 def in_the_square():
@@ -37,7 +39,14 @@ def a_film():
 
 
 def a_comparison():
-    return rl.compare(small_model(), ["Q+SR", "SARSA+SR"], repetitions=2, steps=20, progress=False, n_jobs=1)
+    return rl.compare(
+        small_model(),
+        ["Q+SR", "SARSA+SR"],
+        repetitions=2,
+        steps=20,
+        progress=False,
+        n_jobs=1,
+    )
 
 
 # Of each class: how to make one, and which protocols are its own besides those that all have. "values" are equal, and
@@ -118,17 +127,29 @@ def test_membership_iteration_length_and_slices_work_together_or_not_at_all(made
     several = works_or_is_refused(lambda: list(thing))
     length = works_or_is_refused(lambda: len(thing))
     if "mapping" in kinds:
-        assert found is True and len(several) == length and [thing[key] for key in several] == [*thing.values()]
+        assert (
+            found is True
+            and len(several) == length
+            and [thing[key] for key in several] == [*thing.values()]
+        )
     elif "sequence" in kinds:
         assert found is False and len(several) == length == len([*reversed(thing)])
         assert all(a is b for a, b in zip(thing[:2], several[:2], strict=True))
     else:
         assert found is several is TypeError
-        assert works_or_is_refused(lambda: operator.getitem(thing, slice(1))) is TypeError
-        assert length == len(ROWS) or length == 30 if "sized" in kinds else length is TypeError
+        assert (
+            works_or_is_refused(lambda: operator.getitem(thing, slice(1))) is TypeError
+        )
+        assert (
+            length == len(ROWS) or length == 30
+            if "sized" in kinds
+            else length is TypeError
+        )
 
 
-@pytest.mark.parametrize("way", [copy.copy, copy.deepcopy, lambda thing: pickle.loads(pickle.dumps(thing))])
+@pytest.mark.parametrize(
+    "way", [copy.copy, copy.deepcopy, lambda thing: pickle.loads(pickle.dumps(thing))]
+)
 def test_a_copy_is_of_the_same_kind_and_shows_itself_alike(made, way):
     _, thing, _, kinds = made
     twin = works_or_is_refused(lambda: way(thing))

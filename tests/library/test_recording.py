@@ -32,13 +32,18 @@ TASK = rl.Task(
         rl.InputVariable("laser_front", cuts=[0.2], unit="m"),
         rl.InputVariable("theta", sectors=3, unit="rad"),
     ],
-    outputs=[rl.OutputVariable("left_wheel", [-1, 1], "rad/s"), rl.OutputVariable("right_wheel", [-1, 0, 1], "rad/s")],
+    outputs=[
+        rl.OutputVariable("left_wheel", [-1, 1], "rad/s"),
+        rl.OutputVariable("right_wheel", [-1, 0, 1], "rad/s"),
+    ],
     rewards=[-10, -0.02, 1 / 3, 10],
     reward=lambda before, after: 10.0,
     episode_steps=40,
     name="small",
 )
-SOURCE = Source.of_task(TASK, method="TOSL+SR", seed=7, version="0.1.0", platform="test")
+SOURCE = Source.of_task(
+    TASK, method="TOSL+SR", seed=7, version="0.1.0", platform="test"
+)
 
 
 def make_recording(n=6, episode_ends=(), seed=0, **changes):
@@ -87,22 +92,37 @@ def refusal(path, error=ValueError, **how):
 
 
 def same(one, other):
-    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in NAMES)
+    return all(
+        np.array_equal(getattr(one, name), getattr(other, name)) for name in NAMES
+    )
 
 
 # --- writing and reading back ---
 
 
 @settings(deadline=None, max_examples=40, suppress_health_check=list(HealthCheck))
-@given(n=st.integers(1, 30), ends=st.sets(st.integers(0, 29)), seed=st.integers(0, 99), by_name=st.integers(0, 2))
+@given(
+    n=st.integers(1, 30),
+    ends=st.sets(st.integers(0, 29)),
+    seed=st.integers(0, 99),
+    by_name=st.integers(0, 2),
+)
 def test_what_is_written_reads_back_exactly(tmp_path, n, ends, seed, by_name):
     recording = make_recording(n, ends, seed)
     recording.save(tmp_path / "r")
     name = ["", "transitions.csv", "datapackage.json"][by_name]
     back = rl.read_recording(tmp_path / "r" / name, task=TASK)
-    assert same(recording, back) and back.source == SOURCE and back.task is TASK and len(back) == n
+    assert (
+        same(recording, back)
+        and back.source == SOURCE
+        and back.task is TASK
+        and len(back) == n
+    )
     assert same(recording, rl.Recording.load(tmp_path / "r" / name))
-    assert all(getattr(back, name).dtype == (float if name == "r" else np.int64) for name in NAMES[:-1])
+    assert all(
+        getattr(back, name).dtype == (float if name == "r" else np.int64)
+        for name in NAMES[:-1]
+    )
     assert back.terminated.dtype == bool
 
 
@@ -117,14 +137,18 @@ def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
     assert source.actions.label(4) == TASK.actions.label(4)
 
 
-def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
+def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(
+    saved, monkeypatch
+):
     monkeypatch.setattr(reading, "shipped", lambda folder: saved.parent)
     assert reading.available_recordings() == ["small"]
     assert same(rl.read_recording("small"), rl.read_recording(saved))
     assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")
 
 
-def test_the_same_recording_makes_the_same_bytes_and_so_does_the_one_read_back(saved, tmp_path):
+def test_the_same_recording_makes_the_same_bytes_and_so_does_the_one_read_back(
+    saved, tmp_path
+):
     rl.read_recording(saved).save(tmp_path / "again")
     for name in ("transitions.csv", "datapackage.json"):
         assert (saved / name).read_bytes() == (tmp_path / "again" / name).read_bytes()
@@ -132,9 +156,19 @@ def test_the_same_recording_makes_the_same_bytes_and_so_does_the_one_read_back(s
 
 def test_the_rows_are_plain_text_for_a_spreadsheet(saved):
     lines = (saved / "transitions.csv").read_bytes().decode().split("\n")
-    assert lines[0] == "episode,step,s,a,r,s_next,terminated" and lines[-1] == "" and len(lines) == 8
-    assert re.fullmatch(r"0,0,\d,\d,(-10\.0|-0\.02|0\.3333333333333333|10\.0),\d,0", lines[1])
-    assert lines[3].startswith("0,2,") and lines[3].endswith(",1") and lines[4].startswith("1,0,")
+    assert (
+        lines[0] == "episode,step,s,a,r,s_next,terminated"
+        and lines[-1] == ""
+        and len(lines) == 8
+    )
+    assert re.fullmatch(
+        r"0,0,\d,\d,(-10\.0|-0\.02|0\.3333333333333333|10\.0),\d,0", lines[1]
+    )
+    assert (
+        lines[3].startswith("0,2,")
+        and lines[3].endswith(",1")
+        and lines[4].startswith("1,0,")
+    )
 
 
 def test_the_data_package_describes_the_columns_and_names_no_place(saved):
@@ -142,12 +176,21 @@ def test_the_data_package_describes_the_columns_and_names_no_place(saved):
     package = json.loads(text)
     resource, section = package["resources"][0], package["rlrobot"]
     fields = {field["name"]: field for field in resource["schema"]["fields"]}
-    assert package["profile"] == "tabular-data-package" and package["licenses"][0]["name"] == "CC0-1.0"
+    assert (
+        package["profile"] == "tabular-data-package"
+        and package["licenses"][0]["name"] == "CC0-1.0"
+    )
     assert resource["bytes"] == (saved / "transitions.csv").stat().st_size
     assert tuple(fields) == NAMES
     assert fields["s"]["constraints"] == {"required": True, "minimum": 0, "maximum": 5}
     assert fields["r"]["constraints"]["enum"] == [-10.0, -0.02, 1 / 3, 10.0]
-    assert section["inputs"][0] == {"name": "laser_front", "cuts": [0.2], "unit": "m", "low": 0.0, "high": 5.0}
+    assert section["inputs"][0] == {
+        "name": "laser_front",
+        "cuts": [0.2],
+        "unit": "m",
+        "low": 0.0,
+        "high": 5.0,
+    }
     theta = TASK.inputs[1]
     assert section["inputs"][1] == {
         "name": "theta",
@@ -166,18 +209,33 @@ def test_the_columns_of_a_recording_cannot_be_changed():
 
 
 def test_a_recording_with_an_impossible_row_cannot_be_made():
-    with pytest.raises(ValueError, match="row 3 of the recording: s_next is 6, expected a whole number from 0 to 5"):
+    with pytest.raises(
+        ValueError,
+        match="row 3 of the recording: s_next is 6, expected a whole number from 0 to 5",
+    ):
         make_recording(s_next=[0, 1, 2, 6, 4, 5])
     with pytest.raises(ValueError, match="columns of one length"):
         make_recording(s=[0, 1])
 
 
-def test_an_episode_that_was_cut_off_reads_back_as_truncated_but_for_the_last_row(tmp_path):
+def test_an_episode_that_was_cut_off_reads_back_as_truncated_but_for_the_last_row(
+    tmp_path,
+):
     truncated = np.array([False, True, False, False, False, True])
     recording = make_recording(episode_ends=[3], truncated=truncated)
-    assert recording.episode.tolist() == [0, 0, 1, 1, 2, 2] and recording.step.tolist() == [0, 1] * 3
+    assert (
+        recording.episode.tolist() == [0, 0, 1, 1, 2, 2]
+        and recording.step.tolist() == [0, 1] * 3
+    )
     recording.save(tmp_path)
-    assert rl.read_recording(tmp_path).truncated.tolist() == [False, True, False, False, False, False]
+    assert rl.read_recording(tmp_path).truncated.tolist() == [
+        False,
+        True,
+        False,
+        False,
+        False,
+        False,
+    ]
 
 
 # --- recording an agent ---
@@ -188,7 +246,9 @@ def test_recording_an_agent_keeps_each_step_and_counts_episodes():
     env.reset(seed=3)
     recording = rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=300)
     source = recording.source
-    assert len(recording) == 300 and source.states.shape == (16,) and source.actions.n == 4
+    assert (
+        len(recording) == 300 and source.states.shape == (16,) and source.actions.n == 4
+    )
     assert (source.method, source.seed, source.version) == ("Q+EG", 5, rl.__version__)
     joins = recording.s[1:] == recording.s_next[:-1]
     new = np.diff(recording.episode) == 1
@@ -205,7 +265,9 @@ def test_recording_a_number_of_episodes_keeps_each_to_its_end():
     assert recording.episode[-1] == 6
     assert recording.terminated[-1] or recording.step[-1] == 11
     env.reset(seed=3)
-    assert same(rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=len(recording)), recording)
+    assert same(
+        rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=len(recording)), recording
+    )
 
 
 @pytest.mark.parametrize(
@@ -224,11 +286,19 @@ def test_how_much_to_record_must_be_said_in_one_way(amount, words):
 
 def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
     env = gymnasium.make("CliffWalking-v1")
-    recording = rl.record(rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), env, steps=50)
+    recording = rl.record(
+        rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), env, steps=50
+    )
     recording.save(tmp_path)
     back = rl.read_recording(tmp_path)
-    assert same(recording, back) and back.source.seed is None and back.source == recording.source
-    assert '"low": null' in (tmp_path / "datapackage.json").read_text()  # JSON knows no infinity
+    assert (
+        same(recording, back)
+        and back.source.seed is None
+        and back.source == recording.source
+    )
+    assert (
+        '"low": null' in (tmp_path / "datapackage.json").read_text()
+    )  # JSON knows no infinity
 
 
 # --- files that are refused ---
@@ -242,7 +312,9 @@ def test_a_missing_file_of_the_pair_is_named(saved, missing):
 
 
 def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
-    assert refusal("wander_1kk", FileNotFoundError).startswith("wander_1kk: there is no such recording")
+    assert refusal("wander_1kk", FileNotFoundError).startswith(
+        "wander_1kk: there is no such recording"
+    )
     assert "legacy=True" in refusal("file.npy", FileNotFoundError)
 
 
@@ -256,29 +328,50 @@ def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
         ("a", "left", "expected 7 numbers, found '1,1,"),
         ("a", "", "expected 7 numbers, found '1,1,"),
         ("a", "1,1", "expected 7 numbers, found '1,1,"),
-        ("r", "nan", "r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]"),
+        (
+            "r",
+            "nan",
+            "r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]",
+        ),
         ("r", "0.33", "r is 0.33, expected one of the rewards"),
         ("terminated", "2", "terminated is 2, expected a whole number from 0 to 1"),
-        ("step", "2", "episode 1, step 2 stands where episode 1, step 1 is due: rows are missing or moved"),
+        (
+            "step",
+            "2",
+            "episode 1, step 2 stands where episode 1, step 1 is due: rows are missing or moved",
+        ),
         ("episode", "1e300", "episode is 1e+300, expected a whole number from 0 on"),
     ],
 )
-def test_a_bad_row_is_named_with_its_line_even_though_the_checksum_is_wrong_too(saved, column, value, expected):
+def test_a_bad_row_is_named_with_its_line_even_though_the_checksum_is_wrong_too(
+    saved, column, value, expected
+):
     set_field(saved, 4, column, value)
     message = refusal(saved)
-    assert message.startswith(f"{saved / 'transitions.csv'}, row 4 (line 6): {expected}")
+    assert message.startswith(
+        f"{saved / 'transitions.csv'}, row 4 (line 6): {expected}"
+    )
     assert message.endswith("put back the original file, or record again")
 
 
 def test_an_episode_that_goes_on_after_its_end_is_refused(saved):
     set_field(saved, 4, "terminated", "1")
-    assert "row 5 (line 7): episode 1, step 2 stands where episode 2, step 0 is due" in refusal(saved)
+    assert (
+        "row 5 (line 7): episode 1, step 2 stands where episode 2, step 0 is due"
+        in refusal(saved)
+    )
 
 
-@pytest.mark.parametrize("header", ["episode,step,s,a,r,s_next", "episode,step,s,a,reward,s_next,terminated", ""])
+@pytest.mark.parametrize(
+    "header",
+    ["episode,step,s,a,r,s_next", "episode,step,s,a,reward,s_next,terminated", ""],
+)
 def test_a_wrong_or_missing_column_is_refused(saved, header):
     edit(saved / "transitions.csv", ",".join(NAMES), header)
-    assert f"line 1: the columns are {header!r}, expected 'episode,step,s,a,r,s_next,terminated'" in refusal(saved)
+    assert (
+        f"line 1: the columns are {header!r}, expected 'episode,step,s,a,r,s_next,terminated'"
+        in refusal(saved)
+    )
 
 
 @settings(deadline=None, suppress_health_check=list(HealthCheck))
@@ -288,7 +381,10 @@ def test_a_recording_cut_off_anywhere_is_refused_and_nothing_changes(saved, cut)
     part = whole[: int(cut * (len(whole) - 1))]
     (saved / "transitions.csv").write_bytes(part)
     message = refusal(saved)
-    assert re.search("cut off in the middle|has . rows, datapackage.json says 6|line 1: the col|no rows", message)
+    assert re.search(
+        "cut off in the middle|has . rows, datapackage.json says 6|line 1: the col|no rows",
+        message,
+    )
     assert (saved / "transitions.csv").read_bytes() == part
     (saved / "transitions.csv").write_bytes(whole)
 
@@ -296,8 +392,12 @@ def test_a_recording_cut_off_anywhere_is_refused_and_nothing_changes(saved, cut)
 def test_a_row_cut_in_the_middle_and_missing_rows_are_told_apart(saved):
     whole = (saved / "transitions.csv").read_bytes()
     (saved / "transitions.csv").write_bytes(whole[:-4])
-    assert "row 5 (line 7): the file is cut off in the middle of this row" in refusal(saved)
-    (saved / "transitions.csv").write_bytes(b"".join(whole.splitlines(keepends=True)[:-2]))
+    assert "row 5 (line 7): the file is cut off in the middle of this row" in refusal(
+        saved
+    )
+    (saved / "transitions.csv").write_bytes(
+        b"".join(whole.splitlines(keepends=True)[:-2])
+    )
     assert "it has 4 rows, datapackage.json says 6" in refusal(saved)
 
 
@@ -305,7 +405,10 @@ def test_good_rows_that_were_changed_are_refused_by_their_checksum(saved):
     recorded = rl.read_recording(saved)
     set_field(saved, 4, "s", str((recorded.s[4] + 1) % 6))
     message = refusal(saved)
-    assert re.search(r"transitions.csv: its sha256 is [0-9a-f]{64}, datapackage.json says [0-9a-f]{64}", message)
+    assert re.search(
+        r"transitions.csv: its sha256 is [0-9a-f]{64}, datapackage.json says [0-9a-f]{64}",
+        message,
+    )
 
 
 def test_bytes_that_are_no_text_are_refused(saved):
@@ -320,19 +423,37 @@ def test_bytes_that_are_no_text_are_refused(saved):
     [
         (lambda p: p.pop("resources"), "the field resources is missing"),
         (lambda p: p["resources"].clear(), "the field resources.0.hash is missing"),
-        (lambda p: p["resources"][0].pop("hash"), "the field resources.0.hash is missing"),
+        (
+            lambda p: p["resources"][0].pop("hash"),
+            "the field resources.0.hash is missing",
+        ),
         (lambda p: p.pop("rlrobot"), "the field rlrobot is missing"),
         (lambda p: p["rlrobot"].pop("rows"), "the field rlrobot.rows is missing"),
-        (lambda p: p["rlrobot"].update(rows="6"), "the field rlrobot.rows must be of type int, found '6'"),
+        (
+            lambda p: p["rlrobot"].update(rows="6"),
+            "the field rlrobot.rows must be of type int, found '6'",
+        ),
         (lambda p: p["rlrobot"].pop("inputs"), "the field rlrobot.inputs is missing"),
         (
             lambda p: p["rlrobot"]["inputs"][0].pop("cuts"),
             "'laser_front': give exactly one of cuts, sectors and values",
         ),
-        (lambda p: p["rlrobot"]["inputs"][0].pop("name"), "the field InputVariable.name is missing"),
-        (lambda p: p["rlrobot"].update(outputs=[]), "a task needs at least one output variable"),
-        (lambda p: p["rlrobot"].update(rewards=[]), "the rewards of a recording must be one or more finite numbers"),
-        (lambda p: p["rlrobot"].update(rewards=["high"]), "rlrobot.rewards must be a list of numbers"),
+        (
+            lambda p: p["rlrobot"]["inputs"][0].pop("name"),
+            "the field InputVariable.name is missing",
+        ),
+        (
+            lambda p: p["rlrobot"].update(outputs=[]),
+            "a task needs at least one output variable",
+        ),
+        (
+            lambda p: p["rlrobot"].update(rewards=[]),
+            "the rewards of a recording must be one or more finite numbers",
+        ),
+        (
+            lambda p: p["rlrobot"].update(rewards=["high"]),
+            "rlrobot.rewards must be a list of numbers",
+        ),
     ],
 )
 def test_a_data_package_that_lacks_something_is_refused(saved, spoil, expected):
@@ -345,11 +466,22 @@ def test_a_data_package_that_lacks_something_is_refused(saved, spoil, expected):
 
 def test_a_checksum_of_another_kind_is_refused(saved):
     edit(saved / "datapackage.json", "sha256:", "md5:")
-    assert re.search(r"its sha256 is [0-9a-f]{64}, datapackage.json says md5:[0-9a-f]{64}", refusal(saved))
+    assert re.search(
+        r"its sha256 is [0-9a-f]{64}, datapackage.json says md5:[0-9a-f]{64}",
+        refusal(saved),
+    )
 
 
 def test_any_json_in_place_of_the_data_package_is_refused_in_one_sentence(saved):
-    for text in ("", "[]", "3", "null", '{"resources": 3}', '{"resources": [[]]}', "[" * 100_000):
+    for text in (
+        "",
+        "[]",
+        "3",
+        "null",
+        '{"resources": 3}',
+        '{"resources": [[]]}',
+        "[" * 100_000,
+    ):
         (saved / "datapackage.json").write_text(text)
         assert refusal(saved).startswith(str(saved / "datapackage.json"))
 
@@ -362,22 +494,36 @@ def test_any_json_in_place_of_the_data_package_is_refused_in_one_sentence(saved)
             "the list of inputs is ['laser_front', 'theta'] in the recording, ['laser_front']",
         ),
         (
-            {"inputs": [rl.InputVariable("laser_front", cuts=[0.3], unit="m"), TASK.inputs[1]]},
+            {
+                "inputs": [
+                    rl.InputVariable("laser_front", cuts=[0.3], unit="m"),
+                    TASK.inputs[1],
+                ]
+            },
             "cuts of laser_front is (0.2,) in the recording, (0.3,) in the task",
         ),
-        ({"rewards": [-10, 10]}, "the set of rewards is [-10.0, -0.02, 0.3333333333333333, 10.0] in the recording"),
+        (
+            {"rewards": [-10, 10]},
+            "the set of rewards is [-10.0, -0.02, 0.3333333333333333, 10.0] in the recording",
+        ),
         ({"step_time": 0.5}, "step_time is 1.0 in the recording, 0.5 in the task"),
     ],
 )
-def test_a_recording_of_another_task_is_refused_with_the_difference(saved, change, expected):
+def test_a_recording_of_another_task_is_refused_with_the_difference(
+    saved, change, expected
+):
     message = refusal(saved, task=replace(TASK, **change))
     assert "not a recording of task small" in message and expected in message
 
 
-def test_a_toolkit_task_that_has_changed_since_is_told_and_the_recording_still_read(tmp_path):
+def test_a_toolkit_task_that_has_changed_since_is_told_and_the_recording_still_read(
+    tmp_path,
+):
     make_recording().save(tmp_path)
     edit(tmp_path / "datapackage.json", '"task": "small"', '"task": "wander_1k"')
-    with pytest.warns(UserWarning, match="task wander_1k has changed since: the list of inputs is"):
+    with pytest.warns(
+        UserWarning, match="task wander_1k has changed since: the list of inputs is"
+    ):
         assert rl.read_recording(tmp_path).task is None
 
 
@@ -389,18 +535,31 @@ ENCODINGS = {"utf-8": "utf-8", "with a byte order mark": "utf-8-sig"}
 
 @pytest.mark.parametrize("ends", LINE_ENDS)
 @pytest.mark.parametrize("encoding", ENCODINGS)
-@pytest.mark.parametrize("names", [["transitions.csv"], ["datapackage.json"], ["transitions.csv", "datapackage.json"]])
+@pytest.mark.parametrize(
+    "names",
+    [
+        ["transitions.csv"],
+        ["datapackage.json"],
+        ["transitions.csv", "datapackage.json"],
+    ],
+)
 def test_line_ends_and_encodings_change_no_recording(saved, ends, encoding, names):
     before = rl.read_recording(saved)
     for name in names:
         text = (saved / name).read_bytes().decode()
-        (saved / name).write_bytes(text.replace("\n", LINE_ENDS[ends]).encode(ENCODINGS[encoding]))
-    np.testing.assert_equal([*rl.read_recording(saved).transitions], [*before.transitions])
+        (saved / name).write_bytes(
+            text.replace("\n", LINE_ENDS[ends]).encode(ENCODINGS[encoding])
+        )
+    np.testing.assert_equal(
+        [*rl.read_recording(saved).transitions], [*before.transitions]
+    )
 
 
 SPREADSHEETS = {
     "semicolons": lambda text: text.replace(",", ";"),
-    "semicolons and decimal commas": lambda text: text.replace(",", ";").replace(".", ","),
+    "semicolons and decimal commas": lambda text: text.replace(",", ";").replace(
+        ".", ","
+    ),
     "tabs": lambda text: text.replace(",", "\t"),
     "quotes": lambda text: re.sub(r"[^,\n]+", r'"\g<0>"', text),
     "a column of its own": lambda text: re.sub("^", "7,", text, flags=re.MULTILINE),
@@ -408,14 +567,20 @@ SPREADSHEETS = {
     "words for truth": lambda text: re.sub(
         ",([01])$", lambda m: ",TRUE" if m[1] == "1" else ",FALSE", text, flags=re.M
     ),
-    "powers of ten": lambda text: text.replace("-0.02", "-2.00E-02").replace("10.0", "1.00E+01"),
+    "powers of ten": lambda text: text.replace("-0.02", "-2.00E-02").replace(
+        "10.0", "1.00E+01"
+    ),
     "integers": lambda text: text.replace(".0,", ","),
-    "another encoding": lambda text: text.encode("utf-16").decode("utf-8", errors="replace"),
+    "another encoding": lambda text: text.encode("utf-16").decode(
+        "utf-8", errors="replace"
+    ),
 }
 
 
 @pytest.mark.parametrize("habit", SPREADSHEETS)
-def test_what_a_spreadsheet_made_of_a_recording_is_refused_with_that_cause(saved, habit):
+def test_what_a_spreadsheet_made_of_a_recording_is_refused_with_that_cause(
+    saved, habit
+):
     text = (saved / "transitions.csv").read_text()
     changed = SPREADSHEETS[habit](text)
     assert changed != text
@@ -426,7 +591,12 @@ def test_what_a_spreadsheet_made_of_a_recording_is_refused_with_that_cause(saved
 def test_a_bad_line_takes_time_in_proportion_to_its_length():
     def seconds(n):
         begin = time.process_time()
-        for line in ("1" * n + "x", "1," * (n // 2) + "x", "1." + "1" * n + "x", "1e" + "1" * n + "x"):
+        for line in (
+            "1" * n + "x",
+            "1," * (n // 2) + "x",
+            "1." + "1" * n + "x",
+            "1e" + "1" * n + "x",
+        ):
             assert not ROW.fullmatch(line)
         return time.process_time() - begin
 
@@ -438,13 +608,30 @@ def test_version_control_of_windows_changes_no_file(tmp_path):
     git = shutil.which("git")
     if git is None or not (root / ".git").exists():
         pytest.skip("git or the history is not here")
-    clone = ["clone", "-q", "--no-checkout", "--shared", "-c", "core.autocrlf=true", str(root), str(tmp_path / "clone")]
+    clone = [
+        "clone",
+        "-q",
+        "--no-checkout",
+        "--shared",
+        "-c",
+        "core.autocrlf=true",
+        str(root),
+        str(tmp_path / "clone"),
+    ]
     for command in (clone, ["-C", str(tmp_path / "clone"), "checkout", "-q", "HEAD"]):
-        if (done := subprocess.run([git, *command], capture_output=True, text=True)).returncode:
+        if (
+            done := subprocess.run([git, *command], capture_output=True, text=True)
+        ).returncode:
             pytest.skip(f"git cannot copy this history: {done.stderr}")
-    listed = subprocess.run([git, "-C", str(tmp_path / "clone"), "ls-files", "--eol"], capture_output=True, text=True)
+    listed = subprocess.run(
+        [git, "-C", str(tmp_path / "clone"), "ls-files", "--eol"],
+        capture_output=True,
+        text=True,
+    )
     kinds = [line.split()[:2] for line in listed.stdout.splitlines()]
-    assert len(kinds) > 500 and not [pair for pair in kinds if pair[0][2:] != pair[1][2:]]
+    assert len(kinds) > 500 and not [
+        pair for pair in kinds if pair[0][2:] != pair[1][2:]
+    ]
     for folder in (tmp_path / "clone" / "datasets").iterdir():
         if folder.is_dir():
             assert len(rl.Recording.load(folder)) > 0
@@ -456,7 +643,10 @@ def test_version_control_of_windows_changes_no_file(tmp_path):
 def test_a_write_that_fails_leaves_the_old_files_and_nothing_else(saved, monkeypatch):
     before = {path.name: path.read_bytes() for path in saved.iterdir()}
 
-    for results in ([OSError("disk full")], [None, OSError("disk full")]):  # at the first file, at the second
+    for results in (
+        [OSError("disk full")],
+        [None, OSError("disk full")],
+    ):  # at the first file, at the second
         monkeypatch.setattr(os, "fsync", Mock(side_effect=results))
         with pytest.raises(OSError, match="disk full"):
             make_recording(9).save(saved)
@@ -479,7 +669,9 @@ def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
     write_whole(tmp_path / "new" / "text", "λ\n")
     write_together({tmp_path / "text": "a\r\n", tmp_path / "bytes": b"\x00"})
     assert (tmp_path / "new" / "text").read_bytes() == "λ\n".encode()
-    assert (tmp_path / "text").read_bytes() == b"a\r\n" and (tmp_path / "bytes").read_bytes() == b"\x00"
+    assert (tmp_path / "text").read_bytes() == b"a\r\n" and (
+        tmp_path / "bytes"
+    ).read_bytes() == b"\x00"
     with pytest.raises(TypeError):
         write_whole(tmp_path / "text", None)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bytes", "new", "text"]
@@ -498,11 +690,16 @@ WRITERS = {
 @pytest.mark.parametrize("ending", sorted(ENDINGS))
 def test_a_file_never_has_the_ending_of_another_kind(tmp_path, kind, ending):
     path = tmp_path / f"it{ending}"
-    if ending == kind or {kind, ending} == {".json", ".csv"}:  # JSON in a .csv is text in a .csv
+    if ending == kind or {kind, ending} == {
+        ".json",
+        ".csv",
+    }:  # JSON in a .csv is text in a .csv
         WRITERS[kind](path)
         assert path.is_file()
     else:
-        with pytest.raises(ValueError, match=rf"its content is no \{ending} but \{kind}"):
+        with pytest.raises(
+            ValueError, match=rf"its content is no \{ending} but \{kind}"
+        ):
             WRITERS[kind](path)
         assert not path.exists()
 
@@ -515,11 +712,17 @@ def test_a_recording_is_no_file(tmp_path, ending):
 
 
 def test_a_film_is_not_saved_as_what_its_name_does_not_say(tmp_path):
-    film = rl.film(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=2)
+    film = rl.film(
+        rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=2
+    )
     film.gif(tmp_path / "film.gif")
     film.save(tmp_path / "film.html")
     assert (tmp_path / "film.gif").read_bytes() == film.gif()
-    assert (tmp_path / "film.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    assert (
+        (tmp_path / "film.html")
+        .read_text(encoding="utf-8")
+        .startswith("<!DOCTYPE html>")
+    )
     for ending in ("png", "gif", "npz", "csv"):
         with pytest.raises(ValueError, match=rf"no \.{ending} but \.html"):
             film.save(tmp_path / f"other.{ending}")
@@ -532,11 +735,15 @@ def test_a_film_is_not_saved_as_what_its_name_does_not_say(tmp_path):
 
 def endless_worlds():
     rows = make_recording().transitions._replace(terminated=np.zeros(6, bool))
-    model = rl.SampleModel.from_recording(rl.Recording(rows, replace(SOURCE, episode_steps=None)))
+    model = rl.SampleModel.from_recording(
+        rl.Recording(rows, replace(SOURCE, episode_steps=None))
+    )
     return {
         "a task": rl.make_env("wander_simple", seed=0),
         "a model": rl.make_env(model, seed=0),
-        "behind a wrapper": gymnasium.wrappers.OrderEnforcing(rl.make_env("wander_simple", seed=0)),
+        "behind a wrapper": gymnasium.wrappers.OrderEnforcing(
+            rl.make_env("wander_simple", seed=0)
+        ),
     }
 
 
@@ -575,15 +782,24 @@ def fortran(recording, order):
 
     actions = np.unravel_index(recording.a, recording.source.actions.shape)
     a = np.ravel_multi_index(actions, recording.source.actions.shape, order="F")
-    return np.column_stack([renumber(recording.s), a, renumber(recording.s_next), recording.r]).astype(float)
+    return np.column_stack(
+        [renumber(recording.s), a, renumber(recording.s_next), recording.r]
+    ).astype(float)
 
 
-@pytest.mark.parametrize(("inputs", "order"), [(None, [0, 1]), (["theta", "laser_front"], [1, 0])])
+@pytest.mark.parametrize(
+    ("inputs", "order"), [(None, [0, 1]), (["theta", "laser_front"], [1, 0])]
+)
 def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
     recording = make_recording(200)
     np.save(tmp_path / "old.npy", fortran(recording, order))
-    back = rl.read_recording(tmp_path / "old.npy", legacy=True, task=TASK, inputs=inputs)
-    assert all(np.array_equal(getattr(back, name), getattr(recording, name)) for name in ("s", "a", "r", "s_next"))
+    back = rl.read_recording(
+        tmp_path / "old.npy", legacy=True, task=TASK, inputs=inputs
+    )
+    assert all(
+        np.array_equal(getattr(back, name), getattr(recording, name))
+        for name in ("s", "a", "r", "s_next")
+    )
     joins = back.s[1:] == back.s_next[:-1]
     assert np.array_equal(np.diff(back.episode), ~joins) and not back.terminated.any()
 
@@ -602,7 +818,9 @@ def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
         ),
     ],
 )
-def test_a_bad_row_of_the_papers_format_is_named(tmp_path, row, column, value, expected):
+def test_a_bad_row_of_the_papers_format_is_named(
+    tmp_path, row, column, value, expected
+):
     table = fortran(make_recording(), [0, 1])
     table[row, column] = value
     np.save(tmp_path / "old.npy", table)
@@ -610,11 +828,17 @@ def test_a_bad_row_of_the_papers_format_is_named(tmp_path, row, column, value, e
     assert message.startswith(f"{tmp_path / 'old.npy'}, {expected}")
 
 
-@pytest.mark.parametrize("table", [np.zeros((3, 5)), np.zeros(4), np.zeros((3, 4), complex), np.zeros((0, 4))])
+@pytest.mark.parametrize(
+    "table",
+    [np.zeros((3, 5)), np.zeros(4), np.zeros((3, 4), complex), np.zeros((0, 4))],
+)
 def test_an_array_of_another_kind_is_refused(tmp_path, table):
     np.save(tmp_path / "old.npy", table)
     message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
-    assert "expected one array of numbers with 4 columns (s, a, s', r)" in message or "no rows" in message
+    assert (
+        "expected one array of numbers with 4 columns (s, a, s', r)" in message
+        or "no rows" in message
+    )
 
 
 def test_a_damaged_file_and_a_pickle_are_refused_and_not_unpickled(tmp_path):
@@ -633,9 +857,15 @@ def test_a_damaged_file_and_a_pickle_are_refused_and_not_unpickled(tmp_path):
 def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
     np.save(tmp_path / "old.npy", fortran(make_recording(), [0, 1]))
     assert "give task=" in refusal(tmp_path / "old.npy", legacy=True)
-    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"])
-    assert "inputs must be the task's in some order, ['laser_front', 'theta']" in message
-    assert "there is no such file" in refusal(tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK)
+    message = refusal(
+        tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"]
+    )
+    assert (
+        "inputs must be the task's in some order, ['laser_front', 'theta']" in message
+    )
+    assert "there is no such file" in refusal(
+        tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK
+    )
     assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
 
 
@@ -659,9 +889,13 @@ def test_in_the_papers_own_recording_each_collision_shows_on_a_front_laser(vrep)
 def test_in_the_papers_own_recording_turning_right_lowers_the_left_laser(vrep):
     def mean_change(left, right):
         speeds, actions = {"left_wheel": left, "right_wheel": right}, vrep.task.actions
-        rows = vrep.a == next(a for a in range(actions.n) if actions.decode(a) == speeds)
+        rows = vrep.a == next(
+            a for a in range(actions.n) if actions.decode(a) == speeds
+        )
         shape = vrep.task.states.shape
-        bins, bins_next = (np.unravel_index(s[rows], shape)[2] for s in (vrep.s, vrep.s_next))
+        bins, bins_next = (
+            np.unravel_index(s[rows], shape)[2] for s in (vrep.s, vrep.s_next)
+        )
         return (bins_next - bins).mean()
 
     assert mean_change(1, -1) < 0 < mean_change(-1, 1)

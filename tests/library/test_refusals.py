@@ -17,14 +17,20 @@ def test_a_label_without_names_of_its_parameters_is_refused():
         rl.compare("wander_simple", {"mine": "Q+SR"}, 1, **FEW)
 
 
-@pytest.mark.parametrize("wrong", [{"repetitions": 0}, {"steps": "many"}, {"steps": -1}])
+@pytest.mark.parametrize(
+    "wrong", [{"repetitions": 0}, {"steps": "many"}, {"steps": -1}]
+)
 def test_how_often_and_how_long_to_repeat_are_whole_numbers(wrong):
-    with pytest.raises(ValueError, match=f"{next(iter(wrong))} must be a whole number of at least"):
+    with pytest.raises(
+        ValueError, match=f"{next(iter(wrong))} must be a whole number of at least"
+    ):
         rl.repeat("wander_simple", "Q+SR", **{"repetitions": 1, **FEW, **wrong})
 
 
 def test_no_curve_is_drawn_of_no_steps():
-    nothing = rl.learn(rl.Agent("wander_simple"), rl.make_env("wander_simple"), steps=0, progress=False)
+    nothing = rl.learn(
+        rl.Agent("wander_simple"), rl.make_env("wander_simple"), steps=0, progress=False
+    )
     assert len(nothing.last_episode) == len(nothing.returns) == 0
     for histories in (nothing, [nothing, nothing], []):
         with pytest.raises(ValueError, match="a History of at least 1 step"):

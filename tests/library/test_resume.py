@@ -21,7 +21,10 @@ STEPS = 60
 class Lane(gymnasium.Env):
     """Four squares in a row with the goal at the end: somebody's own environment that tells nothing of where it is."""
 
-    observation_space, action_space = gymnasium.spaces.Discrete(4), gymnasium.spaces.Discrete(2)
+    observation_space, action_space = (
+        gymnasium.spaces.Discrete(4),
+        gymnasium.spaces.Discrete(2),
+    )
 
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)
@@ -35,9 +38,17 @@ class Lane(gymnasium.Env):
 
 def walk_model():
     """A walk along four states; the goal is at its end, an episode has at most eight steps."""
-    rows = [(s, a, 5.0 if s + a == 4 else 0.5, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2), rewards=(0.5, 5.0)), unseen="stay")
-    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
+    rows = [
+        (s, a, 5.0 if s + a == 4 else 0.5, min(s + a, 3), s + a == 4)
+        for s in range(4)
+        for a in (0, 1)
+    ]
+    model = rl.SampleModel.from_recording(
+        recording_of(rows, shape=(2, 2), rewards=(0.5, 5.0)), unseen="stay"
+    )
+    return rl.SampleModel(
+        **{**vars(model), "episode_steps": 8, "starts": np.array([0])}
+    )
 
 
 def turned(env):
@@ -48,13 +59,17 @@ def turned(env):
 
 WORLDS = {
     "a model, compiled": lambda: rl.make_env(walk_model(), seed=4),
-    "a model, step by step": lambda: gymnasium.Wrapper(rl.make_env(walk_model(), seed=4)),
+    "a model, step by step": lambda: gymnasium.Wrapper(
+        rl.make_env(walk_model(), seed=4)
+    ),
     "a task": lambda: rl.make_env("worked_example", seed=4),
     "an MDP with a limit": lambda: TimeLimit(RandomWorld(seed=4, p_end=0.1), 7),
     "a lake": lambda: gymnasium.make("FrozenLake-v1", max_episode_steps=9),
     "a taxi": lambda: gymnasium.make("Taxi-v4", max_episode_steps=9),
     "a cliff": lambda: gymnasium.make("CliffWalking-v1"),
-    "a lake, renumbered": lambda: turned(gymnasium.make("FrozenLake-v1", max_episode_steps=9)),
+    "a lake, renumbered": lambda: turned(
+        gymnasium.make("FrozenLake-v1", max_episode_steps=9)
+    ),
     "somebody's own": Lane,
 }
 
@@ -69,15 +84,25 @@ def fresh(make):
 
 def same_state(agent, env, other, twin):
     """Whether two agents know the same, and go on in the same way."""
-    agents = [(a.q.tobytes(), a.e.tobytes(), a.pending, a.rng.bit_generator.state) for a in (agent, other)]
-    rest = [rl.learn(a, e, 20, keep=True, progress=False, resume=True) for a, e in ((agent, env), (other, twin))]
+    agents = [
+        (a.q.tobytes(), a.e.tobytes(), a.pending, a.rng.bit_generator.state)
+        for a in (agent, other)
+    ]
+    rest = [
+        rl.learn(a, e, 20, keep=True, progress=False, resume=True)
+        for a, e in ((agent, env), (other, twin))
+    ]
     return agents[0] == agents[1] and np.array_equal(rest[0].s, rest[1].s)
 
 
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
-@given(cuts=st.lists(st.integers(0, STEPS), max_size=2).map(sorted), saved=st.booleans())
+@given(
+    cuts=st.lists(st.integers(0, STEPS), max_size=2).map(sorted), saved=st.booleans()
+)
 @settings(max_examples=12)
-def test_the_parts_of_a_process_say_together_what_the_whole_says(make, cuts, saved, tmp_path_factory):
+def test_the_parts_of_a_process_say_together_what_the_whole_says(
+    make, cuts, saved, tmp_path_factory
+):
     file = tmp_path_factory.mktemp("parts") / "part.npz" if saved else None
     agent, env = fresh(make)
     whole = rl.learn(agent, env, STEPS, progress=False)
@@ -90,22 +115,32 @@ def test_the_parts_of_a_process_say_together_what_the_whole_says(make, cuts, sav
             part = rl.History.load(file)
         parts.append(part)
     assert [*np.concatenate([part.rewards for part in parts])] == [*whole.rewards]
-    np.testing.assert_allclose(np.concatenate([part.returns for part in parts]), whole.returns)
+    np.testing.assert_allclose(
+        np.concatenate([part.returns for part in parts]), whole.returns
+    )
     assert same_state(agent, env, other, twin)
     # a mean over n steps, and over the rest of episodes, is a sum and a number of steps
     lengths = [len(part) + rest(part) for part in parts]
-    total = sum(n * part.average_reward[-1] for n, part in zip(lengths, parts, strict=True) if len(part))
+    total = sum(
+        n * part.average_reward[-1]
+        for n, part in zip(lengths, parts, strict=True)
+        if len(part)
+    )
     assert total / sum(lengths) == pytest.approx(whole.average_reward[-1])
     assert sum(lengths) == STEPS + rest(whole)
     ended = [part for part in parts if (part.terminated | part.truncated).any()]
     last = ended[-1] if ended else parts[-1]
-    np.testing.assert_allclose(last.last_episode, whole.last_episode[-len(last.last_episode) or STEPS :])
+    np.testing.assert_allclose(
+        last.last_episode, whole.last_episode[-len(last.last_episode) or STEPS :]
+    )
 
 
 def rest(history):
     """Steps that a goal stands for besides its own, counted one by one."""
     steps, n = history.before.steps, 0
-    for terminated, truncated in zip(history.terminated, history.truncated, strict=True):
+    for terminated, truncated in zip(
+        history.terminated, history.truncated, strict=True
+    ):
         steps += 1
         n += max((history.size.episode_steps or 0) - steps, 0) if terminated else 0
         steps = 0 if terminated or truncated else steps
@@ -120,7 +155,10 @@ def test_a_goal_shortly_after_resuming_counts_for_the_rest_of_its_own_episode_al
     agent, env = rl.Agent(model, "Q+RANDOM", seed=0), rl.make_env(model, seed=0)
     rl.learn(agent, env, len(whole) - 1, progress=False)
     end = rl.learn(agent, env, 1, progress=False, resume=True)
-    assert end.returns == pytest.approx(whole.returns) and end.before.steps == len(whole) - 1
+    assert (
+        end.returns == pytest.approx(whole.returns)
+        and end.before.steps == len(whole) - 1
+    )
     assert end.final_average_reward == pytest.approx(whole.final_average_reward)
     assert len(end.last_episode) == 100 - end.before.steps
 
@@ -140,26 +178,42 @@ def test_an_environment_that_is_not_where_the_agent_left_it_is_refused(make, mea
         return  # that is not told
     else:
         getattr(env, meanwhile)(*([0] if meanwhile == "step" else []))
-    with pytest.raises(ValueError, match="nothing to resume: its environment was reset or stepped by somebody else"):
+    with pytest.raises(
+        ValueError,
+        match="nothing to resume: its environment was reset or stepped by somebody else",
+    ):
         rl.learn(agent, env, 5, progress=False, resume=True)
     assert len(rl.learn(agent, env, 5, progress=False)) == 5
 
 
-def test_an_agent_from_a_file_goes_on_in_a_copy_of_its_world_with_the_next_episode(tmp_path):
+def test_an_agent_from_a_file_goes_on_in_a_copy_of_its_world_with_the_next_episode(
+    tmp_path,
+):
     for make in WORLDS.values():
         agent, env = fresh(make)
         rl.learn(agent, env, 25, progress=False)
         twin = copy.deepcopy(env)
         agent.save(tmp_path / "agent.npz")
         loaded = rl.Agent.load(tmp_path / "agent.npz")
-        with pytest.raises(ValueError, match="nothing to resume: it has begun no episode"):
+        with pytest.raises(
+            ValueError, match="nothing to resume: it has begun no episode"
+        ):
             rl.learn(loaded, twin, 5, progress=False, resume=True)
-        rest = [rl.learn(a, e, 20, keep=True, progress=False) for a, e in ((agent, env), (loaded, twin))]
-        assert np.array_equal(rest[0].s, rest[1].s) and agent.e.tobytes() == loaded.e.tobytes()
+        rest = [
+            rl.learn(a, e, 20, keep=True, progress=False)
+            for a, e in ((agent, env), (loaded, twin))
+        ]
+        assert (
+            np.array_equal(rest[0].s, rest[1].s)
+            and agent.e.tobytes() == loaded.e.tobytes()
+        )
         assert same_state(agent, env, loaded, twin)
 
 
-@pytest.mark.parametrize("before", [[-1, 0.0, {}], ["x", 0.0, {}], [3, np.nan, {}], [1.5, 0.0, {}], [1, "x", {}]])
+@pytest.mark.parametrize(
+    "before",
+    [[-1, 0.0, {}], ["x", 0.0, {}], [3, np.nan, {}], [1.5, 0.0, {}], [1, "x", {}]],
+)
 def test_where_a_history_began_is_checked_in_its_file(before, tmp_path):
     agent, env = fresh(Lane)
     history = rl.learn(agent, env, 2, progress=False)
@@ -191,24 +245,37 @@ def lines_of_ours(call, press):
     return count
 
 
-@pytest.mark.parametrize("name", ["a model, compiled", "a task", "a lake", "somebody's own"])
+@pytest.mark.parametrize(
+    "name", ["a model, compiled", "a task", "a lake", "somebody's own"]
+)
 @given(share=st.floats(0, 1), from_the_start=st.booleans())
 @settings(max_examples=40)
-def test_ctrl_c_before_any_line_then_resume_gives_the_numbers_of_the_whole_or_is_refused(name, share, from_the_start):
+def test_ctrl_c_before_any_line_then_resume_gives_the_numbers_of_the_whole_or_is_refused(
+    name, share, from_the_start
+):
     def begin():
         agent, env = fresh(WORLDS[name])
         if not from_the_start:
             rl.learn(agent, env, 2, progress=False)
-        return agent, env, lambda: rl.learn(agent, env, 6, progress=False, resume=not from_the_start)
+        return (
+            agent,
+            env,
+            lambda: rl.learn(agent, env, 6, progress=False, resume=not from_the_start),
+        )
 
     n = lines_of_ours(begin()[2], press=None)
     agent, env, learn = begin()
     with pytest.raises(KeyboardInterrupt):
         lines_of_ours(learn, press=1 + round(share * (n - 1)))
     try:
-        rl.learn(agent, env, STEPS - int(agent.visits.sum()), progress=False, resume=True)
+        rl.learn(
+            agent, env, STEPS - int(agent.visits.sum()), progress=False, resume=True
+        )
     except ValueError as error:
-        assert "nothing to resume: it has begun no episode, or was interrupted within a step" in str(error)
+        assert (
+            "nothing to resume: it has begun no episode, or was interrupted within a step"
+            in str(error)
+        )
         agent.begin_episode(0)
         return
     other, twin = fresh(WORLDS[name])
@@ -231,7 +298,9 @@ def test_ctrl_c_when_the_kernel_has_returned_is_refused_and_a_new_episode_may_be
         rl.learn(agent, env, 50, progress=False)
     agent.learn_step = learn_step
     for go_on in (rl.learn, rl.steps):
-        with pytest.raises(ValueError, match="was interrupted within a step; call without resume=True"):
+        with pytest.raises(
+            ValueError, match="was interrupted within a step; call without resume=True"
+        ):
             go_on(agent, env, 5, resume=True)
     assert len(rl.learn(agent, env, 5, progress=False)) == 5
 
@@ -239,7 +308,13 @@ def test_ctrl_c_when_the_kernel_has_returned_is_refused_and_a_new_episode_may_be
 def test_a_refused_call_leaves_the_episode_as_it_is():
     agent, env = fresh(Lane)
     rl.learn(agent, env, 2, progress=False)
-    for wrong in ({"steps": -1}, {"steps": "3"}, {"steps": True}, {"steps": 10**9}, {"steps": 3, "episodes": 0}):
+    for wrong in (
+        {"steps": -1},
+        {"steps": "3"},
+        {"steps": True},
+        {"steps": 10**9},
+        {"steps": 3, "episodes": 0},
+    ):
         with pytest.raises(ValueError, match=r"steps|episodes"):
             rl.learn(agent, env, progress=False, **wrong)
     rl.learn(agent, env, np.int64(2), episodes=np.int8(1), progress=False, resume=True)

@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 PACKAGE = Path(__file__).parents[2] / "rlrobot_edu"
 MOST_LINES_OF_A_FILE = 220
-MOST_CHARACTERS = 110  # of a line of the core's code; comments and docstrings may have 120
+MOST_CHARACTERS = (
+    110  # of a line of the core's code; comments and docstrings may have 120
+)
 ROW = re.compile(r"^\| (`[^|]*) \| ([\d,]+) \| ([\d,]+) \|", re.MULTILINE)
 NOT_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
@@ -26,7 +28,9 @@ def docstring_lines(text: str) -> set[int]:
     """Numbers of the lines on which the docstrings of a module, its classes and its functions stand."""
     lines = set()
     for node in ast.walk(ast.parse(text)):
-        is_documented = isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
+        is_documented = isinstance(
+            node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+        )
         if is_documented and ast.get_docstring(node) is not None:
             lines.update(range(node.body[0].lineno, node.body[0].end_lineno + 1))
     return lines
@@ -34,7 +38,11 @@ def docstring_lines(text: str) -> set[int]:
 
 def tokens_of_code(text: str) -> list[tokenize.TokenInfo]:
     """The tokens of a Python source, docstrings included, but for comments and what is blank."""
-    return [token for token in tokenize.generate_tokens(io.StringIO(text).readline) if token.type not in NOT_CODE]
+    return [
+        token
+        for token in tokenize.generate_tokens(io.StringIO(text).readline)
+        if token.type not in NOT_CODE
+    ]
 
 
 def lines_of_code(text: str) -> int:
@@ -71,7 +79,10 @@ def limits() -> dict[str, Count]:
     """What CONTRIBUTING allows, by the first cell of each row there, the core's first."""
     page = (PACKAGE.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
     section = page.partition("## How large it may be")[2].partition("\n## ")[0]
-    return {row: Count(*(int(most.replace(",", "")) for most in numbers)) for row, *numbers in ROW.findall(section)}
+    return {
+        row: Count(*(int(most.replace(",", "")) for most in numbers))
+        for row, *numbers in ROW.findall(section)
+    }
 
 
 def row_of(path: Path, rows: Iterable[str]) -> str:
@@ -94,9 +105,15 @@ def test_no_part_of_the_library_is_larger_than_it_may_be():
     for path in sources():
         text = path.read_text(encoding="utf-8")
         counted[row_of(path, allowed)] += Count(lines_of_code(text), statements(text))
-    report = "\n".join(f"{counted[row]} of {most} {row}" for row, most in allowed.items())
+    report = "\n".join(
+        f"{counted[row]} of {most} {row}" for row, most in allowed.items()
+    )
     print(f"\n{report}")
-    assert all(n <= most for row in allowed for n, most in zip(counted[row], allowed[row], strict=True)), report
+    assert all(
+        n <= most
+        for row in allowed
+        for n, most in zip(counted[row], allowed[row], strict=True)
+    ), report
 
 
 def test_no_line_of_the_cores_code_is_too_long_to_be_read_at_once():
@@ -104,9 +121,17 @@ def test_no_line_of_the_cores_code_is_too_long_to_be_read_at_once():
     long = []
     for path in sources():
         text = path.read_text(encoding="utf-8")
-        ends = {token.end for token in tokens_of_code(text)} if row_of(path, (core, *others)) == core else set()
+        ends = (
+            {token.end for token in tokens_of_code(text)}
+            if row_of(path, (core, *others)) == core
+            else set()
+        )
         documented = docstring_lines(text)
-        long += [f"{path.name}:{line}" for line, end in ends if end > MOST_CHARACTERS and line not in documented]
+        long += [
+            f"{path.name}:{line}"
+            for line, end in ends
+            if end > MOST_CHARACTERS and line not in documented
+        ]
     assert not long
 
 
@@ -122,11 +147,20 @@ def test_no_file_has_more_lines_of_code_than_can_be_read_in_one_sitting():
 def test_every_package_says_what_is_in_it_and_imports_nothing_of_ours():
     faults = []
     for path in PACKAGE.rglob("__init__.py"):
-        tree, name = ast.parse(path.read_text(encoding="utf-8")), path.parent.relative_to(PACKAGE.parent)
+        tree, name = (
+            ast.parse(path.read_text(encoding="utf-8")),
+            path.parent.relative_to(PACKAGE.parent),
+        )
         text = ast.get_docstring(tree) or ""
         if len(text.split()) < 4 or "TODO" in text:
             faults.append(f"{name}: its docstring {text!r} does not say what is in it")
-        ours = [node for node in ast.walk(tree) if (getattr(node, "module", "") or "").startswith("rlrobot_edu")]
+        ours = [
+            node
+            for node in ast.walk(tree)
+            if (getattr(node, "module", "") or "").startswith("rlrobot_edu")
+        ]
         if path.parent != PACKAGE and ours:
-            faults.append(f"{name}: it imports from the package; the public names stand in rlrobot_edu/__init__.pyi")
+            faults.append(
+                f"{name}: it imports from the package; the public names stand in rlrobot_edu/__init__.pyi"
+            )
     assert not faults, "\n".join(faults)

@@ -24,7 +24,14 @@ from rlrobot_edu.experiments.tables import Table
 # The paper's ANOVA tables: sums of squares and degrees of freedom, between and within; F; p
 PAPER_ANOVA = {
     "wander-simple": (125.41, 2, 476.37, 297, 39.09, 8.88e-16),
-    "wander-1K": (27.47, 2, 6.58, 15, 31.31, 4.44e-6),  # prints 31.29, within the rounding of 6.58
+    "wander-1K": (
+        27.47,
+        2,
+        6.58,
+        15,
+        31.31,
+        4.44e-6,
+    ),  # prints 31.29, within the rounding of 6.58
     "wander-4K": (14.96, 2, 3.50, 15, 32.05, 3.84e-6),
     "3D-arm-1K": (136.21, 2, 456.23, 69, 10.30, 0.0001),
     "3D-arm-4K": (278.65, 2, 414.97, 69, 23.17, 2.01e-8),
@@ -50,7 +57,11 @@ def inference(p: float) -> str:
 @pytest.fixture
 def groups():
     rng = np.random.default_rng(0)
-    return {"A": rng.normal(0, 1, 20), "B": rng.normal(1, 1, 15), "C": rng.normal(1.2, 1, 30)}
+    return {
+        "A": rng.normal(0, 1, 20),
+        "B": rng.normal(1, 1, 15),
+        "C": rng.normal(1.2, 1, 30),
+    }
 
 
 @pytest.mark.parametrize("task", PAPER_ANOVA)
@@ -61,7 +72,9 @@ def test_the_papers_sums_of_squares_give_its_f_and_p(task):
     # the sums are rounded to a hundredth, and so is F
     error = anova.f * (0.005 / between + 0.005 / within) + 0.005
     assert anova.f == pytest.approx(f, abs=error)
-    digits = 0.5 if p in (0.0001, 2e-6) else 0.1 if p < 1e-3 else 0.01  # some p have one digit, and F is rounded
+    digits = (
+        0.5 if p in (0.0001, 2e-6) else 0.1 if p < 1e-3 else 0.01
+    )  # some p have one digit, and F is rounded
     assert anova.p == pytest.approx(p, rel=digits)
     assert anova.ms_between == between / df_between
 
@@ -77,7 +90,9 @@ def test_anova_agrees_with_scipy(groups):
     anova, expected = Anova.of(list(groups.values())), stats.f_oneway(*groups.values())
     assert (anova.f, anova.p) == pytest.approx((expected.statistic, expected.pvalue))
     everything = np.concatenate(list(groups.values()))
-    assert anova.ss_between + anova.ss_within == pytest.approx(np.sum((everything - everything.mean()) ** 2))
+    assert anova.ss_between + anova.ss_within == pytest.approx(
+        np.sum((everything - everything.mean()) ** 2)
+    )
     assert (anova.df_between, anova.df_within) == (2, 62)
 
 
@@ -92,16 +107,26 @@ def test_two_methods_tested_by_anova_tukey_and_t_agree(groups):
     t = stats.ttest_ind(a, b)
     (pair,) = Tukey.of({"A": a, "B": b}).pairs
     assert Anova.of([a, b]).p == pytest.approx(t.pvalue)
-    assert pair.p == pytest.approx(t.pvalue, rel=1e-5) and pair.q == pytest.approx(abs(t.statistic) * np.sqrt(2))
+    assert pair.p == pytest.approx(t.pvalue, rel=1e-5) and pair.q == pytest.approx(
+        abs(t.statistic) * np.sqrt(2)
+    )
 
 
 def test_the_words_of_inference():
-    assert [inference(p) for p in (0.0099, 0.01, 0.049, 0.05, float("nan"))] == ["p<0.01", "p<0.05", "p<0.05", "", ""]
+    assert [inference(p) for p in (0.0099, 0.01, 0.049, 0.05, float("nan"))] == [
+        "p<0.01",
+        "p<0.05",
+        "p<0.05",
+        "",
+        "",
+    ]
 
 
 def test_the_band_of_means_agrees_with_scipys_t_test():
     samples = np.random.default_rng(1).normal(3, 2, (40, 2))
-    expected = [stats.ttest_1samp(column, 0).confidence_interval(0.95) for column in samples.T]
+    expected = [
+        stats.ttest_1samp(column, 0).confidence_interval(0.95) for column in samples.T
+    ]
     assert np.allclose(np.transpose(mean_band(samples)), expected)
 
 
@@ -113,7 +138,9 @@ def test_the_band_covers_the_true_mean_as_often_as_it_says_however_few_there_are
 
 def test_hedges_g_is_an_unbiased_effect_and_its_interval_covers_it():
     rng = np.random.default_rng(3)
-    effects = [hedges_g(rng.normal(0.8, 1, 10), rng.normal(0, 1, 8)) for _ in range(300)]
+    effects = [
+        hedges_g(rng.normal(0.8, 1, 10), rng.normal(0, 1, 8)) for _ in range(300)
+    ]
     assert np.mean([g.value for g in effects]) == pytest.approx(0.8, abs=0.08)
     assert 0.92 < np.mean([g.low < 0.8 < g.high for g in effects]) < 0.98
 
@@ -123,7 +150,9 @@ def test_the_interval_of_eta_squared_ends_where_the_noncentral_f_says():
     share = Anova(31.73, 2, 55.26, 57).eta_squared
     assert share.value == pytest.approx(31.73 / 86.99)
     for end, level in ((share.low, 0.975), (share.high, 0.025)):
-        assert stats.ncf.cdf(f, 2, 57, end * n / (1 - end)) == pytest.approx(level, abs=1e-3)
+        assert stats.ncf.cdf(f, 2, 57, end * n / (1 - end)) == pytest.approx(
+            level, abs=1e-3
+        )
     assert Anova(0.01, 2, 100.0, 57).eta_squared.low == 0
 
 
@@ -132,11 +161,16 @@ def test_the_interval_of_hedges_g_ends_where_the_noncentral_t_says(n, shift):
     rng = np.random.default_rng(5)
     x, y = rng.normal(shift, 1, n), rng.normal(0, 1, n)
     g, df, t = hedges_g(x, y), 2 * n - 2, stats.ttest_ind(x, y).statistic
-    for end, level in ((g.low, 0.975), (g.high, 0.025)):  # as a mixture of normal distributions
+    for end, level in (
+        (g.low, 0.975),
+        (g.high, 0.025),
+    ):  # as a mixture of normal distributions
         noncentrality = end / g.value * t
 
         def part(u, noncentrality=noncentrality):
-            return stats.norm.cdf(t * np.sqrt(u / df) - noncentrality) * stats.chi2.pdf(u, df)
+            return stats.norm.cdf(t * np.sqrt(u / df) - noncentrality) * stats.chi2.pdf(
+                u, df
+            )
 
         whole = integrate.quad(part, 0, 3 * df + 80, points=[df], limit=200)[0]
         assert whole == pytest.approx(level, abs=1e-5)
@@ -157,7 +191,10 @@ def test_many_repetitions_and_equal_repetitions_are_no_trouble():
     assert g.low < g.value < g.high and g.high - g.low < 0.3
     same = Tukey.of({"A": np.ones(3), "B": np.ones(3)})
     assert np.isnan(same.pairs[0].q) and same.pairs[0].inference == ""
-    assert Tukey.of({"A": np.ones(3), "B": np.zeros(3)}).pairs[0].p == 0 and Anova.of([np.ones(3), np.zeros(3)]).p == 0
+    assert (
+        Tukey.of({"A": np.ones(3), "B": np.zeros(3)}).pairs[0].p == 0
+        and Anova.of([np.ones(3), np.zeros(3)]).p == 0
+    )
 
 
 def test_too_few_repetitions_are_refused_in_plain_words():
@@ -168,9 +205,20 @@ def test_too_few_repetitions_are_refused_in_plain_words():
 def test_a_table_reads_the_same_as_text_html_and_markdown(groups):
     table = Anova.of(list(groups.values())).table()
     text, page, document = str(table), table._repr_html_(), in_markdown(table)
-    for word in ("between groups", "within groups", "total", "sum of squares", "df", "mean square", "F", "p-value"):
+    for word in (
+        "between groups",
+        "within groups",
+        "total",
+        "sum of squares",
+        "df",
+        "mean square",
+        "F",
+        "p-value",
+    ):
         assert word in text and word in page and word in document
-    assert document.count("\n") == 6 and "my\\|task" in in_markdown(Table("", ["a"], [["my|task"]]))
+    assert document.count("\n") == 6 and "my\\|task" in in_markdown(
+        Table("", ["a"], [["my|task"]])
+    )
     assert "&lt;" in Table("", ["a"], [["<b>"]])._repr_html_()
 
 
@@ -203,7 +251,11 @@ def test_equal_numbers_never_differ_whatever_they_are_and_however_many(constant,
     groups = [np.full(n, constant) for n in sizes]
     assert set(verdicts(groups)) == {""}
     anova, g = Anova.of(groups), hedges_g(groups[0], groups[1])
-    assert (anova.ss_between, anova.ss_within) == (0, 0) and np.isnan(g).all() and np.isnan(anova.eta_squared).all()
+    assert (
+        (anova.ss_between, anova.ss_within) == (0, 0)
+        and np.isnan(g).all()
+        and np.isnan(anova.eta_squared).all()
+    )
     low, high = mean_band(groups[0][:, None])
     assert (low[0], high[0]) == (constant, constant)
 
@@ -211,29 +263,45 @@ def test_equal_numbers_never_differ_whatever_they_are_and_however_many(constant,
 @given(CONSTANTS.filter(lambda x: abs(x) > 1e-290), SIZES, st.data())
 def test_numbers_that_differ_by_a_few_ulps_never_differ(constant, sizes, data):
     few = st.integers(-4, 4)
-    groups = [np.array([ulps_away(constant, data.draw(few)) for _ in range(n)]) for n in sizes]
+    groups = [
+        np.array([ulps_away(constant, data.draw(few)) for _ in range(n)]) for n in sizes
+    ]
     assert set(verdicts(groups)) == {""}
-    shifted = [np.full(n, ulps_away(constant, i)) for i, n in enumerate(sizes)]  # each group constant, beside the next
+    shifted = [
+        np.full(n, ulps_away(constant, i)) for i, n in enumerate(sizes)
+    ]  # each group constant, beside the next
     assert set(verdicts(shifted)) == {""}
 
 
 @given(st.integers(2, 40), st.integers(1, 1_000_000).map(lambda n: n / 1000))
-def test_two_constant_groups_that_do_differ_are_told_apart_and_have_no_effect_in_sds(n, difference):
+def test_two_constant_groups_that_do_differ_are_told_apart_and_have_no_effect_in_sds(
+    n, difference
+):
     x, y = np.full(n, 0.1 + difference), np.full(n, 0.1)
     assert verdicts([x, y]) == ["p<0.01", "p<0.01"] and np.isnan(hedges_g(x, y)).all()
 
 
-@given(st.lists(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=20), min_size=2, max_size=3))
-def test_taking_rounding_out_changes_nothing_by_more_than_rounding_and_twice_is_once(lists):
+@given(
+    st.lists(
+        st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=20), min_size=2, max_size=3
+    )
+)
+def test_taking_rounding_out_changes_nothing_by_more_than_rounding_and_twice_is_once(
+    lists,
+):
     groups = [np.array(group) for group in lists]
     once = without_rounding(groups)
     largest = max(np.abs(group).max() for group in groups)
     for before, after, again in zip(groups, once, without_rounding(once), strict=True):
-        assert np.abs(after - before).max() <= sum(map(len, groups)) * ROUNDING * largest
+        assert (
+            np.abs(after - before).max() <= sum(map(len, groups)) * ROUNDING * largest
+        )
         assert np.array_equal(after, again)
 
 
-@pytest.mark.filterwarnings("ignore:Precision loss")  # SciPy's word for numbers that are all the same
+@pytest.mark.filterwarnings(
+    "ignore:Precision loss"
+)  # SciPy's word for numbers that are all the same
 def test_a_constant_group_beside_one_that_varies_is_tested_as_any_other():
     rng = np.random.default_rng(0)
     x, y = np.full(10, 0.1), rng.normal(0.1, 1, 10)

@@ -21,17 +21,28 @@ def model():
 
 
 def compared(world, repetitions=2, **more):
-    return rl.compare(world, ["Q+SR"], repetitions, **{"steps": 30, "n_jobs": 1, "progress": False, **more})
+    return rl.compare(
+        world,
+        ["Q+SR"],
+        repetitions,
+        **{"steps": 30, "n_jobs": 1, "progress": False, **more},
+    )
 
 
-@pytest.mark.parametrize("name", ["1.npz", "00001.npz", "١.npz", "0001 copy.npz", "+001.npz", "7.npz"])
-def test_a_file_under_another_spelling_of_its_number_does_not_count(model, tmp_path, name):
+@pytest.mark.parametrize(
+    "name", ["1.npz", "00001.npz", "١.npz", "0001 copy.npz", "+001.npz", "7.npz"]
+)
+def test_a_file_under_another_spelling_of_its_number_does_not_count(
+    model, tmp_path, name
+):
     ran = compared(model, store=tmp_path)
     shutil.copy(tmp_path / "Q+SR" / "0001.npz", tmp_path / "Q+SR" / name)
     assert same(rl.Comparison.load(tmp_path), ran)
 
 
-def test_what_an_operating_system_puts_beside_the_files_is_no_repetition(model, tmp_path):
+def test_what_an_operating_system_puts_beside_the_files_is_no_repetition(
+    model, tmp_path
+):
     ran = compared(model, store=tmp_path)
     (tmp_path / "Q+SR" / "._0001.npz").write_bytes(b"Mac OS X")
     assert same(rl.Comparison.load(tmp_path), ran)
@@ -48,9 +59,13 @@ def test_ten_thousand_repetitions_stay_in_order(model, tmp_path):
 
 def test_another_model_in_the_place_of_the_stores_own_is_refused(model, tmp_path):
     compared(model, store=tmp_path)
-    rl.SampleModel.from_recording(rl.read_recording("worked_example")).save(tmp_path / "model.npz")
+    rl.SampleModel.from_recording(rl.read_recording("worked_example")).save(
+        tmp_path / "model.npz"
+    )
     for open_it in (rl.Comparison.load, lambda path: compared(model, 3, store=path)):
-        with pytest.raises(ValueError, match=r"was made in another world: shape is \[2, 2\] in the"):
+        with pytest.raises(
+            ValueError, match=r"was made in another world: shape is \[2, 2\] in the"
+        ):
             open_it(tmp_path)
     (tmp_path / "model.npz").unlink()
     assert len(compared(model, 3, store=tmp_path)["Q+SR"]) == 3  # which writes it anew
@@ -68,7 +83,10 @@ def test_a_task_that_is_not_the_stores_is_refused(model, tmp_path):
     ran = compared("wander_simple", store=tmp_path)
     assert same(rl.Comparison.load(tmp_path, "wander_simple"), ran)
     for other in ("arm_1k", model):
-        with pytest.raises(ValueError, match="was made in another world: world is the task wander_simple in"):
+        with pytest.raises(
+            ValueError,
+            match="was made in another world: world is the task wander_simple in",
+        ):
             rl.Comparison.load(tmp_path, other)
 
 
@@ -76,7 +94,10 @@ def test_a_task_that_was_changed_since_is_not_the_stores(tmp_path):
     path = rl.new_task("mine", tmp_path)
     compared(path, store=tmp_path / "s")
     assert rl.Comparison.load(tmp_path / "s", path).name == "mine"
-    path.write_text(path.read_text(encoding="utf-8").replace("0.07 else", "0.05 else"), encoding="utf-8")
+    path.write_text(
+        path.read_text(encoding="utf-8").replace("0.07 else", "0.05 else"),
+        encoding="utf-8",
+    )
     with pytest.raises(ValueError, match="the content of the task's file is"):
         rl.Comparison.load(tmp_path / "s", path)
 
@@ -88,13 +109,25 @@ def test_numpys_numbers_are_kept_as_pythons(model, tmp_path):
     assert same(compared(model, store=tmp_path, seed=0, keep=True), ran)
     assert json.loads((tmp_path / "experiment.json").read_text())["steps"] == 30
     assert (
-        len(compared("arm_1k", 1, steps=None, episodes=n(1), engine="kinematic", store=tmp_path / "arm")["Q+SR"][0])
+        len(
+            compared(
+                "arm_1k",
+                1,
+                steps=None,
+                episodes=n(1),
+                engine="kinematic",
+                store=tmp_path / "arm",
+            )["Q+SR"][0]
+        )
         == 120
     )
 
 
 def test_a_model_with_numpys_sizes_is_like_any_other(model, tmp_path):
-    sizes = {"n_actions": np.int64(model.n_actions), "shape": tuple(map(np.int64, model.shape))}
+    sizes = {
+        "n_actions": np.int64(model.n_actions),
+        "shape": tuple(map(np.int64, model.shape)),
+    }
     its = rl.SampleModel(**{**vars(model), **sizes, "episode_steps": np.int64(50)})
     its.save(tmp_path / "model.npz")
     assert repr(rl.SampleModel.load(tmp_path / "model.npz")) == repr(model)
@@ -133,7 +166,12 @@ def folder(label):
     return Store(".", {}).path(label, 0).parent.name
 
 
-@given(st.lists(st.one_of(st.sampled_from(ODD), st.text(st.characters(codec="utf-8"))), unique=True))
+@given(
+    st.lists(
+        st.one_of(st.sampled_from(ODD), st.text(st.characters(codec="utf-8"))),
+        unique=True,
+    )
+)
 def test_every_label_has_a_folder_of_its_own_on_every_computer(labels):
     names = [folder(label) for label in [*labels, "Q+SR", "TOSL+QBIASSR", "MY-OWN2+SR"]]
     for name in names:
@@ -147,6 +185,11 @@ def test_a_methods_folder_has_its_name_and_any_other_label_can_be_read_in_its_fo
 
 
 def test_labels_that_differ_in_case_alone_are_kept_apart(model, tmp_path):
-    methods = {label: {"method": "Q+SR", "alpha": alpha} for label, alpha in {"a": 0.1, "A": 0.2}.items()}
-    ran = rl.compare(model, methods, 2, steps=30, n_jobs=1, progress=False, store=tmp_path)
+    methods = {
+        label: {"method": "Q+SR", "alpha": alpha}
+        for label, alpha in {"a": 0.1, "A": 0.2}.items()
+    }
+    ran = rl.compare(
+        model, methods, 2, steps=30, n_jobs=1, progress=False, store=tmp_path
+    )
     assert same(rl.Comparison.load(tmp_path), ran) and len({*ran}) == 2

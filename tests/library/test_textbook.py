@@ -19,19 +19,28 @@ PAGE = Path(__file__).parents[2] / "docs" / "textbook.md"
 
 @pytest.fixture(scope="module")
 def on_the_cliff():
-    return {method: textbook.cliff(method, 10).mean() for method in ("SARSA", "Q", "ESARSA")}
+    return {
+        method: textbook.cliff(method, 10).mean() for method in ("SARSA", "Q", "ESARSA")
+    }
 
 
-def test_on_the_cliff_sarsa_earns_more_than_q_learning_and_expected_sarsa_most(on_the_cliff):
+def test_on_the_cliff_sarsa_earns_more_than_q_learning_and_expected_sarsa_most(
+    on_the_cliff,
+):
     assert -32 < on_the_cliff["SARSA"] < -19
     assert -60 < on_the_cliff["Q"] < -40
-    assert -24 < on_the_cliff["ESARSA"] < -18 and on_the_cliff["ESARSA"] > on_the_cliff["SARSA"]
+    assert (
+        -24 < on_the_cliff["ESARSA"] < -18
+        and on_the_cliff["ESARSA"] > on_the_cliff["SARSA"]
+    )
 
 
 def test_in_the_windy_gridworld_sarsa_ends_some_160_episodes_in_8000_steps():
     assert 140 < textbook.windy(6).mean() < 182
     plan = rl.value_iteration(worlds.windy_gridworld(), gamma=0.99)
-    assert plan.v[30] == pytest.approx(-(1 - 0.99**15) / 0.01), "the shortest way takes 15 steps, as the book says"
+    assert plan.v[30] == pytest.approx(-(1 - 0.99**15) / 0.01), (
+        "the shortest way takes 15 steps, as the book says"
+    )
 
 
 def test_in_the_maze_more_planning_takes_fewer_episodes():
@@ -41,7 +50,9 @@ def test_in_the_maze_more_planning_takes_fewer_episodes():
     second = {n: mine[:, 1].mean() for n, mine in steps.items()}
     assert second[0] > 2 * second[5] > 4 * second[50]
     plan = rl.value_iteration(worlds.dyna_maze(), gamma=0.95)
-    assert plan.v[18] == pytest.approx(0.95**13), "the shortest way takes 14 steps, as the book says"
+    assert plan.v[18] == pytest.approx(0.95**13), (
+        "the shortest way takes 14 steps, as the book says"
+    )
 
 
 def plain_true_online_td(transitions, lam, alpha):
@@ -63,10 +74,20 @@ def plain_true_online_td(transitions, lam, alpha):
 
 @pytest.mark.parametrize(("lam", "alpha"), [(0.8, 0.4), (0.0, 0.4), (1.0, 0.1)])
 def test_on_the_random_walk_true_online_learning_is_the_books_pseudocode(lam, alpha):
-    model, parameters = worlds.random_walk(), {"alpha": alpha, "gamma": textbook.GAMMA, "lam": lam, "traces": "full"}
-    agent, env = rl.Agent(model, "TOSL+RANDOM", seed=1, **parameters), rl.make_env(model, seed=2)
-    history = rl.learn(agent, env, textbook.LONG, episodes=10, keep=True, progress=False)
-    steps = zip(history.s, history.rewards, history.s_next, history.terminated, strict=True)
+    model, parameters = (
+        worlds.random_walk(),
+        {"alpha": alpha, "gamma": textbook.GAMMA, "lam": lam, "traces": "full"},
+    )
+    agent, env = (
+        rl.Agent(model, "TOSL+RANDOM", seed=1, **parameters),
+        rl.make_env(model, seed=2),
+    )
+    history = rl.learn(
+        agent, env, textbook.LONG, episodes=10, keep=True, progress=False
+    )
+    steps = zip(
+        history.s, history.rewards, history.s_next, history.terminated, strict=True
+    )
     *_, last = plain_true_online_td(steps, lam, alpha)
     assert agent.q[:, 0] == pytest.approx(last, abs=1e-6)  # γ is 1e-9 from 1
 
@@ -90,15 +111,21 @@ def solved(env, gamma, sweeps=3000):
 @pytest.mark.parametrize(("size", "value"), [("4x4", 0.5420), ("8x8", 0.4146)])
 def test_value_iteration_solves_the_frozen_lake(size, value):
     assert textbook.frozen_lake(size) == pytest.approx(value, abs=5e-5)
-    plan = rl.value_iteration(worlds.of_gymnasium(FrozenLakeEnv(map_name=size)), gamma=0.99)
-    assert plan.v == pytest.approx(solved(FrozenLakeEnv(map_name=size), 0.99, 1500), abs=1e-6)
+    plan = rl.value_iteration(
+        worlds.of_gymnasium(FrozenLakeEnv(map_name=size)), gamma=0.99
+    )
+    assert plan.v == pytest.approx(
+        solved(FrozenLakeEnv(map_name=size), 0.99, 1500), abs=1e-6
+    )
 
 
 def test_the_best_trips_of_the_taxi_earn_793_on_average():
     trips = textbook.taxi()
     assert trips.mean() == pytest.approx(7.93, abs=0.005)
     env = TaxiEnv()
-    best = solved(env, 1.0, 60)[env.initial_state_distrib > 0]  # without discounting: a trip takes 18 steps at most
+    best = solved(env, 1.0, 60)[
+        env.initial_state_distrib > 0
+    ]  # without discounting: a trip takes 18 steps at most
     assert trips == pytest.approx(best)
 
 
@@ -111,8 +138,15 @@ def test_the_page_is_the_studys_and_its_numbers_are_near_the_published_ones():
     text = PAGE.read_text(encoding="utf-8")
     for part in re.split(r"\{\w+\}", textbook.PAGE):
         assert part in text
-    here = [line.rpartition(" | ")[2].removesuffix(" |") for line in text.splitlines() if re.match(r"\| .*\d", line)]
-    numbers = [[float(x) for x in re.findall(r"-?\d+(?:\.\d+)?", cell.replace("−", "-"))] for cell in here]
+    here = [
+        line.rpartition(" | ")[2].removesuffix(" |")
+        for line in text.splitlines()
+        if re.match(r"\| .*\d", line)
+    ]
+    numbers = [
+        [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?", cell.replace("−", "-"))]
+        for cell in here
+    ]
     published = [-25, -50, -21, 165, [25, 5, 3], None, 0.26, 0.542, 0.4146, 7.93]
     assert len(numbers) == len(published)
     for got, expected in zip(numbers, published, strict=True):

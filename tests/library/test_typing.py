@@ -43,7 +43,11 @@ rl.RobotEnv(task, render_mode="human")
 
 
 def test_the_stub_holds_every_name_of_the_contract_and_each_can_be_had():
-    imports = [node for node in ast.parse(STUB.read_text()).body if isinstance(node, ast.ImportFrom)]
+    imports = [
+        node
+        for node in ast.parse(STUB.read_text()).body
+        if isinstance(node, ast.ImportFrom)
+    ]
     names = {alias.asname for node in imports for alias in node.names}
     assert names >= CONTRACT
     assert names == set(rl.__all__)
@@ -52,17 +56,34 @@ def test_the_stub_holds_every_name_of_the_contract_and_each_can_be_had():
 
 
 @pytest.mark.long
-def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(tmp_path, monkeypatch):
+def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(
+    tmp_path, monkeypatch
+):
     (tmp_path / "face.py").write_text(FACE)
     monkeypatch.chdir(ROOT)  # where mypy's settings are
     said, trouble, _ = api.run([str(tmp_path / "face.py")])
-    types = re.findall(r'Revealed type is ".*?rlrobot_edu\.[\w.]+\.(\w+)\W*"', said)  # a tuple names its class last
-    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Runs", "Film", "Step"], (
-        said + trouble
-    )
+    types = re.findall(
+        r'Revealed type is ".*?rlrobot_edu\.[\w.]+\.(\w+)\W*"', said
+    )  # a tuple names its class last
+    assert types == [
+        "Task",
+        "Agent",
+        "History",
+        "Recording",
+        "SampleModel",
+        "Comparison",
+        "Runs",
+        "Film",
+        "Step",
+    ], said + trouble
     assert 'has no attribute "no_such_name"' in said and said.count("error:") == 4, said
-    assert said.count("incompatible type \"Literal['steam']\"") == 2 and "Literal['human']" in said, said
+    assert (
+        said.count("incompatible type \"Literal['steam']\"") == 2
+        and "Literal['human']" in said
+    ), said
 
 
 def test_the_engines_have_the_names_that_the_robots_cards_have():
-    assert set(get_args(Engine)) == {engine for card in ROBOTS.values() for engine in card.engines}
+    assert set(get_args(Engine)) == {
+        engine for card in ROBOTS.values() for engine in card.engines
+    }

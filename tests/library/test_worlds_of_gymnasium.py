@@ -21,25 +21,52 @@ def slippery():
 
 
 def test_the_classical_cliff_takes_three_lines():
-    result = rl.compare(CLIFF, ["SARSA+EG", "Q+EG"], 4, episodes=200, gamma=0.999, n_jobs=1, progress=False, **GREEDY)
-    returns = {method: np.mean([history.returns[-100:] for history in runs]) for method, runs in result.items()}
-    assert returns["Q+EG"] < returns["SARSA+EG"] < -17  # -17 is the way round, which no ε-greedy robot always takes
-    assert all(len(history.returns) == 200 for runs in result.values() for history in runs)
-    assert result.name == "CliffWalking" and "CliffWalking" in result.plot().axes[0].get_title()
+    result = rl.compare(
+        CLIFF,
+        ["SARSA+EG", "Q+EG"],
+        4,
+        episodes=200,
+        gamma=0.999,
+        n_jobs=1,
+        progress=False,
+        **GREEDY,
+    )
+    returns = {
+        method: np.mean([history.returns[-100:] for history in runs])
+        for method, runs in result.items()
+    }
+    assert (
+        returns["Q+EG"] < returns["SARSA+EG"] < -17
+    )  # -17 is the way round, which no ε-greedy robot always takes
+    assert all(
+        len(history.returns) == 200 for runs in result.values() for history in runs
+    )
+    assert (
+        result.name == "CliffWalking"
+        and "CliffWalking" in result.plot().axes[0].get_title()
+    )
 
 
-@pytest.mark.parametrize("world", [CLIFF, gymnasium.spec(CLIFF), partial(gymnasium.make, CLIFF)])
+@pytest.mark.parametrize(
+    "world", [CLIFF, gymnasium.spec(CLIFF), partial(gymnasium.make, CLIFF)]
+)
 def test_an_id_a_spec_and_a_function_are_the_same_world_on_one_core_and_on_two(world):
     one = rl.compare(CLIFF, ["Q+EG"], steps=200, **FAST)
-    assert same(rl.compare(world, ["Q+EG"], 2, steps=200, n_jobs=2, progress=False), one)
+    assert same(
+        rl.compare(world, ["Q+EG"], 2, steps=200, n_jobs=2, progress=False), one
+    )
 
 
 def test_a_repetition_in_gymnasiums_world_can_be_made_again_by_hand():
     history = rl.repeat("FrozenLake-v1", "Q+EG", steps=300, seed=5, **FAST)[1]
     agent_seed, env_seed = np.random.SeedSequence(5).spawn(2)[1].spawn(2)
     with rl.make_env("FrozenLake-v1", env_seed) as env:
-        again = rl.learn(rl.Agent(env, "Q+EG", seed=agent_seed), env, 300, progress=False)
-    assert np.array_equal(history.rewards, again.rewards) and np.array_equal(history.q, again.q)
+        again = rl.learn(
+            rl.Agent(env, "Q+EG", seed=agent_seed), env, 300, progress=False
+        )
+    assert np.array_equal(history.rewards, again.rewards) and np.array_equal(
+        history.q, again.q
+    )
 
 
 def test_each_repetition_makes_its_own_environment_and_closes_it():
@@ -61,7 +88,9 @@ def test_each_repetition_makes_its_own_environment_and_closes_it():
 
 @pytest.mark.parametrize("world", [CLIFF, gymnasium.spec("FrozenLake-v1"), slippery])
 def test_a_store_goes_on_in_gymnasiums_world(tmp_path, world):
-    first = rl.compare(world, ["Q+EG"], 1, steps=200, n_jobs=1, progress=False, store=tmp_path)
+    first = rl.compare(
+        world, ["Q+EG"], 1, steps=200, n_jobs=1, progress=False, store=tmp_path
+    )
     more = rl.compare(world, ["Q+EG"], steps=200, store=tmp_path, **FAST)
     assert first["Q+EG"][0].seconds == more["Q+EG"][0].seconds  # not run again
     assert same(rl.Comparison.load(tmp_path, world), more)
@@ -72,7 +101,10 @@ def test_a_store_knows_its_world_by_its_id_and_its_arguments(tmp_path):
     ran = rl.compare(spec, ["Q+EG"], steps=100, store=tmp_path, **FAST)
     assert same(rl.Comparison.load(tmp_path), ran)
     dry = gymnasium.make("FrozenLake-v1", is_slippery=False).spec
-    with pytest.raises(ValueError, match=r"has another experiment: kwargs is .* in the store, .*is_slippery"):
+    with pytest.raises(
+        ValueError,
+        match=r"has another experiment: kwargs is .* in the store, .*is_slippery",
+    ):
         rl.compare(dry, ["Q+EG"], steps=100, store=tmp_path, **FAST)
     for other in (dry, CLIFF, slippery):
         with pytest.raises(ValueError, match="was made in another world"):
@@ -88,14 +120,19 @@ def test_a_store_of_a_function_needs_it_and_knows_its_code(tmp_path):
 
     ran = rl.compare(mine, ["Q+SR"], steps=50, store=tmp_path, **FAST)
     assert same(rl.Comparison.load(tmp_path, mine), ran)
-    with pytest.raises(ValueError, match="made in what a function makes, which it lacks; give it as world="):
+    with pytest.raises(
+        ValueError,
+        match="made in what a function makes, which it lacks; give it as world=",
+    ):
         rl.Comparison.load(tmp_path)
     with pytest.raises(ValueError, match="what makes it is"):
         rl.compare(yours, ["Q+SR"], steps=50, store=tmp_path, **FAST)
 
 
 def test_episodes_that_do_not_end_in_time_are_said():
-    with pytest.raises(ValueError, match="in 50 steps only 0 episodes have ended; give more steps"):
+    with pytest.raises(
+        ValueError, match="in 50 steps only 0 episodes have ended; give more steps"
+    ):
         rl.compare(CLIFF, ["Q+RANDOM"], steps=50, episodes=1, **FAST)
 
 
@@ -108,14 +145,19 @@ def test_episodes_that_do_not_end_in_time_are_said():
      ("CartPole-v1", "a tabular agent needs MultiDiscrete or Discrete observations")],
 )  # fmt: skip
 def test_what_is_no_world_is_refused_before_anything_runs(world, match):
-    for call in (partial(rl.compare, world, ["Q+SR"]), partial(rl.repeat, world, "Q+SR", repetitions=2)):
+    for call in (
+        partial(rl.compare, world, ["Q+SR"]),
+        partial(rl.repeat, world, "Q+SR", repetitions=2),
+    ):
         with pytest.raises((ValueError, gymnasium.error.Error), match=match):
             call(steps=10, progress=False)
 
 
 def test_gymnasiums_world_has_no_robot_but_may_be_drawn():
     for weak in ({"engine": "kinematic"}, {"realism": rl.Realism()}):
-        with pytest.raises(ValueError, match="only a task has a robot: leave engine, realism"):
+        with pytest.raises(
+            ValueError, match="only a task has a robot: leave engine, realism"
+        ):
             rl.make_env(CLIFF, **weak)
     with rl.make_env(CLIFF, seed=0, render_mode="rgb_array") as env:
         env.reset()

@@ -12,7 +12,10 @@ HOWTO = ROOT / "docs/howto"
 
 def changed(text: str, diff: str) -> str:
     """The text after one change: lines with - go, those with + take their place."""
-    old, new = ("".join(line[1:] + "\n" for line in diff.splitlines() if line[0] != other) for other in ("+", "-"))
+    old, new = (
+        "".join(line[1:] + "\n" for line in diff.splitlines() if line[0] != other)
+        for other in ("+", "-")
+    )
     assert old in text, f"there are no such lines:\n{old}"
     return text.replace(old, new)
 
@@ -23,11 +26,17 @@ def test_your_own_task_is_as_its_page_tells(tmp_path):
     for kind, block in re.findall(r"```(\w+)\n(.*?)```", page, re.DOTALL):
         if kind == "diff":
             task = tmp_path / "hurry.py"
-            task.write_text(changed(task.read_text(encoding="utf-8"), block), encoding="utf-8")
+            task.write_text(
+                changed(task.read_text(encoding="utf-8"), block), encoding="utf-8"
+            )
         elif kind in ("sh", "python"):
             command = ["-c", block] if kind == "python" else block.split()[1:]
             done = subprocess.run(
-                [sys.executable, *command], cwd=tmp_path, capture_output=True, text=True, encoding="utf-8"
+                [sys.executable, *command],
+                cwd=tmp_path,
+                capture_output=True,
+                text=True,
+                encoding="utf-8",
             )
             assert done.returncode == 0, done.stderr
             said = done.stdout
@@ -35,20 +44,38 @@ def test_your_own_task_is_as_its_page_tells(tmp_path):
             lines = [line for line in block.splitlines() if line]
             assert [line for line in lines if line not in said.splitlines()] == []
             told += len(lines)
-    assert told > 10 and (tmp_path / "hurry.html").stat().st_size > 10_000 < (tmp_path / "hurry_3d.html").stat().st_size
+    assert (
+        told > 10
+        and (tmp_path / "hurry.html").stat().st_size
+        > 10_000
+        < (tmp_path / "hurry_3d.html").stat().st_size
+    )
 
 
 def test_your_own_algorithm_prints_what_its_page_says():
     page = (HOWTO / "your_own_algorithm.md").read_text(encoding="utf-8")
-    (code,), (said,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("python", "text"))
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, encoding="utf-8")
+    (code,), (said,) = (
+        re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL)
+        for kind in ("python", "text")
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, encoding="utf-8"
+    )
     assert done.returncode == 0, done.stderr
     assert done.stdout == said
 
 
 def test_the_architecture_page_shows_the_layers_that_the_linter_checks():
     tools = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
-    layers = [layer.replace("rlrobot_edu.", "") for layer in tools["importlinter"]["contracts"][0]["layers"]]
+    layers = [
+        layer.replace("rlrobot_edu.", "")
+        for layer in tools["importlinter"]["contracts"][0]["layers"]
+    ]
     page = (HOWTO / "architecture.md").read_text(encoding="utf-8")
-    shown = [re.findall("`(.*?)`", row) for row in re.findall(r"^\| \w* ?\| (`[^|]*) \|", page, re.MULTILINE)]
-    assert [sorted(row) for row in shown] == [sorted(re.split(" [|:] ", layer)) for layer in layers]
+    shown = [
+        re.findall("`(.*?)`", row)
+        for row in re.findall(r"^\| \w* ?\| (`[^|]*) \|", page, re.MULTILINE)
+    ]
+    assert [sorted(row) for row in shown] == [
+        sorted(re.split(" [|:] ", layer)) for layer in layers
+    ]

@@ -19,9 +19,17 @@ from waiting import eventually
 
 ROOT = Path(__file__).parents[2]
 PYODIDE = Path(os.environ.get("RLROBOT_EDU_PYODIDE", "no folder"))
-needs_pyodide = pytest.mark.skipif(not PYODIDE.is_dir(), reason="needs Pyodide: tests/unpack_pyodide.sh")
+needs_pyodide = pytest.mark.skipif(
+    not PYODIDE.is_dir(), reason="needs Pyodide: tests/unpack_pyodide.sh"
+)
 PUBLIC = "cdn.jsdelivr.net"
-PURE = ("gymnasium", "farama-notifications", "cloudpickle", "typing-extensions", "lazy-loader")
+PURE = (
+    "gymnasium",
+    "farama-notifications",
+    "cloudpickle",
+    "typing-extensions",
+    "lazy-loader",
+)
 PURE += ("packaging", "tqdm", "joblib")
 LEARN = """
 import hashlib
@@ -59,7 +67,9 @@ def build(folder, *arguments):
     """The site that `make lite` builds."""
     command = [sys.executable, ROOT / "lite/make_lite.py", folder, *arguments]
     env = os.environ | {"HOME": os.environ["RLROBOT_TESTS_USERS_HOME"]}
-    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=600, env=env)
+    done = subprocess.run(
+        command, capture_output=True, text=True, encoding="utf-8", timeout=600, env=env
+    )
     if "No matching distribution" in done.stderr or "ConnectionError" in done.stderr:
         pytest.skip("needs a package index, for the wheels that Pyodide lacks")
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
@@ -68,7 +78,10 @@ def build(folder, *arguments):
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
-    pytest.importorskip("jupyterlite_pyodide_kernel", reason="needs jupyterlite: pip install --group lite")
+    pytest.importorskip(
+        "jupyterlite_pyodide_kernel",
+        reason="needs jupyterlite: pip install --group lite",
+    )
     return build(tmp_path_factory.mktemp("lite"))
 
 
@@ -106,29 +119,48 @@ def opened(browser, folder, path, answers=True):
         stop.set()
         proxy.shutdown()
         proxy.server_close()
-        asked.discard("content-autofill.googleapis.com")  # asked by Chromium itself, of any page with a field
+        asked.discard(
+            "content-autofill.googleapis.com"
+        )  # asked by Chromium itself, of any page with a field
 
 
 def test_the_versions_are_those_that_the_kernel_is_made_for():
     constants = pytest.importorskip("jupyterlite_pyodide_kernel.constants")
-    assert (make_lite.PYODIDE, make_lite.PYTHON) == (constants.PYODIDE_VERSION, constants.PYODIDE_PYTHON_VERSION)
+    assert (make_lite.PYODIDE, make_lite.PYTHON) == (
+        constants.PYODIDE_VERSION,
+        constants.PYODIDE_PYTHON_VERSION,
+    )
     assert constants.PYODIDE_CDN_URL in make_lite.PUBLIC
 
 
 def test_a_lesson_opens_and_asks_only_for_pyodide(site, browser):
-    with opened(browser, site, "lab/index.html?path=00_start_here.ipynb") as (page, asked):
-        page.get_by_role("heading", name="Start here: a robot learns to wander").first.wait_for()
+    with opened(browser, site, "lab/index.html?path=00_start_here.ipynb") as (
+        page,
+        asked,
+    ):
+        page.get_by_role(
+            "heading", name="Start here: a robot learns to wander"
+        ).first.wait_for()
         page.get_by_text("03_q_learning.ipynb").first.wait_for()
-        eventually(lambda: asked, lambda: page.wait_for_timeout(500), 300)  # the kernel asks for Pyodide
+        eventually(
+            lambda: asked, lambda: page.wait_for_timeout(500), 300
+        )  # the kernel asks for Pyodide
         page.wait_for_timeout(5_000)  # for anything else that may ask
     assert asked == {PUBLIC}
 
 
 @pytest.mark.parametrize("answers", [True, False])
-def test_where_the_network_lets_nothing_through_a_sentence_says_so_within_five_seconds(site, browser, answers):
+def test_where_the_network_lets_nothing_through_a_sentence_says_so_within_five_seconds(
+    site, browser, answers
+):
     """Whether the public address is refused, or never answers."""
-    with opened(browser, site, "index.html?path=03_q_learning.ipynb", answers) as (page, asked):
-        page.get_by_text(f"Python cannot be fetched from {PUBLIC}").wait_for(timeout=5_000)
+    with opened(browser, site, "index.html?path=03_q_learning.ipynb", answers) as (
+        page,
+        asked,
+    ):
+        page.get_by_text(f"Python cannot be fetched from {PUBLIC}").wait_for(
+            timeout=5_000
+        )
         assert asked == {PUBLIC}
         page.get_by_role("link", name="without Python").click()
         page.get_by_role("heading", name="03 Q-learning").first.wait_for()
@@ -138,7 +170,9 @@ def test_an_old_browser_is_told_which_ones_are_new_enough(site, browser):
     with opened(browser, site, "robots.txt") as (page, _):
         page.add_init_script("delete WebAssembly.Tag")
         page.goto(page.url.replace("robots.txt", "index.html"))
-        page.get_by_text("This browser is too old to run Python").wait_for(timeout=5_000)
+        page.get_by_text("This browser is too old to run Python").wait_for(
+            timeout=5_000
+        )
 
 
 @pytest.mark.parametrize("lesson", make_lite.smaller_numbers())
@@ -147,24 +181,36 @@ def test_a_lesson_with_smaller_numbers_runs_from_top_to_bottom(lesson, tmp_path)
     if lesson != "06_sarsa_at_a_cliff" and not os.environ.get("RLROBOT_EDU_LONG"):
         pytest.skip("RLROBOT_EDU_LONG=1 runs all lessons with smaller numbers")
     notebook = nbformat.from_dict(
-        make_lite.in_browser(ROOT / f"notebooks/{lesson}.ipynb", make_lite.smaller_numbers()[lesson])
+        make_lite.in_browser(
+            ROOT / f"notebooks/{lesson}.ipynb", make_lite.smaller_numbers()[lesson]
+        )
     )
     notebook.cells = [cell for cell in notebook.cells if cell.id != "install"]
-    NotebookClient(notebook, kernel_name="python3", resources={"metadata": {"path": tmp_path}}).execute()
+    NotebookClient(
+        notebook, kernel_name="python3", resources={"metadata": {"path": tmp_path}}
+    ).execute()
 
 
 @needs_pyodide
-def test_a_site_with_its_own_pyodide_runs_python_and_asks_nobody_else(browser, tmp_path):
+def test_a_site_with_its_own_pyodide_runs_python_and_asks_nobody_else(
+    browser, tmp_path
+):
     """With the kernel that the lessons have, which needs no NumPy; packages come from the site's own index.
 
     Not tried: what the first cell of a lesson installs, since NumPy, SciPy and Matplotlib for this Pyodide are to be
     had from its public address alone.
     """
-    pytest.importorskip("jupyterlite_pyodide_kernel", reason="needs jupyterlite: pip install --group lite")
+    pytest.importorskip(
+        "jupyterlite_pyodide_kernel",
+        reason="needs jupyterlite: pip install --group lite",
+    )
     folder = build(tmp_path, "--pyodide", PYODIDE / "course")
     code = "import sys, piplite; await piplite.install('gymnasium', deps=False)\nimport importlib.metadata as m\n"
     code += "print(sys.platform, m.version('gymnasium'))\nawait piplite.install('no-such-package')"
-    with opened(browser, folder, "index.html?path=18_real_robot.ipynb") as (page, asked):
+    with opened(browser, folder, "index.html?path=18_real_robot.ipynb") as (
+        page,
+        asked,
+    ):
         page.get_by_role("heading", name="18 A real robot").first.wait_for()
         page.locator(".jp-CodeCell .cm-content").first.click()
         page.keyboard.press("Control+A")
@@ -180,7 +226,9 @@ def zip_packages(path):
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in PURE:
             for file in files(name):
-                if file.suffix == ".py" or (".dist-info" in str(file) and ".." not in str(file)):
+                if file.suffix == ".py" or (
+                    ".dist-info" in str(file) and ".." not in str(file)
+                ):
                     archive.write(file.locate(), str(file))
         for folder, inside in {
             "rlrobot_edu": "",

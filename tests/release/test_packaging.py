@@ -21,8 +21,15 @@ from rlrobot_edu.learning import jit
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROJECT, GROUPS = PYPROJECT["project"], PYPROJECT["dependency-groups"]
-CONSTRAINTS = [Requirement(line) for line in (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()]
-PINNED = {canonicalize_name(pin.name): pin.specifier for pin in CONSTRAINTS if not pin.marker or pin.marker.evaluate()}
+CONSTRAINTS = [
+    Requirement(line)
+    for line in (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+]
+PINNED = {
+    canonicalize_name(pin.name): pin.specifier
+    for pin in CONSTRAINTS
+    if not pin.marker or pin.marker.evaluate()
+}
 
 
 def test_the_version_is_written_once_and_the_metadata_agree():
@@ -32,10 +39,20 @@ def test_the_version_is_written_once_and_the_metadata_agree():
 
 def test_the_citation_names_this_version_and_the_paper():
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    assert {"cff-version", "message", "title", "authors"} <= citation.keys()  # what the format asks for
+    assert {
+        "cff-version",
+        "message",
+        "title",
+        "authors",
+    } <= citation.keys()  # what the format asks for
     assert (citation["cff-version"], citation["type"]) == ("1.2.0", "software")
-    assert citation["version"] == rl.__version__ and citation["license"] == PROJECT["license"]
-    assert [author["name"] for author in citation["authors"]] == [author["name"] for author in PROJECT["authors"]]
+    assert (
+        citation["version"] == rl.__version__
+        and citation["license"] == PROJECT["license"]
+    )
+    assert [author["name"] for author in citation["authors"]] == [
+        author["name"] for author in PROJECT["authors"]
+    ]
     (paper,) = citation["references"]
     assert paper["url"] == PROJECT["urls"]["Paper"] and len(paper["authors"]) == 4
 
@@ -54,59 +71,95 @@ def test_a_release_wants_one_version_and_one_date(name, old, new, tmp_path):
     for file in ("CITATION.cff", "CHANGELOG.md", "rlrobot_edu/version.py"):
         text = (ROOT / file).read_text(encoding="utf-8")
         assert file != name or old in text
-        (tmp_path / file).write_text(text.replace(old, new, 1) if file == name else text, encoding="utf-8")
+        (tmp_path / file).write_text(
+            text.replace(old, new, 1) if file == name else text, encoding="utf-8"
+        )
     assert disagreements(ROOT) == [] and len(disagreements(tmp_path)) == 1
 
 
 def test_the_recipe_for_conda_forge_needs_what_the_package_and_its_lab_need():
     page = (ROOT / "docs/howto/release.md").read_text(encoding="utf-8")
     recipe = yaml.safe_load(re.search(r"```yaml\n(.*?)```", page, re.S)[1])
-    names = {"matplotlib": "matplotlib-base", "meshcat": "meshcat-python"}  # as conda-forge calls them
-    wanted = map(Requirement, PROJECT["dependencies"] + PROJECT["optional-dependencies"]["lab"])
-    here = [need for need in wanted if need.marker is None or need.marker.evaluate()]  # one line of numba's two
-    assert recipe["requirements"]["run"][1:] == [f"{names.get(need.name, need.name)} {need.specifier}" for need in here]
+    names = {
+        "matplotlib": "matplotlib-base",
+        "meshcat": "meshcat-python",
+    }  # as conda-forge calls them
+    wanted = map(
+        Requirement, PROJECT["dependencies"] + PROJECT["optional-dependencies"]["lab"]
+    )
+    here = [
+        need for need in wanted if need.marker is None or need.marker.evaluate()
+    ]  # one line of numba's two
+    assert recipe["requirements"]["run"][1:] == [
+        f"{names.get(need.name, need.name)} {need.specifier}" for need in here
+    ]
     assert recipe["context"]["version"] == rl.__version__
-    assert recipe["build"]["python"]["entry_points"] == [" = ".join(*PROJECT["scripts"].items())]
+    assert recipe["build"]["python"]["entry_points"] == [
+        " = ".join(*PROJECT["scripts"].items())
+    ]
 
 
 @pytest.mark.parametrize(
     ("source", "shown"),
     [
         (None, "See how and a robot."),
-        ("https://x/y", "See [how](https://x/y/blob/v1.0/docs/a.md#b) and ![a robot](https://x/y/raw/v1.0/a.gif)."),
+        (
+            "https://x/y",
+            "See [how](https://x/y/blob/v1.0/docs/a.md#b) and ![a robot](https://x/y/raw/v1.0/a.gif).",
+        ),
     ],
 )
 def test_links_of_the_readme_on_pypi_lead_to_the_repository_or_are_words(source, shown):
     spec = spec_from_file_location("hatch_build", ROOT / "hatch_build.py")
     hatch_build = module_from_spec(spec)
     spec.loader.exec_module(hatch_build)
-    assert hatch_build.from_elsewhere("See [how](docs/a.md#b) and ![a robot](a.gif).", source, "1.0") == shown
+    assert (
+        hatch_build.from_elsewhere(
+            "See [how](docs/a.md#b) and ![a robot](a.gif).", source, "1.0"
+        )
+        == shown
+    )
     web = "[a paper](https://x) and [below](#below)"
     assert hatch_build.from_elsewhere(web, source, "1.0") == web
 
 
 def test_constraints_hold_names_versions_and_platforms_only():
     for pin in CONSTRAINTS:
-        assert re.fullmatch(r"==[0-9][A-Za-z0-9.+]*", str(pin.specifier)) and not pin.url and not pin.extras, pin
+        assert (
+            re.fullmatch(r"==[0-9][A-Za-z0-9.+]*", str(pin.specifier))
+            and not pin.url
+            and not pin.extras
+        ), pin
 
 
 def test_pyproject_names_no_place_to_download_from():
     text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
-    text = re.sub(r"^\[project.urls\].*?^$", "", text, flags=re.M | re.S).replace("https://github.com/owner/name", "")
+    text = re.sub(r"^\[project.urls\].*?^$", "", text, flags=re.M | re.S).replace(
+        "https://github.com/owner/name", ""
+    )
     assert not re.search(r"://|file:|\s@\s|[\"']/", text)
 
 
 def test_every_dependency_is_pinned():
     direct = [
         *PROJECT["dependencies"],
-        *(line for extra in PROJECT["optional-dependencies"].values() for line in extra),
+        *(
+            line
+            for extra in PROJECT["optional-dependencies"].values()
+            for line in extra
+        ),
         *(line for group in GROUPS.values() for line in group),
     ]
-    waiting, seen = [Requirement(line) for line in direct if not line.startswith("rlrobot-edu[")], set()
+    waiting, seen = (
+        [Requirement(line) for line in direct if not line.startswith("rlrobot-edu[")],
+        set(),
+    )
     while waiting:
         requirement = waiting.pop()
         name = canonicalize_name(requirement.name)
-        assert name in {canonicalize_name(pin.name) for pin in CONSTRAINTS}, f"{name} is not in constraints.txt"
+        assert name in {canonicalize_name(pin.name) for pin in CONSTRAINTS}, (
+            f"{name} is not in constraints.txt"
+        )
         for extra in {"", *requirement.extras}:
             if (name, extra) not in seen:
                 seen.add((name, extra))
@@ -123,10 +176,18 @@ def test_every_dependency_is_pinned():
         ("linux", "aarch64", "3.12", None), ("linux", "x86_64", "3.14", None), ("emscripten", "wasm32", "3.13", None),
     ],
 )  # fmt: skip
-def test_the_arm_is_simulated_by_the_one_wheel_that_there_is(system, machine, version, wheel):
-    here = {"sys_platform": system, "platform_machine": machine, "python_version": version}
+def test_the_arm_is_simulated_by_the_one_wheel_that_there_is(
+    system, machine, version, wheel
+):
+    here = {
+        "sys_platform": system,
+        "platform_machine": machine,
+        "python_version": version,
+    }
     requirements = map(Requirement, PROJECT["optional-dependencies"]["arm"])
-    assert [r.name for r in requirements if r.marker.evaluate(here)] == ([wheel] if wheel else [])
+    assert [r.name for r in requirements if r.marker.evaluate(here)] == (
+        [wheel] if wheel else []
+    )
 
 
 def test_every_pin_takes_the_first_python_3_11():
@@ -134,7 +195,9 @@ def test_every_pin_takes_the_first_python_3_11():
     for package in metadata.distributions():
         if package.version in PINNED.get(canonicalize_name(package.name), "!=0"):
             needs = package.metadata.get("Requires-Python", "")
-            assert "3.11.0" in SpecifierSet(needs), f"{package.name} {package.version} needs Python {needs}"
+            assert "3.11.0" in SpecifierSet(needs), (
+                f"{package.name} {package.version} needs Python {needs}"
+            )
 
 
 def needed_by(name: str, extra: str) -> list[Requirement]:
@@ -144,7 +207,11 @@ def needed_by(name: str, extra: str) -> list[Requirement]:
     except metadata.PackageNotFoundError:
         return []
     requirements = map(Requirement, lines)
-    return [r for r in requirements if r.marker is None or r.marker.evaluate({"extra": extra})]
+    return [
+        r
+        for r in requirements
+        if r.marker is None or r.marker.evaluate({"extra": extra})
+    ]
 
 
 @pytest.fixture
@@ -156,8 +223,12 @@ def small_package(tmp_path, monkeypatch):
     return tmp_path / "package"
 
 
-def test_kernels_of_a_read_only_package_are_kept_at_home_and_without_a_home_nowhere(small_package):
-    (small_package / "__pycache__").touch()  # a file: nobody, not even root, can make a folder of it
+def test_kernels_of_a_read_only_package_are_kept_at_home_and_without_a_home_nowhere(
+    small_package,
+):
+    (
+        small_package / "__pycache__"
+    ).touch()  # a file: nobody, not even root, can make a folder of it
     assert jit.cache_folder().parent == small_package.parent / "home/.cache/rlrobot_edu"
 
     shutil.rmtree(small_package.parent / "home")
@@ -168,5 +239,9 @@ def test_kernels_of_a_read_only_package_are_kept_at_home_and_without_a_home_nowh
 def test_no_test_sees_the_home_of_the_person_who_runs_it():
     theirs = Path(os.environ["RLROBOT_TESTS_USERS_HOME"])
     for place in ("~", "~/.cache/rlrobot_edu"):
-        assert not Path(place).expanduser().is_relative_to(theirs) or theirs == Path(theirs.anchor)
-    assert jit.cache_folder().is_relative_to(jit.PACKAGE) or jit.cache_folder().is_relative_to(Path.home())
+        assert not Path(place).expanduser().is_relative_to(theirs) or theirs == Path(
+            theirs.anchor
+        )
+    assert jit.cache_folder().is_relative_to(
+        jit.PACKAGE
+    ) or jit.cache_folder().is_relative_to(Path.home())

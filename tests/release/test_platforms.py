@@ -9,7 +9,9 @@ import pytest
 @pytest.mark.long
 def test_the_table_of_platforms_is_what_the_wheels_allow(monkeypatch):
     pytest.importorskip("uv")
-    monkeypatch.setenv("HOME", os.environ["RLROBOT_TESTS_USERS_HOME"])  # uv's settings and cache are there
+    monkeypatch.setenv(
+        "HOME", os.environ["RLROBOT_TESTS_USERS_HOME"]
+    )  # uv's settings and cache are there
     try:
         table = platforms.table()
     except RuntimeError as error:

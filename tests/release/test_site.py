@@ -23,25 +23,44 @@ ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
     "docs/index", "notebooks/03_q_learning", "docs/howto/your_own_task", "docs/api/learning",
 )  # fmt: skip
-LIVE = {"steppers": "<Stepper at step", "explorers": "<BiasExplorer of", "replays": "Replay of"}
+LIVE = {
+    "steppers": "<Stepper at step",
+    "explorers": "<BiasExplorer of",
+    "replays": "Replay of",
+}
 SERIOUS = {"serious", "critical"}
 AT_HOME = """import sys, launch
 launch.SOURCE = "https://github.com/owner/name"
 import make_site
 sys.exit(make_site.main())"""
-LOOKS = {"light": {}, "dark": {"runOnly": ["color-contrast"]}}  # in the dark nothing else is another
+LOOKS = {
+    "light": {},
+    "dark": {"runOnly": ["color-contrast"]},
+}  # in the dark nothing else is another
 
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
     """The folder of its pages, built once; a warning of Sphinx fails every test."""
     for package in ("sphinx", "myst_nb", "furo", "meshcat", "pybullet"):
-        pytest.importorskip(package, reason=f"needs {package}: pip install 'rlrobot-edu[lab,arm,docs]'")
+        pytest.importorskip(
+            package, reason=f"needs {package}: pip install 'rlrobot-edu[lab,arm,docs]'"
+        )
     build = tmp_path_factory.mktemp("site")
     env = os.environ | {"PYTHONPATH": str(ROOT / "docs/site")}
     command = [sys.executable, "-c", AT_HOME, build]
-    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=600, cwd=build, env=env)
-    assert done.returncode == 0 and "WARNING" not in done.stderr, done.stdout + done.stderr
+    done = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=600,
+        cwd=build,
+        env=env,
+    )
+    assert done.returncode == 0 and "WARNING" not in done.stderr, (
+        done.stdout + done.stderr
+    )
     return build / "html"
 
 
@@ -68,39 +87,71 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def pages(site):
-    return {path: Page(path) for path in site.rglob("*.html") if not {"_static", "lite"} & set(path.parts)}
+    return {
+        path: Page(path)
+        for path in site.rglob("*.html")
+        if not {"_static", "lite"} & set(path.parts)
+    }
 
 
 def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
     for notebook in [*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
-    assert set(rl.available_tasks()) <= {anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors}
+    assert set(rl.available_tasks()) <= {
+        anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors
+    }
     for dataset in (ROOT / "datasets").glob("*/README.md"):
-        assert f"../datasets/{dataset.parent.name}/README.html" in pages[site / "docs/datasets.html"].links
+        assert (
+            f"../datasets/{dataset.parent.name}/README.html"
+            in pages[site / "docs/datasets.html"].links
+        )
 
 
 def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
     lives = {folder: 0 for folder in LIVE}
     for notebook in lessons(ROOT).values():
         cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
-        text_of = json.dumps([c for c in cells if "still" not in c["metadata"].get("tags", [])], ensure_ascii=False)
+        text_of = json.dumps(
+            [c for c in cells if "still" not in c["metadata"].get("tags", [])],
+            ensure_ascii=False,
+        )
         loads = pages[site / notebook.relative_to(ROOT).with_suffix(".html")].loads
         for folder, text in LIVE.items():
             shows_one = f'"{text}' in text_of
-            assert any(load.startswith(f"{folder}/{notebook.stem}_") for load in loads) is shows_one
+            assert (
+                any(load.startswith(f"{folder}/{notebook.stem}_") for load in loads)
+                is shows_one
+            )
             lives[folder] += shows_one
     assert min(lives.values()) >= 1, lives
 
 
 def test_what_differs_from_its_notebook_does_not_get_into_the_site(tmp_path):
     """And of the cells before it those alone are run that it needs."""
-    cells = ["from types import SimpleNamespace as Name", "1 / 0", "x = 3", "x += 1", "Name(x=x)"]
-    kept = {"output_type": "display_data", "data": {"text/plain": "Replay of steps", "text/html": ""}}
-    content = [{"cell_type": "code", "metadata": {}, "source": cell, "outputs": []} for cell in cells]
+    cells = [
+        "from types import SimpleNamespace as Name",
+        "1 / 0",
+        "x = 3",
+        "x += 1",
+        "Name(x=x)",
+    ]
+    kept = {
+        "output_type": "display_data",
+        "data": {"text/plain": "Replay of steps", "text/html": ""},
+    }
+    content = [
+        {"cell_type": "code", "metadata": {}, "source": cell, "outputs": []}
+        for cell in cells
+    ]
     content[-1]["outputs"] = [kept]
-    (tmp_path / "lesson.ipynb").write_text(json.dumps({"cells": content}), encoding="utf-8")
-    with pytest.raises(ValueError, match=r"lesson: its replay in 3D is kept as Replay of steps, but is .*\(x=4\)"):
+    (tmp_path / "lesson.ipynb").write_text(
+        json.dumps({"cells": content}), encoding="utf-8"
+    )
+    with pytest.raises(
+        ValueError,
+        match=r"lesson: its replay in 3D is kept as Replay of steps, but is .*\(x=4\)",
+    ):
         enliven(tmp_path / "lesson.ipynb", tmp_path)
 
 
@@ -108,7 +159,8 @@ def test_every_lesson_leads_to_its_copy_for_colab(site, pages):
     for notebook in lessons(ROOT).values():
         name = notebook.relative_to(ROOT)
         assert (
-            in_colab(name.as_posix(), "https://github.com/owner/name") in pages[site / name.with_suffix(".html")].links
+            in_colab(name.as_posix(), "https://github.com/owner/name")
+            in pages[site / name.with_suffix(".html")].links
         )
         assert (site / "colab" / name).is_file()
 
@@ -117,12 +169,21 @@ def test_a_lesson_has_a_button_for_each_place_that_runs_it(tmp_path):
     name = "notebooks/03_q_learning.ipynb"
     lesson, files = Path(shutil.copy(ROOT / name, tmp_path)), tmp_path / "lite/files"
     before = lesson.read_text(encoding="utf-8")
-    add_buttons(lesson, tmp_path / "lite", in_colab(name, "https://codeberg.org/owner/name"))
-    assert lesson.read_text(encoding="utf-8") == before, "Colab opens what is on GitHub only"
+    add_buttons(
+        lesson, tmp_path / "lite", in_colab(name, "https://codeberg.org/owner/name")
+    )
+    assert lesson.read_text(encoding="utf-8") == before, (
+        "Colab opens what is on GitHub only"
+    )
     files.mkdir(parents=True)
     (files / lesson.name).touch()
-    add_buttons(lesson, tmp_path / "lite", in_colab(name, "https://github.com/owner/name"))
-    addresses = re.findall('href="([^"]+)"', json.loads(lesson.read_text(encoding="utf-8"))["cells"][1]["source"])
+    add_buttons(
+        lesson, tmp_path / "lite", in_colab(name, "https://github.com/owner/name")
+    )
+    addresses = re.findall(
+        'href="([^"]+)"',
+        json.loads(lesson.read_text(encoding="utf-8"))["cells"][1]["source"],
+    )
     assert addresses == [
         f"../lite/index.html?path={lesson.name}",
         f"https://colab.research.google.com/github/owner/name/blob/gh-pages/colab/{name}",
@@ -130,7 +191,12 @@ def test_a_lesson_has_a_button_for_each_place_that_runs_it(tmp_path):
 
 
 def test_every_public_name_is_described(site, pages):
-    anchors = {anchor for path, page in pages.items() if path.parent == site / "docs/api" for anchor in page.anchors}
+    anchors = {
+        anchor
+        for path, page in pages.items()
+        if path.parent == site / "docs/api"
+        for anchor in page.anchors
+    }
     public = {name for name in dir(rl) if not name.startswith("_")}
     assert {f"rlrobot_edu.{name}" for name in public} <= anchors
 
@@ -156,13 +222,20 @@ def test_every_link_within_the_site_leads_somewhere(site, pages):
                 continue
             to = (path.parent / unquote(target.path)).resolve() if target.path else path
             anchor = unquote(target.fragment)
-            if not to.is_file() or (anchor and to in pages and anchor not in pages[to].anchors):
+            if not to.is_file() or (
+                anchor and to in pages and anchor not in pages[to].anchors
+            ):
                 lost.append(f"{path.relative_to(site)}: {link}")
     assert lost == []
 
 
 def test_no_page_loads_anything_from_elsewhere(pages):
-    elsewhere = [load for page in pages.values() for load in page.loads if urlsplit(load).scheme not in ("", "data")]
+    elsewhere = [
+        load
+        for page in pages.values()
+        for load in page.loads
+        if urlsplit(load).scheme not in ("", "data")
+    ]
     assert elsewhere == []
 
 
@@ -172,10 +245,14 @@ def address(site):
         yield address
 
 
-@pytest.mark.parametrize("name", [*MAIN_PAGES, "docs/tasks", "docs/real_robot", "docs/stepper"])
+@pytest.mark.parametrize(
+    "name", [*MAIN_PAGES, "docs/tasks", "docs/real_robot", "docs/stepper"]
+)
 def test_a_page_is_quiet_and_open_to_all(address, browser, name):
     """No request leaves the machine, the console is silent, axe-core finds nothing serious, a phone need not scroll."""
-    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
+    ).Axe()
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     said, asked = [], set()
     page.on("console", lambda message: said.append(message.text))
@@ -187,25 +264,39 @@ def test_a_page_is_quiet_and_open_to_all(address, browser, name):
         for look, rules in LOOKS.items():
             page.emulate_media(color_scheme=look)
             violations = axe.run(page, options=rules).response["violations"]
-            found += [(v["id"], [n["html"][:100] for n in v["nodes"]]) for v in violations if v["impact"] in SERIOUS]
+            found += [
+                (v["id"], [n["html"][:100] for n in v["nodes"]])
+                for v in violations
+                if v["impact"] in SERIOUS
+            ]
         page.set_viewport_size({"width": 400, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= 400
     finally:
         page.close()
     assert said == [] and found == []
-    assert {url for url in asked if not url.startswith((address, "data:", "blob:"))} == set()
+    assert {
+        url for url in asked if not url.startswith((address, "data:", "blob:"))
+    } == set()
 
 
-@pytest.mark.parametrize(("lesson", "folder"), [("03_q_learning", "steppers"), ("05_qbiassr", "explorers")])
-def test_frames_follow_the_switch_between_light_and_dark(address, browser, lesson, folder):
-    page = browser.new_page(color_scheme="null")  # no scheme pretended: pretence is for all frames alike
+@pytest.mark.parametrize(
+    ("lesson", "folder"), [("03_q_learning", "steppers"), ("05_qbiassr", "explorers")]
+)
+def test_frames_follow_the_switch_between_light_and_dark(
+    address, browser, lesson, folder
+):
+    page = browser.new_page(
+        color_scheme="null"
+    )  # no scheme pretended: pretence is for all frames alike
     dark = "matchMedia('(prefers-color-scheme: dark)').matches"
     try:
         page.goto(f"{address}/notebooks/{lesson}.html")
         page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
         page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
         frames = [frame for frame in page.frames if frame.parent_frame]
-        page.locator("button.theme-toggle >> visible=true").click()  # from what the browser has to its opposite
+        page.locator(
+            "button.theme-toggle >> visible=true"
+        ).click()  # from what the browser has to its opposite
         before = page.evaluate("document.body.dataset.theme")
         for theme in (before, {"dark": "light", "light": "dark"}[before]):
             page.wait_for_function(f"document.body.dataset.theme === '{theme}'")
@@ -221,9 +312,16 @@ def test_on_the_front_page_a_robot_learns(address, browser):
     page = browser.new_page()
     try:
         page.goto(f"{address}/docs/index.html")
-        until(page, "frames.length === 1 && frames[0].document.readyState === 'complete'")
-        until(page.frames[1], "yours.life.t > 100 && yours.life.m.q.some((row) => row.some(Boolean))")
-        link = page.frame_locator("iframe.playground").get_by_role("link", name="Open on its own page")
+        until(
+            page, "frames.length === 1 && frames[0].document.readyState === 'complete'"
+        )
+        until(
+            page.frames[1],
+            "yours.life.t > 100 && yours.life.m.q.some((row) => row.some(Boolean))",
+        )
+        link = page.frame_locator("iframe.playground").get_by_role(
+            "link", name="Open on its own page"
+        )
         link.click()
         page.wait_for_url(f"{address}/docs/a_robot_learns.html#task=wander_1k*")
     finally:
@@ -254,7 +352,9 @@ def test_a_formula_is_set_and_a_stepper_steps(address, browser):
         page.goto(f"{address}/notebooks/03_q_learning.html")
         page.wait_for_selector("math")
         page.locator("iframe").first.scroll_into_view_if_needed()
-        page.frame_locator("iframe").first.get_by_text("Step 31 (episode").first.wait_for()
+        page.frame_locator("iframe").first.get_by_text(
+            "Step 31 (episode"
+        ).first.wait_for()
         page.goto(f"{address}/")  # leads to docs/index.html
         page.wait_for_url(f"{address}/docs/index.html")
         page.goto(f"{address}/docs/stepper.html")

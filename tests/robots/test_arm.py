@@ -26,13 +26,23 @@ def gripper(readings):
 
 def forward_kinematics(arm, biceps, forearm):
     """Where the point between the fingertips is, by trigonometry on the lengths in arm.urdf [m]."""
-    lean, bend = biceps, biceps + math.pi / 2 + forearm  # of upper and lower arm, from the vertical
+    lean, bend = (
+        biceps,
+        biceps + math.pi / 2 + forearm,
+    )  # of upper and lower arm, from the vertical
     out = 0.23 * math.sin(lean) + 0.25 * math.sin(bend)
-    return [out * math.cos(arm), out * math.sin(arm), 0.12 + 0.23 * math.cos(lean) + 0.25 * math.cos(bend)]
+    return [
+        out * math.cos(arm),
+        out * math.sin(arm),
+        0.12 + 0.23 * math.cos(lean) + 0.25 * math.cos(bend),
+    ]
 
 
 def random_commands(seed, n, fastest=0.3):
-    return [dict(zip(JOINTS, v, strict=True)) for v in np.random.default_rng(seed).uniform(-fastest, fastest, (n, 3))]
+    return [
+        dict(zip(JOINTS, v, strict=True))
+        for v in np.random.default_rng(seed).uniform(-fastest, fastest, (n, 3))
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +55,9 @@ def test_the_gripper_is_where_trigonometry_says_to_a_millimetre(arm):
     for readings in places:
         exact = forward_kinematics(*(readings[joint] for joint in JOINTS))
         assert np.linalg.norm(gripper(readings) - exact) < 0.001
-    assert np.ptp([gripper(readings) for readings in places], axis=0).min() > 0.1, "it hardly moved"
+    assert np.ptp([gripper(readings) for readings in places], axis=0).min() > 0.1, (
+        "it hardly moved"
+    )
 
 
 def test_no_joint_passes_its_limits_however_hard_it_is_driven(arm):
@@ -57,17 +69,24 @@ def test_no_joint_passes_its_limits_however_hard_it_is_driven(arm):
             for _ in range(4):
                 angle = arm.act(STILL | {joint: way})[joint]
                 assert low - 0.03 < angle < high + 0.03
-            if (joint, way) != ("biceps", 1.0):  # leaning forward, the gripper may meet the table first
+            if (joint, way) != (
+                "biceps",
+                1.0,
+            ):  # leaning forward, the gripper may meet the table first
                 assert angle == pytest.approx(high if way > 0 else low, abs=0.001)
 
 
 @pytest.mark.parametrize("joint", JOINTS)
 @pytest.mark.parametrize("speed", [-0.1, 0.05])
-def test_a_joint_turns_at_the_speed_it_is_told_and_the_others_hold_still(arm, joint, speed):
+def test_a_joint_turns_at_the_speed_it_is_told_and_the_others_hold_still(
+    arm, joint, speed
+):
     before = arm.reset()
     after = arm.act(STILL | {joint: speed})
     for other in JOINTS:
-        assert after[other] - before[other] == pytest.approx(speed if other == joint else 0.0, abs=0.002)
+        assert after[other] - before[other] == pytest.approx(
+            speed if other == joint else 0.0, abs=0.002
+        )
 
 
 def test_an_arm_at_rest_does_not_sink(arm):
@@ -79,21 +98,28 @@ def test_an_arm_at_rest_does_not_sink(arm):
 
 
 def test_a_step_of_any_duration_turns_the_joints_by_speed_times_time():
-    assert Arm("table", 0.5).act(STILL | {"arm": 0.4})["arm"] == pytest.approx(HOME[0] + 0.2, abs=0.002)
+    assert Arm("table", 0.5).act(STILL | {"arm": 0.4})["arm"] == pytest.approx(
+        HOME[0] + 0.2, abs=0.002
+    )
 
 
 def test_one_step_of_the_tasks_moves_the_gripper_by_about_a_bin():
     for output in rl.load_task("arm_4k").outputs:
         arm = Arm("table", 1.0)
         way = max(output.values) * (-1 if output.name == "biceps" else 1)
-        moved = np.linalg.norm(gripper(arm.act(STILL | {output.name: way})) - gripper(Arm("table", 1.0).readings))
+        moved = np.linalg.norm(
+            gripper(arm.act(STILL | {output.name: way}))
+            - gripper(Arm("table", 1.0).readings)
+        )
         assert 0.025 < moved < 0.05
 
 
 def test_the_object_keeps_its_place():
     env = rl.make_env("arm_1k", seed=1)
     readings = [env.reset()[1]["readings"] for _ in range(5)]
-    assert all([r["object_x"], r["object_y"]] == list(OBJECT_PLACE[:2]) for r in readings)
+    assert all(
+        [r["object_x"], r["object_y"]] == list(OBJECT_PLACE[:2]) for r in readings
+    )
 
 
 @pytest.mark.long
@@ -110,7 +136,9 @@ def test_two_hundred_arms_that_are_made_and_closed_or_dropped_leave_nothing_behi
             sizes.append(process.memory_info().rss)
     assert sizes[1] - sizes[0] < 5e6
     env = rl.make_env("arm_1k", seed=0)
-    assert env.reset() is not None and env.unwrapped.robot._simulation._client <= 20, "clients of PyBullet were kept"
+    assert env.reset() is not None and env.unwrapped.robot._simulation._client <= 20, (
+        "clients of PyBullet were kept"
+    )
 
 
 def test_a_closed_world_begins_anew_with_reset_alone():
@@ -122,8 +150,12 @@ def test_a_closed_world_begins_anew_with_reset_alone():
     assert env.reset()[1] == first
 
 
-@pytest.mark.parametrize("command", [{"arm": 0.1}, STILL | {"biceps": math.nan}, STILL | {"arm": 1.5}])
-def test_a_command_that_cannot_be_carried_out_is_refused_and_moves_nothing(arm, command):
+@pytest.mark.parametrize(
+    "command", [{"arm": 0.1}, STILL | {"biceps": math.nan}, STILL | {"arm": 1.5}]
+)
+def test_a_command_that_cannot_be_carried_out_is_refused_and_moves_nothing(
+    arm, command
+):
     before = arm.reset()
     with pytest.raises(ValueError, match="command"):
         arm.act(command)
@@ -136,7 +168,11 @@ def test_the_scene_shows_every_link_where_the_readings_say(arm):
     solids = {solid.name: solid for solid in arm.scene().solids}
     assert len(solids) == len(arm.scene().solids) == 11
     palm = solids["robot/body"].pose
-    assert palm[:3, 3] + 0.065 * palm[:3, 0] == pytest.approx(gripper(readings), abs=1e-5)
+    assert palm[:3, 3] + 0.065 * palm[:3, 0] == pytest.approx(
+        gripper(readings), abs=1e-5
+    )
     assert solids["object"].pose[:3, 3] == pytest.approx(OBJECT_PLACE)
     for solid in solids.values():
-        assert solid.pose[:3, :3] @ solid.pose[:3, :3].T == pytest.approx(np.eye(3), abs=1e-6)
+        assert solid.pose[:3, :3] @ solid.pose[:3, :3].T == pytest.approx(
+            np.eye(3), abs=1e-6
+        )

@@ -18,22 +18,33 @@ there = pytest.importorskip(
     exc_type=ImportError,
 )
 BulletBase = there.BulletBase
-TASKS = [name for name in rl.available_tasks() if rl.load_task(name).robot == "mobile_base"]
+TASKS = [
+    name for name in rl.available_tasks() if rl.load_task(name).robot == "mobile_base"
+]
 
 
 def random_commands(seed, n):
-    return [wheels(*pair) for pair in np.random.default_rng(seed).choice([-2.0, -1.0, 0.0, 1.0, 2.0], (n, 2))]
+    return [
+        wheels(*pair)
+        for pair in np.random.default_rng(seed).choice(
+            [-2.0, -1.0, 0.0, 1.0, 2.0], (n, 2)
+        )
+    ]
 
 
 def test_in_free_space_the_base_keeps_to_the_exact_arcs_of_rolling_wheels(monkeypatch):
-    monkeypatch.setitem(ARENAS, "free_space", Arena((), (-5, -5, 5, 5), (0.0, 0.0, 0.0)))
+    monkeypatch.setitem(
+        ARENAS, "free_space", Arena((), (-5, -5, 5, 5), (0.0, 0.0, 0.0))
+    )
     rolling, exact = BulletBase("free_space", 1.0), MobileBase("free_space", 1.0)
     turns = []
     for seed in range(10):
         rolling.reset(), exact.reset()
         for command in random_commands(seed, 20):
             here, ideal = rolling.act(command), exact.act(command)
-            turns.append(abs(math.remainder(here["theta"] - ideal["theta"], 2 * math.pi)))
+            turns.append(
+                abs(math.remainder(here["theta"] - ideal["theta"], 2 * math.pi))
+            )
             assert math.hypot(here["x"] - ideal["x"], here["y"] - ideal["y"]) < 0.02
     assert max(turns) < math.radians(3) and np.mean(turns) < math.radians(1)
 
@@ -56,21 +67,33 @@ def test_the_lasers_measure_exactly_to_the_walls(scene):
 
 
 def test_the_hull_in_pybullet_is_that_of_the_base_in_pymunk():
-    lines = [line.split() for line in there.URDF.with_name("hull.obj").read_text().splitlines()]
+    lines = [
+        line.split()
+        for line in there.URDF.with_name("hull.obj").read_text().splitlines()
+    ]
     corners = [tuple(map(float, line[1:])) for line in lines if line[0] == "v"]
-    assert corners == [(x, y, z) for z in (-BODY_HEIGHT / 2, BODY_HEIGHT / 2) for x, y in PIONEER.hull]
+    assert corners == [
+        (x, y, z) for z in (-BODY_HEIGHT / 2, BODY_HEIGHT / 2) for x, y in PIONEER.hull
+    ]
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("scene", ["square_2x2", "maze_6x6"])
-def test_no_wall_is_entered_by_a_centimetre_in_500_steps_at_double_speed_and_the_base_stays_level(scene):
+def test_no_wall_is_entered_by_a_centimetre_in_500_steps_at_double_speed_and_the_base_stays_level(
+    scene,
+):
     base = BulletBase(scene, 1.0)
-    for i, command in enumerate(np.random.default_rng(3).choice([2.0, 2.0, -2.0], (500, 2))):
+    for i, command in enumerate(
+        np.random.default_rng(3).choice([2.0, 2.0, -2.0], (500, 2))
+    ):
         readings = base.act(wheels(*command))
         assert deepest(ARENAS[scene], PIONEER, readings) < 0.01
         if i % 50 == 0:
             body = base._simulation.link_pose(base._body, -1)
-            assert body[2, 2] > math.cos(math.radians(2)) and abs(body[2, 3] - PIONEER.wheel_radius) < 0.005
+            assert (
+                body[2, 2] > math.cos(math.radians(2))
+                and abs(body[2, 3] - PIONEER.wheel_radius) < 0.005
+            )
 
 
 @pytest.mark.parametrize("name", TASKS)
@@ -78,7 +101,9 @@ def test_every_task_of_the_base_runs_on_it(name):
     env = rl.make_env(name, seed=0, engine="pybullet")
     usual = rl.make_env(name, seed=0)
     assert env.reset()[1]["state"] == usual.reset()[1]["state"]
-    for action in np.random.default_rng(0).integers(env.action_space.n, size=20).tolist():
+    for action in (
+        np.random.default_rng(0).integers(env.action_space.n, size=20).tolist()
+    ):
         readings = env.step(action)[4]["readings"]
     assert set(readings) == set(ROBOTS["mobile_base"].sensors)
 
@@ -88,7 +113,11 @@ def test_a_learner_does_better_than_chance_on_it():
     ends = []
     for method in ("TOSL+QBIASSR", "Q+RANDOM"):
         env = rl.make_env("wander_simple", seed=1, engine="pybullet")
-        ends.append(rl.learn(rl.Agent(env.task, method, seed=1), env, 400, progress=False).average_reward[-1])
+        ends.append(
+            rl.learn(
+                rl.Agent(env.task, method, seed=1), env, 400, progress=False
+            ).average_reward[-1]
+        )
     assert ends[0] > ends[1] + 1
 
 
@@ -97,7 +126,12 @@ def test_the_scene_shows_the_base_where_its_readings_say_and_beams_as_long_as_th
     readings = base.act(wheels(2, 1))
     picture = base.scene()
     solids = {solid.name: solid for solid in picture.solids}
-    assert {"robot/body", "robot/nose", "robot/left_wheel", "robot/right_wheel"} <= solids.keys()
+    assert {
+        "robot/body",
+        "robot/nose",
+        "robot/left_wheel",
+        "robot/right_wheel",
+    } <= solids.keys()
     assert len(solids) == len(picture.solids)
     body, nose = solids["robot/body"].pose, solids["robot/nose"].pose
     assert body[:3, 3] == pytest.approx([readings["x"], readings["y"], 0.16], abs=0.002)

@@ -28,7 +28,8 @@ KERNELS = KinematicBase.kernels
 TASKS = [
     name
     for name in rl.available_tasks()
-    if "kinematic" in ROBOTS[load_task(name).robot].engines and load_task(name).robot != "mobile_manipulator"
+    if "kinematic" in ROBOTS[load_task(name).robot].engines
+    and load_task(name).robot != "mobile_manipulator"
 ]
 
 
@@ -42,12 +43,16 @@ def compiling(monkeypatch):
 def plain_steps(monkeypatch):
     """The numbers of the actions that robots were given one at a time, in the plain loop."""
     taken, step = [], robot_env.RobotEnv.step
-    monkeypatch.setattr(robot_env.RobotEnv, "step", lambda self, a: taken.append(a) or step(self, a))
+    monkeypatch.setattr(
+        robot_env.RobotEnv, "step", lambda self, a: taken.append(a) or step(self, a)
+    )
     return taken
 
 
 def fresh(task, method="TOSL+QBIASSR", **robot):
-    return rl.Agent(task, method, seed=5), rl.make_env(task, 3, engine="kinematic", **robot)
+    return rl.Agent(task, method, seed=5), rl.make_env(
+        task, 3, engine="kinematic", **robot
+    )
 
 
 def learned(compiling, first, task, steps, method="TOSL+QBIASSR", **length):
@@ -60,11 +65,26 @@ def learned(compiling, first, task, steps, method="TOSL+QBIASSR", **length):
 def told(agent, env, *histories):
     """All that must be the same, as text: it tells −0 from 0, and NaN is itself."""
     env = env.unwrapped
-    columns = [np.concatenate(rows).tolist() for rows in zip(*(h.transitions for h in histories), strict=True)]
-    memory = [array.tolist() for array in agent.memory[:-2]], float(agent.memory.now.temperature)
-    place = env.state, env.episode_step, env._at_goal, env._readings, env.robot.readings, env.robot.parts.place.tolist()
+    columns = [
+        np.concatenate(rows).tolist()
+        for rows in zip(*(h.transitions for h in histories), strict=True)
+    ]
+    memory = (
+        [array.tolist() for array in agent.memory[:-2]],
+        float(agent.memory.now.temperature),
+    )
+    place = (
+        env.state,
+        env.episode_step,
+        env._at_goal,
+        env._readings,
+        env.robot.readings,
+        env.robot.parts.place.tolist(),
+    )
     streams = agent.rng.bit_generator.state, env.np_random.bit_generator.state
-    return repr((columns, memory, place, streams, agent.pending, agent.left and agent.left[:2]))
+    return repr(
+        (columns, memory, place, streams, agent.pending, agent.left and agent.left[:2])
+    )
 
 
 @pytest.mark.parametrize("task", TASKS)
@@ -88,7 +108,9 @@ def test_it_stops_and_goes_on_where_the_plain_loop_would(compiling):
     assert told(agent, env, first, second, third) == told(*whole)
 
 
-def test_ctrl_c_is_heard_between_two_slices_and_learning_goes_on_bit_for_bit(compiling, monkeypatch):
+def test_ctrl_c_is_heard_between_two_slices_and_learning_goes_on_bit_for_bit(
+    compiling, monkeypatch
+):
     whole = learned(compiling, NEVER, "wander_1k", 500)
     compiling(1)
     monkeypatch.setattr(compiled_loop, "SLICE", 100)
@@ -116,16 +138,32 @@ def test_ctrl_c_is_heard_between_two_slices_and_learning_goes_on_bit_for_bit(com
 
 
 def test_a_goal_ends_episodes_for_good_as_in_the_plain_loop(compiling, plain_steps):
-    task = task_with('10.0 if after["x"] > 0.1 else -1.0', goal='readings["x"] > 0.1', goal_steps=3, episode_steps=40)
+    task = task_with(
+        '10.0 if after["x"] > 0.1 else -1.0',
+        goal='readings["x"] > 0.1',
+        goal_steps=3,
+        episode_steps=40,
+    )
     whole = learned(compiling, 1, task, 3000)
-    assert not plain_steps and 20 < whole[-1].terminated.sum() < whole[-1].terminated.size
+    assert (
+        not plain_steps and 20 < whole[-1].terminated.sum() < whole[-1].terminated.size
+    )
     assert told(*whole) == told(*learned(compiling, NEVER, task, 3000))
 
 
 def task_with(reward, goal=None, rewards=(10.0, -1.0), around=None, **more):
     """wander_1k with this reward and goal, expressions of Python."""
-    space = {"math": math, "sqrt": math.sqrt, "near": near, "LIMIT": 0.3, **(around or {})}
-    exec(f"def reward(before, after):\n    return {reward}\ndef goal(readings):\n    return {goal}", space)
+    space = {
+        "math": math,
+        "sqrt": math.sqrt,
+        "near": near,
+        "LIMIT": 0.3,
+        **(around or {}),
+    }
+    exec(
+        f"def reward(before, after):\n    return {reward}\ndef goal(readings):\n    return {goal}",
+        space,
+    )
     like = load_task("wander_1k")
     return rl.Task(
         like.robot, like.scene, like.inputs, like.outputs, space["reward"], rewards, command=like.command,
@@ -145,7 +183,9 @@ REFUSED = (
 
 
 @pytest.mark.parametrize("condition", REFUSED)
-def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(condition, compiling, plain_steps, capsys):
+def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(
+    condition, compiling, plain_steps, capsys
+):
     task = task_with(f"10.0 if {condition} else -1.0", around={"random": random})
     random.seed(1)
     learned(compiling, 1, task, 60)
@@ -158,16 +198,22 @@ def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(condit
     assert told(*compiled) == told(*learned(compiling, NEVER, task, 60))
 
 
-def test_a_reward_that_says_something_else_when_compiled_runs_as_python(compiling, plain_steps, monkeypatch):
+def test_a_reward_that_says_something_else_when_compiled_runs_as_python(
+    compiling, plain_steps, monkeypatch
+):
     monkeypatch.setattr(
-        compiled_task, "_kernel_of", lambda function: compiled_task.numba.njit(lambda before, after: -1.0)
+        compiled_task,
+        "_kernel_of",
+        lambda function: compiled_task.numba.njit(lambda before, after: -1.0),
     )
     task = task_with("10.0 if after['x'] > 0.11 else -1.0")
     learned(compiling, 1, task, 60)
     assert len(plain_steps) == 60
 
 
-def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_task(compiling, plain_steps):
+def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_task(
+    compiling, plain_steps
+):
     def above(limit):
         return lambda before, after: 10 if after["x"] > limit else -2
 
@@ -203,7 +249,9 @@ def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):
     env.robot = Odd("maze_6x6", 1.0)
     compiling(1)
     rl.learn(agent, env, 20, progress=False)
-    rl.learn(*fresh("wander_1k", realism=rl.Realism(laser_noise=0.1)), 20, progress=False)
+    rl.learn(
+        *fresh("wander_1k", realism=rl.Realism(laser_noise=0.1)), 20, progress=False
+    )
     assert len(plain_steps) == 40
 
 
@@ -215,14 +263,23 @@ def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):
         ('10.0 if after["x"] < 0.25 else None', "not one of rewards|is no"),
     ],
 )
-def test_a_task_that_fails_fails_at_the_same_step_with_the_same_words(reward, fault, compiling):
+def test_a_task_that_fails_fails_at_the_same_step_with_the_same_words(
+    reward, fault, compiling
+):
     lives = []
     for first in (1, NEVER):
         agent, env = fresh(task_with(reward))
         compiling(first)
         with pytest.raises(ValueError, match=fault) as failed:
             rl.learn(agent, env, 3000, progress=False)
-        lives.append((str(failed.value), agent.visits.sum(), agent.q.tolist(), env.robot.readings))
+        lives.append(
+            (
+                str(failed.value),
+                agent.visits.sum(),
+                agent.q.tolist(),
+                env.robot.readings,
+            )
+        )
     assert lives[0] == lives[1]
 
 
@@ -238,7 +295,9 @@ def test_another_arena_counts_from_the_next_episode_on_as_in_the_plain_loop(comp
     assert lives[0] == lives[1]
 
 
-def test_a_number_that_the_reward_reads_may_be_changed_between_two_calls(compiling, plain_steps):
+def test_a_number_that_the_reward_reads_may_be_changed_between_two_calls(
+    compiling, plain_steps
+):
     task = task_with("10.0 if near(after, LIMIT) else -1.0")
     shares = []
     for limit in (0.0, 9.0):
@@ -248,15 +307,38 @@ def test_a_number_that_the_reward_reads_may_be_changed_between_two_calls(compili
 
 
 numbers = st.sampled_from(
-    ["before['x']", "after['y']", "after['theta']", "after['laser_front']", "LIMIT", "0.1", "2", "7"]
+    [
+        "before['x']",
+        "after['y']",
+        "after['theta']",
+        "after['laser_front']",
+        "LIMIT",
+        "0.1",
+        "2",
+        "7",
+    ]
 )
 
 
 def grown(parts):
     return st.one_of(
-        st.builds("({} {} {})".format, parts, st.sampled_from(["+", "-", "*", "/", "//", "%"]), parts),
-        st.builds("{}({}, {})".format, st.sampled_from(["min", "max", "math.hypot"]), parts, parts),
-        st.builds("{}({})".format, st.sampled_from(["abs", "round", "float", "math.fabs", "-", "+"]), parts),
+        st.builds(
+            "({} {} {})".format,
+            parts,
+            st.sampled_from(["+", "-", "*", "/", "//", "%"]),
+            parts,
+        ),
+        st.builds(
+            "{}({}, {})".format,
+            st.sampled_from(["min", "max", "math.hypot"]),
+            parts,
+            parts,
+        ),
+        st.builds(
+            "{}({})".format,
+            st.sampled_from(["abs", "round", "float", "math.fabs", "-", "+"]),
+            parts,
+        ),
         st.builds("({} if {} < {} else {})".format, parts, parts, parts, parts),
         st.builds("({} < {} or near(after))".format, parts, parts),
         st.builds("({} <= {} < {})".format, parts, parts, parts),
@@ -265,8 +347,13 @@ def grown(parts):
 
 @pytest.mark.long
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
-@given(st.recursive(numbers, grown, max_leaves=12), st.recursive(numbers, grown, max_leaves=12))
-def test_whatever_a_reward_compares_the_life_is_the_same_to_the_last_bit(compiling, one, other):
+@given(
+    st.recursive(numbers, grown, max_leaves=12),
+    st.recursive(numbers, grown, max_leaves=12),
+)
+def test_whatever_a_reward_compares_the_life_is_the_same_to_the_last_bit(
+    compiling, one, other
+):
     task = task_with(f"10.0 if {one} < {other} else -1.0")
     lives = []
     for first in (1, NEVER):
@@ -292,5 +379,10 @@ def test_without_a_compiler_the_numbers_are_the_same():
     here = told(agent, env, rl.learn(agent, env, 1200, keep=True, progress=False))
     without = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
     folder = os.path.dirname(__file__)
-    ran = subprocess.run([sys.executable, "-c", PLAIN, folder], capture_output=True, text=True, env=without)
+    ran = subprocess.run(
+        [sys.executable, "-c", PLAIN, folder],
+        capture_output=True,
+        text=True,
+        env=without,
+    )
     assert ran.stdout.strip() == here, ran.stderr

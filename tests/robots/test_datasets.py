@@ -16,10 +16,17 @@ sys.path.insert(0, str(ROOT / "datasets"))
 from make_datasets import DATASETS, card, learner, make_dataset  # noqa: E402
 
 FILES = ("transitions.csv", "datapackage.json", "README.md")
-WHOLE = ("worked_example", "navigation_1k")  # recorded again to their end: one that goes on for ever, one of episodes
+WHOLE = (
+    "worked_example",
+    "navigation_1k",
+)  # recorded again to their end: one that goes on for ever, one of episodes
 if os.environ.get("RLROBOT_EDU_LONG"):
     WHOLE = tuple(DATASETS)
-ROWS = {"arm_1k": 500, "arm_4k": 500, "mobile_arm_2k": 500}  # of the others; PyBullet takes its time
+ROWS = {
+    "arm_1k": 500,
+    "arm_4k": 500,
+    "mobile_arm_2k": 500,
+}  # of the others; PyBullet takes its time
 MOST_ROWS = 6000
 
 
@@ -27,7 +34,9 @@ def skip_where_it_cannot_be_the_same(name):
     card = json.loads((ROOT / "datasets" / name / "datapackage.json").read_text())
     here = f"{platform.system()} {platform.machine()}"
     if card["rlrobot"]["platform"] != here:
-        pytest.skip(f"recorded on {card['rlrobot']['platform']}: on {here} the last digits of the physics may differ")
+        pytest.skip(
+            f"recorded on {card['rlrobot']['platform']}: on {here} the last digits of the physics may differ"
+        )
 
 
 @pytest.mark.long
@@ -36,7 +45,9 @@ def test_a_dataset_is_recorded_again_byte_for_byte(name, tmp_path):
     skip_where_it_cannot_be_the_same(name)
     make_dataset(name, tmp_path)
     for file in FILES:
-        assert (tmp_path / name / file).read_bytes() == (ROOT / "datasets" / name / file).read_bytes()
+        assert (tmp_path / name / file).read_bytes() == (
+            ROOT / "datasets" / name / file
+        ).read_bytes()
 
 
 @pytest.mark.long
@@ -53,12 +64,16 @@ def test_the_first_rows_of_a_dataset_are_recorded_again_byte_for_byte(name, tmp_
 
 
 @pytest.mark.parametrize("name", DATASETS)
-def test_a_dataset_that_is_read_and_saved_has_the_same_bytes_and_its_page_tells_of_its_rows(name, tmp_path):
+def test_a_dataset_that_is_read_and_saved_has_the_same_bytes_and_its_page_tells_of_its_rows(
+    name, tmp_path
+):
     recording = rl.read_recording(name)
     recording.save(tmp_path)
     (tmp_path / "README.md").write_text(card(name, recording), encoding="utf-8")
     for file in FILES:
-        assert (tmp_path / file).read_bytes() == (ROOT / "datasets" / name / file).read_bytes()
+        assert (tmp_path / file).read_bytes() == (
+            ROOT / "datasets" / name / file
+        ).read_bytes()
 
 
 @pytest.mark.parametrize("name", DATASETS)
@@ -70,7 +85,14 @@ def test_a_dataset_can_be_read_by_name_and_belongs_to_todays_task(name):
 
 def test_every_task_has_its_dataset_and_all_together_are_small():
     assert set(rl.available_tasks()) == set(DATASETS)
-    assert sum(path.stat().st_size for path in (ROOT / "datasets").rglob("*") if path.is_file()) <= 10e6
+    assert (
+        sum(
+            path.stat().st_size
+            for path in (ROOT / "datasets").rglob("*")
+            if path.is_file()
+        )
+        <= 10e6
+    )
 
 
 def test_imports_run_downward_only():

@@ -9,11 +9,24 @@ import rlrobot_edu as rl
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
+from rlrobot_edu.task.robot_cards import (
+    LASER_RANGE,
+    LASERS,
+    ROBOTS,
+    Quantity,
+    RobotCard,
+)
 
 WHEEL_RADIUS = PIONEER.wheel_radius
 ACTIONS = np.random.default_rng(1).integers(9, size=300)
-ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1, "lag": 0.1, "wall_friction": 0.72}
+ALL = {
+    "laser_noise": 0.02,
+    "odometry_noise": 0.01,
+    "wheel_slip": 0.1,
+    "delay": 1,
+    "lag": 0.1,
+    "wall_friction": 0.72,
+}
 WITHOUT_CHANCE = ("delay", "lag", "wall_friction")
 
 
@@ -38,39 +51,57 @@ def test_each_weakness_changes_the_run_and_repeats_with_its_seed(weakness):
     first = readings_of_a_run(realism)
     assert np.array_equal(readings_of_a_run(realism), first)
     assert not np.array_equal(readings_of_a_run(None), first)
-    assert np.array_equal(readings_of_a_run(realism, seed=4), first) == (weakness in WITHOUT_CHANCE)
+    assert np.array_equal(readings_of_a_run(realism, seed=4), first) == (
+        weakness in WITHOUT_CHANCE
+    )
 
 
 @pytest.mark.parametrize(
     ("realism", "sensors", "sigma"),
-    [(rl.Realism(laser_noise=0.02), LASERS, 0.02), (rl.Realism(odometry_noise=0.05), ("x", "y", "theta"), 0.05)],
+    [
+        (rl.Realism(laser_noise=0.02), LASERS, 0.02),
+        (rl.Realism(odometry_noise=0.05), ("x", "y", "theta"), 0.05),
+    ],
 )
-def test_noise_has_the_given_size_acts_on_its_sensors_alone_and_leaves_the_robot_where_it_is(realism, sensors, sigma):
+def test_noise_has_the_given_size_acts_on_its_sensors_alone_and_leaves_the_robot_where_it_is(
+    realism, sensors, sigma
+):
     error = readings_of_a_run(realism) - readings_of_a_run(None)
     noisy = [column(sensor) for sensor in sensors]
     assert not np.delete(error, noisy, axis=1).any()
     truth = readings_of_a_run(None)[:, noisy]
-    inside = error[:, noisy][(truth > 0.1) & (truth < 3)] if sensors is LASERS else error[:, noisy[:2]].ravel()
+    inside = (
+        error[:, noisy][(truth > 0.1) & (truth < 3)]
+        if sensors is LASERS
+        else error[:, noisy[:2]].ravel()
+    )
     assert np.mean(inside) == pytest.approx(0, abs=5 * sigma / math.sqrt(len(inside)))
     assert np.std(inside) == pytest.approx(sigma, rel=0.1)
 
 
 def test_noisy_readings_stay_within_the_range_of_the_sensor():
     readings = readings_of_a_run(rl.Realism(laser_noise=3, odometry_noise=3))
-    lasers, theta = readings[:, [column(laser) for laser in LASERS]], readings[:, column("theta")]
+    lasers, theta = (
+        readings[:, [column(laser) for laser in LASERS]],
+        readings[:, column("theta")],
+    )
     assert lasers.min() == 0 and lasers.max() == LASER_RANGE
     assert -math.pi <= theta.min() < -2 and 2 < theta.max() <= math.pi
 
 
 def test_slipping_wheels_drive_as_far_as_commanded_on_average():
-    robot = RealisticRobot(MobileBase("maze_6x6", 1.0), ROBOTS["mobile_base"], rl.Realism(wheel_slip=0.1))
+    robot = RealisticRobot(
+        MobileBase("maze_6x6", 1.0), ROBOTS["mobile_base"], rl.Realism(wheel_slip=0.1)
+    )
     rng = np.random.default_rng(0)
     ways = []
     for _ in range(300):
         robot.reset(rng)
         ways.append(robot.act({"left_wheel": 1.0, "right_wheel": 1.0})["x"])
     assert np.mean(ways) == pytest.approx(WHEEL_RADIUS, rel=0.02)
-    assert np.std(ways) == pytest.approx(WHEEL_RADIUS * 0.1 / math.sqrt(2), rel=0.15)  # two wheels slip independently
+    assert np.std(ways) == pytest.approx(
+        WHEEL_RADIUS * 0.1 / math.sqrt(2), rel=0.15
+    )  # two wheels slip independently
 
 
 def test_a_delayed_robot_does_what_it_was_told_some_steps_ago():
@@ -84,14 +115,24 @@ def test_a_delayed_robot_does_what_it_was_told_some_steps_ago():
 def test_with_a_lag_the_former_command_acts_first_and_the_robot_stands_still_before_the_first_one():
     robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(lag=0.25)).robot
     robot.reset(np.random.default_rng(0))
-    ways = [robot.act({"left_wheel": speed, "right_wheel": speed})["x"] for speed in (1.0, 2.0, 0.0)]
-    assert np.diff([0.0, *ways]) / WHEEL_RADIUS == pytest.approx([0.75 * 1, 0.25 * 1 + 0.75 * 2, 0.25 * 2])
+    ways = [
+        robot.act({"left_wheel": speed, "right_wheel": speed})["x"]
+        for speed in (1.0, 2.0, 0.0)
+    ]
+    assert np.diff([0.0, *ways]) / WHEEL_RADIUS == pytest.approx(
+        [0.75 * 1, 0.25 * 1 + 0.75 * 2, 0.25 * 2]
+    )
 
 
 def test_delay_and_lag_add_up():
-    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(lag=0.25, delay=1)).robot
+    robot = rl.make_env(
+        "wander_simple", seed=0, realism=rl.Realism(lag=0.25, delay=1)
+    ).robot
     robot.reset(np.random.default_rng(0))
-    ways = [robot.act({"left_wheel": speed, "right_wheel": speed})["x"] for speed in (1.0, 0.0, 0.0)]
+    ways = [
+        robot.act({"left_wheel": speed, "right_wheel": speed})["x"]
+        for speed in (1.0, 0.0, 0.0)
+    ]
     assert np.diff([0.0, *ways]) / WHEEL_RADIUS == pytest.approx([0, 0.75, 0.25])
 
 
@@ -130,7 +171,13 @@ class Finger:
 
 
 def test_slip_and_delay_act_on_any_joint_within_its_limits():
-    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, {}, (), {})
+    card = RobotCard(
+        {"finger": Quantity("rad", -1, 1)},
+        {"finger": Quantity("rad/s", -1, 1)},
+        {},
+        (),
+        {},
+    )
     finger = Finger()
     robot = RealisticRobot(finger, card, rl.Realism(wheel_slip=0.5, delay=1))
     robot.reset(np.random.default_rng(0))
@@ -140,7 +187,9 @@ def test_slip_and_delay_act_on_any_joint_within_its_limits():
 
 
 def test_readings_are_measured_once_a_step_and_are_the_callers_own():
-    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(laser_noise=0.1)).robot
+    robot = rl.make_env(
+        "wander_simple", seed=0, realism=rl.Realism(laser_noise=0.1)
+    ).robot
     robot.reset(np.random.default_rng(0))
     robot.readings.clear()
     assert robot.readings == robot.readings != {}
@@ -150,7 +199,11 @@ def test_readings_are_measured_once_a_step_and_are_the_callers_own():
 @pytest.mark.parametrize(
     "values",
     [
-        *({"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}),
+        *(
+            {"laser_noise": -0.1},
+            {"odometry_noise": math.nan},
+            {"wheel_slip": math.inf},
+        ),
         *({"delay": -1}, {"delay": 0.5}, {"lag": -0.1}, {"wall_friction": math.nan}),
     ],
 )
@@ -159,8 +212,12 @@ def test_a_realism_that_cannot_be_is_refused(values):
         rl.Realism(**values)
 
 
-@pytest.mark.parametrize("weakness", ["laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"])
-def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(weakness, wander_model):
+@pytest.mark.parametrize(
+    "weakness", ["laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"]
+)
+def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(
+    weakness, wander_model
+):
     with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
         rl.make_env("worked_example", realism=rl.Realism(**{weakness: 0.1}))
     with pytest.raises(ValueError, match="only a task has a robot"):
@@ -168,8 +225,12 @@ def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(weaknes
 
 
 @pytest.mark.parametrize("weakness", ["lag", "wall_friction"])
-@pytest.mark.parametrize(("task", "engine"), [("wander_simple", "pybullet"), ("arm_1k", None)])
-def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(weakness, task, engine):
+@pytest.mark.parametrize(
+    ("task", "engine"), [("wander_simple", "pybullet"), ("arm_1k", None)]
+)
+def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(
+    weakness, task, engine
+):
     pytest.importorskip("pybullet")
     with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
         rl.make_env(task, engine=engine, realism=rl.Realism(**{weakness: 0.1}))
@@ -178,7 +239,10 @@ def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(weakness, 
 @pytest.mark.parametrize("weakness", [*ALL])
 @pytest.mark.parametrize("size", [0.1, 5.0, -1])
 def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):
-    with pytest.raises(ValueError, match=rf"'mobile_base' has no setting '{weakness}'.*It has: engine, realism"):
+    with pytest.raises(
+        ValueError,
+        match=rf"'mobile_base' has no setting '{weakness}'.*It has: engine, realism",
+    ):
         rl.make_env("wander_1k", **{weakness: size})
 
 

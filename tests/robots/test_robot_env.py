@@ -40,9 +40,14 @@ def test_gymnasium_finds_nothing_wrong_with_the_environment_of_any_task(name):
 
 def test_gymnasium_makes_a_task_from_its_registered_name_alone():
     code = "import gymnasium; print(gymnasium.make('rlrobot_edu:rlrobot/wander_1k-v0').reset(seed=0)[1]['state'])"
-    fresh = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    fresh = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
     assert fresh.stdout.strip() == "1023"
-    assert gymnasium.make("rlrobot/wander_1k-v0", render_mode=None).unwrapped.task.name == "wander_1k"
+    assert (
+        gymnasium.make("rlrobot/wander_1k-v0", render_mode=None).unwrapped.task.name
+        == "wander_1k"
+    )
 
 
 def run(env, steps=200):
@@ -57,7 +62,9 @@ def run(env, steps=200):
 
 
 def test_another_seed_moves_the_box_of_the_worked_example_differently():
-    assert run(rl.make_env("worked_example", seed=0)) != run(rl.make_env("worked_example", seed=1))
+    assert run(rl.make_env("worked_example", seed=0)) != run(
+        rl.make_env("worked_example", seed=1)
+    )
 
 
 @pytest.mark.parametrize("name", TASKS)
@@ -85,11 +92,15 @@ def test_an_episode_is_cut_off_after_its_steps_and_starts_anew_at_a_reset(my_tas
     env = rl.make_env(my_task)
     for _ in range(2):
         env.reset()
-        assert [env.step(0)[2:4] for _ in range(5)] == [(False, False)] * 4 + [(False, True)]
+        assert [env.step(0)[2:4] for _ in range(5)] == [(False, False)] * 4 + [
+            (False, True)
+        ]
 
 
 @pytest.mark.parametrize("reading", [5.5, -0.1, float("nan")])
-def test_a_reading_out_of_range_is_reported_with_the_task_file_and_the_sensor(my_task, reading, monkeypatch):
+def test_a_reading_out_of_range_is_reported_with_the_task_file_and_the_sensor(
+    my_task, reading, monkeypatch
+):
     env = rl.make_env(my_task)
     env.reset()
     monkeypatch.setattr(env.robot, "act", lambda command: {"laser_front": reading})
@@ -99,7 +110,9 @@ def test_a_reading_out_of_range_is_reported_with_the_task_file_and_the_sensor(my
 
 
 @pytest.mark.parametrize("speed", ["9", "'fast'", "v['sped']"])
-def test_a_task_whose_command_the_robot_cannot_carry_out_is_refused_with_its_file(my_task, speed):
+def test_a_task_whose_command_the_robot_cannot_carry_out_is_refused_with_its_file(
+    my_task, speed
+):
     my_task.write_text(BLIND.replace('v["speed"]', speed))
     with pytest.raises(ValueError, match="action 0") as refusal:
         rl.make_env(my_task)
@@ -122,8 +135,13 @@ def test_a_world_opens_no_window_of_its_own():
 
 
 def test_an_unknown_engine_is_refused_and_the_known_ones_named():
-    for make in (rl.make_env, lambda name, engine: gymnasium.make(f"rlrobot/{name}-v0", engine=engine)):
-        with pytest.raises(ValueError, match="simulated by pymunk or pybullet or kinematic"):
+    for make in (
+        rl.make_env,
+        lambda name, engine: gymnasium.make(f"rlrobot/{name}-v0", engine=engine),
+    ):
+        with pytest.raises(
+            ValueError, match="simulated by pymunk or pybullet or kinematic"
+        ):
             make("wander_simple", engine="steam")
 
 
@@ -132,23 +150,34 @@ def test_the_cell_robot_never_leaves_its_cells_nor_enters_the_box_and_knows_what
     robot = CellRobot("four_cells", 1.0)
     before = robot.reset(rng)
     ahead = {0: (1, 0), 90: (0, 1), -90: (0, -1)}
-    moves = [{"advance": 1, "spin": 0}, {"advance": 0, "spin": 90}, {"advance": 0, "spin": -90}]
+    moves = [
+        {"advance": 1, "spin": 0},
+        {"advance": 0, "spin": 90},
+        {"advance": 0, "spin": -90},
+    ]
     for move in np.random.default_rng(1).integers(3, size=2000):
         after = robot.act(moves[move])
         advanced = (after["X"], after["Y"]) != (before["X"], before["Y"])
-        assert after["theta"] == min(max(before["theta"] + moves[move]["spin"], -90), 90)
+        assert after["theta"] == min(
+            max(before["theta"] + moves[move]["spin"], -90), 90
+        )
         assert advanced == (move == 0 and not before["d"])
         assert after["bumped"] == (move == 0 and before["d"])
         solids = {solid.name: solid.pose[:2, 3] for solid in robot.scene().solids}
         distance = solids["box"] - solids["robot/body"]
-        neighbour = (after["X"] + ahead[after["theta"]][0], after["Y"] + ahead[after["theta"]][1])
+        neighbour = (
+            after["X"] + ahead[after["theta"]][0],
+            after["Y"] + ahead[after["theta"]][1],
+        )
         in_front = np.allclose(distance, ahead[after["theta"]])
         assert after["d"] == (in_front or not set(neighbour) <= {0, 1})
         assert np.abs(distance).max() > 0.5
         before = after
 
 
-@pytest.mark.parametrize("command", [{"advance": 1}, {"advance": 0.5, "spin": 0}, {"advance": 0, "spin": 45}])
+@pytest.mark.parametrize(
+    "command", [{"advance": 1}, {"advance": 0.5, "spin": 0}, {"advance": 0, "spin": 45}]
+)
 def test_the_cell_robot_refuses_half_moves(command):
     with pytest.raises(ValueError, match="advance"):
         CellRobot("four_cells", 1.0).act(command)
@@ -156,7 +185,9 @@ def test_the_cell_robot_refuses_half_moves(command):
 
 @pytest.mark.parametrize("engine", ["", 0, [], "pymunkk"])
 def test_only_none_leaves_the_choice_of_an_engine_to_the_robot(engine):
-    with pytest.raises(ValueError, match="is simulated by pymunk or pybullet or kinematic, not by"):
+    with pytest.raises(
+        ValueError, match="is simulated by pymunk or pybullet or kinematic, not by"
+    ):
         rl.make_env("wander_1k", engine=engine)
 
 
@@ -169,8 +200,14 @@ def test_the_settings_that_a_refusal_lists_are_named_once(task):
 
 
 @pytest.mark.parametrize(
-    ("name", "setting", "near"), [("wander_1k", "engin", "engine"), ("wander_1k", "chasis", "chassis")]
+    ("name", "setting", "near"),
+    [("wander_1k", "engin", "engine"), ("wander_1k", "chasis", "chassis")],
 )
-def test_an_unknown_setting_is_refused_at_once_and_the_nearest_is_named(name, setting, near):
-    with pytest.raises(ValueError, match=f"'mobile_base' has no setting '{setting}'; did you mean '{near}'?"):
+def test_an_unknown_setting_is_refused_at_once_and_the_nearest_is_named(
+    name, setting, near
+):
+    with pytest.raises(
+        ValueError,
+        match=f"'mobile_base' has no setting '{setting}'; did you mean '{near}'?",
+    ):
         rl.make_env(name, **{setting: 1})

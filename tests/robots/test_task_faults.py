@@ -37,17 +37,30 @@ def python(tmp_path_factory):
     (tasks / "folder.py").mkdir()
 
     def run(*command, **settings):
-        environment = {**os.environ, "PYTHONPATH": str(home), "PYTHONIOENCODING": "utf-8", **settings}
-        return subprocess.run([sys.executable, *command], cwd=home, env=environment, capture_output=True)
+        environment = {
+            **os.environ,
+            "PYTHONPATH": str(home),
+            "PYTHONIOENCODING": "utf-8",
+            **settings,
+        }
+        return subprocess.run(
+            [sys.executable, *command], cwd=home, env=environment, capture_output=True
+        )
 
     return run
 
 
-def test_files_that_are_no_tasks_in_the_folder_of_tasks_do_not_disturb_the_others(python):
+def test_files_that_are_no_tasks_in_the_folder_of_tasks_do_not_disturb_the_others(
+    python,
+):
     code = "import rlrobot_edu as rl, gymnasium; print(rl.load_task('no_words').states.n, len(rl.available_tasks()), "
-    done = python("-c", code + "sum(name.startswith('rlrobot/') for name in gymnasium.registry))")
+    done = python(
+        "-c", code + "sum(name.startswith('rlrobot/') for name in gymnasium.registry))"
+    )
     assert done.returncode == 0, done.stderr.decode()
-    n = len(rl.available_tasks()) + len(("broken", "ends", "nothing", "binary", "no_words", "folder", "größe"))
+    n = len(rl.available_tasks()) + len(
+        ("broken", "ends", "nothing", "binary", "no_words", "folder", "größe")
+    )
     assert done.stdout.split() == [b"3", b"%d" % n, b"%d" % n]
 
 
@@ -56,12 +69,19 @@ def test_the_list_of_tasks_says_what_is_wrong_with_one_and_goes_on(python):
     assert (done.returncode, done.stderr) == (0, b"")
     said = {line.split()[0]: line for line in done.stdout.decode().splitlines()}
     assert set(rl.available_tasks()) < set(said)
-    assert not any("cannot be loaded" in said[name] for name in (*rl.available_tasks(), "no_words", "größe"))
+    assert not any(
+        "cannot be loaded" in said[name]
+        for name in (*rl.available_tasks(), "no_words", "größe")
+    )
     for name, what in {
         "broken": "never closed", "ends": "line 2: SystemExit", "nothing": "must define task", "binary": "SyntaxError",
         "folder": "no such",
     }.items():  # fmt: skip
-        assert "cannot be loaded" in said[name] and f"{name}.py" in said[name] and what in said[name]
+        assert (
+            "cannot be loaded" in said[name]
+            and f"{name}.py" in said[name]
+            and what in said[name]
+        )
 
 
 @pytest.mark.parametrize("command", ["tasks", "--help"])
@@ -71,7 +91,9 @@ def test_a_terminal_that_knows_ascii_alone_shows_question_marks(python, command)
     assert done.stdout.isascii() and (command != "tasks" or b"1024 ? 9" in done.stdout)
 
 
-@pytest.mark.skipif(os.name != "posix", reason="needs a pipe that tells its writer that nobody reads")
+@pytest.mark.skipif(
+    os.name != "posix", reason="needs a pipe that tells its writer that nobody reads"
+)
 def test_a_reader_who_has_seen_enough_ends_the_list_without_a_word():
     reader, writer = os.pipe()
     os.close(reader)
@@ -91,13 +113,17 @@ FAULTS = {
 
 @pytest.mark.parametrize("what", ["goal", "reward", "command"])
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_function_of_a_task_that_fails_is_named_with_its_file_and_line(tmp_path, what, fault):
+def test_a_function_of_a_task_that_fails_is_named_with_its_file_and_line(
+    tmp_path, what, fault
+):
     broken = f"def broken(*given):\n    readings = given[-1]\n    return {fault}\n"
     text = f"{GOOD}\n\n{broken}\n\nfrom dataclasses import replace\n\ntask = replace(task, {what}=broken)\n"
     line = text.split(f"return {fault}")[0].count("\n") + 1
     path = tmp_path / "my_own.py"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError, match=rf"my_own\.py, line {line}: {what} .*failed: {FAULTS[fault]}"):
+    with pytest.raises(
+        ValueError, match=rf"my_own\.py, line {line}: {what} .*failed: {FAULTS[fault]}"
+    ):
         env = rl.make_env(path, seed=0)
         env.reset()
         env.step(0)
@@ -121,7 +147,9 @@ def test_a_function_of_a_task_that_fails_is_named_with_its_file_and_line(tmp_pat
         ("task = Task", "raise SystemError('no')\ntask = Task", "line 4: SystemError: no"),
     ],
 )  # fmt: skip
-def test_what_would_hang_fill_the_memory_or_end_the_program_is_refused_in_a_sentence(tmp_path, old, new, words):
+def test_what_would_hang_fill_the_memory_or_end_the_program_is_refused_in_a_sentence(
+    tmp_path, old, new, words
+):
     path = write(tmp_path, old, new)
     with pytest.raises(ValueError) as refusal:
         rl.load_task(path)
@@ -142,12 +170,23 @@ HEADS = {
 
 @pytest.mark.parametrize("head", HEADS)
 def test_a_task_file_may_hold_whatever_a_module_may(tmp_path, head):
-    text = Path(rl.load_task("wander_simple").path).read_text(encoding="utf-8").split('"""', 2)[2]
+    text = (
+        Path(rl.load_task("wander_simple").path)
+        .read_text(encoding="utf-8")
+        .split('"""', 2)[2]
+    )
     before = set(sys.modules)
     (tmp_path / "mine.py").write_text(HEADS[head] + text, encoding="utf-8")
     task = rl.load_task(tmp_path / "mine.py")
-    assert rl.learn(rl.Agent(task, seed=0), rl.make_env(pickle.loads(pickle.dumps(task)), seed=0), 3, progress=False)
-    assert not [name for name in set(sys.modules) - before if "rlrobot_edu_task" in name]
+    assert rl.learn(
+        rl.Agent(task, seed=0),
+        rl.make_env(pickle.loads(pickle.dumps(task)), seed=0),
+        3,
+        progress=False,
+    )
+    assert not [
+        name for name in set(sys.modules) - before if "rlrobot_edu_task" in name
+    ]
 
 
 def test_line_ends_do_not_change_what_task_it_is(tmp_path):
@@ -160,7 +199,9 @@ def test_line_ends_do_not_change_what_task_it_is(tmp_path):
 
 
 def test_a_goal_that_gives_no_truth_value_names_the_file(tmp_path):
-    task = replace(rl.load_task("navigation_1k"), goal=lambda readings: np.zeros(2), path="mine.py")
+    task = replace(
+        rl.load_task("navigation_1k"), goal=lambda readings: np.zeros(2), path="mine.py"
+    )
     with pytest.raises(ValueError, match=r"^mine\.py: goal failed: ValueError"):
         task.at_goal({})
 
@@ -174,10 +215,19 @@ def test_an_engine_or_a_recording_of_another_kind_is_refused_in_words(wrong):
         rl.read_recording(wrong)
 
 
-def test_a_task_of_the_toolkit_is_the_same_one_each_time_and_an_edited_file_another(tmp_path):
-    assert rl.load_task("wander_1k") is rl.load_task("wander_1k") is rl.Agent("wander_1k").task
+def test_a_task_of_the_toolkit_is_the_same_one_each_time_and_an_edited_file_another(
+    tmp_path,
+):
+    assert (
+        rl.load_task("wander_1k")
+        is rl.load_task("wander_1k")
+        is rl.Agent("wander_1k").task
+    )
     path = tmp_path / "mine.py"
     path.write_text(GOOD, encoding="utf-8")
     first = rl.load_task(path)
     path.write_text(GOOD.replace("0.2", "0.3"), encoding="utf-8")
-    assert rl.load_task(path).inputs[0].cuts == (0.3, 0.5) and first.inputs[0].cuts == (0.2, 0.5)
+    assert rl.load_task(path).inputs[0].cuts == (0.3, 0.5) and first.inputs[0].cuts == (
+        0.2,
+        0.5,
+    )

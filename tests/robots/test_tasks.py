@@ -37,12 +37,22 @@ def write(folder, old="", new=""):
         ("worked_example", (2, 2, 3, 2), 3),
     ],
 )
-def test_the_shipped_tasks_have_the_states_and_actions_of_the_paper(name, shape, n_actions):
+def test_the_shipped_tasks_have_the_states_and_actions_of_the_paper(
+    name, shape, n_actions
+):
     task = rl.load_task(name)
     assert (task.name, task.states.shape, task.actions.n) == (name, shape, n_actions)
 
 
-OUTLINE = ["Description", "Inputs", "Outputs", "Rewards", "Episode end", "Scene", "Differs from the paper"]
+OUTLINE = [
+    "Description",
+    "Inputs",
+    "Outputs",
+    "Rewards",
+    "Episode end",
+    "Scene",
+    "Differs from the paper",
+]
 
 
 @pytest.mark.parametrize("name", rl.available_tasks())
@@ -55,7 +65,11 @@ def test_every_shipped_task_loads_and_is_described_in_the_fixed_order(name):
 def test_a_task_file_of_ones_own_loads_and_survives_a_trip_to_another_process(tmp_path):
     task = rl.load_task(write(tmp_path))
     copy = pickle.loads(pickle.dumps(task))
-    assert (copy.name, copy.description) == (task.name, task.description) == ("my_own", "A task of my own.")
+    assert (
+        (copy.name, copy.description)
+        == (task.name, task.description)
+        == ("my_own", "A task of my own.")
+    )
     assert copy.reward_for({}, {"laser_front": 1.0}) == 1
 
 
@@ -84,7 +98,9 @@ def test_a_task_file_of_ones_own_loads_and_survives_a_trip_to_another_process(tm
         ("task = Task(", "task = dict(", "must define task"),
     ],
 )
-def test_a_bad_task_file_is_refused_with_a_message_that_names_it(tmp_path, old, new, words):
+def test_a_bad_task_file_is_refused_with_a_message_that_names_it(
+    tmp_path, old, new, words
+):
     path = write(tmp_path, old, new)
     with pytest.raises(ValueError) as refusal:
         rl.load_task(path)

@@ -36,11 +36,18 @@ def random_agent(seed=0):
 def driven(secret=SECRET, steps=20, seed=0, agent=None):
     """A body that a random agent has driven."""
     body = SecretBody(TASK, secret, seed)
-    rl.learn(agent or random_agent(), rl.make_env(TASK, link=body), steps=steps, progress=False)
+    rl.learn(
+        agent or random_agent(),
+        rl.make_env(TASK, link=body),
+        steps=steps,
+        progress=False,
+    )
     return body
 
 
-def test_a_secret_is_the_same_from_a_file_the_environment_or_said(tmp_path, monkeypatch):
+def test_a_secret_is_the_same_from_a_file_the_environment_or_said(
+    tmp_path, monkeypatch
+):
     (tmp_path / "secret.txt").write_text("a secret of the tests\n")
     monkeypatch.setenv("ROBOT", "a secret of the tests")
     assert unlock(f"file:{tmp_path / 'secret.txt'}") == unlock("env:ROBOT") == SECRET
@@ -72,7 +79,10 @@ def test_the_rewards_in_the_log_are_those_of_the_true_readings():
     for _ in rl.steps(random_agent(), env, steps=20):
         true.append(twin._base.readings)
     assert body.log[9::10] == [twin.task.reward_for(*pair) for pair in pairwise(true)]
-    assert all(twin.readings[name] != true[-1][name] for name in ("x", "y", "theta", "laser_left"))
+    assert all(
+        twin.readings[name] != true[-1][name]
+        for name in ("x", "y", "theta", "laser_left")
+    )
 
 
 def test_steps_are_counted_from_the_beginning_at_which_they_are_worth_most():
@@ -97,10 +107,17 @@ def test_a_log_is_scored_between_chance_and_the_best_found(tmp_path, monkeypatch
     monkeypatch.setattr(scoring, "rulers", lambda task, secret: (-1.0, 3.0))
     result = score(tmp_path / "drive.npz", SECRET)
     assert result == Score(float(rewards_of(body.log[100:], 10).mean()), -1.0, 3.0)
-    assert [Score(earned, -1.0, 3.0).points for earned in (-1.0, 3.0, -2.0, 4.0)] == [0, 100, -25, 125]
+    assert [Score(earned, -1.0, 3.0).points for earned in (-1.0, 3.0, -2.0, 4.0)] == [
+        0,
+        100,
+        -25,
+        125,
+    ]
 
 
-def test_a_log_that_is_changed_unsigned_or_too_short_has_no_score(tmp_path, monkeypatch):
+def test_a_log_that_is_changed_unsigned_or_too_short_has_no_score(
+    tmp_path, monkeypatch
+):
     monkeypatch.setattr(scoring, "HOUR", 20.0)
     path = tmp_path / "drive.npz"
     save_log(path, driven(steps=10), SECRET)
@@ -109,7 +126,9 @@ def test_a_log_that_is_changed_unsigned_or_too_short_has_no_score(tmp_path, monk
     with pytest.raises(ValueError, match="not signed"):
         score(path, unlock("another secret"))
     about, arrays = load_arrays(path, "drive", lambda about, arrays: (about, arrays))
-    save_arrays(path, "drive", about, {"rewards": np.full_like(arrays["rewards"], 10.0)})
+    save_arrays(
+        path, "drive", about, {"rewards": np.full_like(arrays["rewards"], 10.0)}
+    )
     with pytest.raises(ValueError, match="not signed"):
         score(path, SECRET)
 
@@ -146,17 +165,33 @@ def test_under_other_noise_chance_is_still_worth_little_and_who_learned_in_the_r
     pupils = [rl.Agent(task, "TOSL+QBIASSR", seed=seed) for seed in range(3)]
     for pupil in pupils:
         driven(steps=1200, seed=20 + pupil.seed, agent=pupil)
-    bodies = [driven(steps=600, seed=30, agent=agent) for agent in (random_agent(1), *pupils)]
-    chance, *knowing = (Score(float(rewards_of(body.log, 10).mean()), random, found).points for body in bodies)
+    bodies = [
+        driven(steps=600, seed=30, agent=agent) for agent in (random_agent(1), *pupils)
+    ]
+    chance, *knowing = (
+        Score(float(rewards_of(body.log, 10).mean()), random, found).points
+        for body in bodies
+    )
     assert abs(chance) < 30 and 50 < max(knowing) < 150
 
 
 @pytest.fixture
 def served(tmp_path):
     """A secret robot in a process of its own, and its folder."""
-    pytest.importorskip("websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'")
+    pytest.importorskip(
+        "websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'"
+    )
     (tmp_path / "secret.txt").write_text("a secret of the tests")
-    command = [sys.executable, "-m", "rlrobot_course", "serve-robot", TASK, "--port", "0", "--simulated-time"]
+    command = [
+        sys.executable,
+        "-m",
+        "rlrobot_course",
+        "serve-robot",
+        TASK,
+        "--port",
+        "0",
+        "--simulated-time",
+    ]
     with subprocess.Popen(
         [*command, "--secret", "file:secret.txt"],
         cwd=tmp_path,
@@ -169,7 +204,9 @@ def served(tmp_path):
 
 
 @pytest.mark.long
-def test_a_learner_drives_it_over_rosbridge_and_nothing_that_is_told_names_its_secret(served):
+def test_a_learner_drives_it_over_rosbridge_and_nothing_that_is_told_names_its_secret(
+    served,
+):
     process, folder = served
     said = process.stdout.readline()
     address = re.search(r"ws://127\.0\.0\.1:\d+", said)[0]
@@ -184,11 +221,21 @@ def test_a_learner_drives_it_over_rosbridge_and_nothing_that_is_told_names_its_s
     deadline = time.monotonic() + 60
     while not (folder / "drive.npz").exists() and time.monotonic() < deadline:
         time.sleep(0.1)
-    about, arrays = load_arrays(folder / "drive.npz", "drive", lambda about, arrays: (about, arrays))
-    assert about.keys() == {"task", "signature"} and arrays.keys() == {"rewards"} and len(arrays["rewards"]) == 600
+    about, arrays = load_arrays(
+        folder / "drive.npz", "drive", lambda about, arrays: (about, arrays)
+    )
+    assert (
+        about.keys() == {"task", "signature"}
+        and arrays.keys() == {"rewards"}
+        and len(arrays["rewards"]) == 600
+    )
     process.send_signal(signal.SIGINT)
     told = said + process.communicate(timeout=60)[0] + json.dumps(about)
-    weak = [f"{value:.3g}" for name, value in vars(SECRET.realism).items() if name != "delay"]
+    weak = [
+        f"{value:.3g}"
+        for name, value in vars(SECRET.realism).items()
+        if name != "delay"
+    ]
     assert not [size for size in weak if size in told]
     assert sorted(path.name for path in folder.iterdir()) == ["drive.npz", "secret.txt"]
 
@@ -201,7 +248,9 @@ def test_the_log_of_an_earlier_drive_is_not_overwritten(tmp_path, monkeypatch):
 
 
 def test_the_command_tells_the_score(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(project_commands, "score", lambda log, secret: Score(1.0, 0.0, 4.0))
+    monkeypatch.setattr(
+        project_commands, "score", lambda log, secret: Score(1.0, 0.0, 4.0)
+    )
     commands.main(["score", "drive.npz", "--secret", "a secret of the tests"])
     assert "score: 25 " in capsys.readouterr().out
 

@@ -18,14 +18,20 @@ cut_lists = st.lists(numbers, min_size=1, max_size=4, unique=True).map(sorted)
 kinds = st.one_of(
     st.builds(lambda cuts: {"cuts": cuts}, cut_lists),
     st.builds(lambda n: {"sectors": n}, st.integers(2, 9)),
-    st.builds(lambda values: {"values": values}, st.lists(numbers, min_size=1, max_size=4, unique=True)),
+    st.builds(
+        lambda values: {"values": values},
+        st.lists(numbers, min_size=1, max_size=4, unique=True),
+    ),
 )
 
 
 @st.composite
 def state_spaces(draw):
     return StateSpace(
-        [InputVariable(f"sensor_{i}", **kind) for i, kind in enumerate(draw(st.lists(kinds, min_size=1, max_size=4)))]
+        [
+            InputVariable(f"sensor_{i}", **kind)
+            for i, kind in enumerate(draw(st.lists(kinds, min_size=1, max_size=4)))
+        ]
     )
 
 
@@ -38,21 +44,27 @@ def spaces_and_states(draw):
 @given(spaces_and_states())
 def test_encoding_a_decoded_state_gives_it_back(case):
     space, s = case
-    assert space.encode({name: bin.reading for name, bin in space.decode(s).items()}) == s
+    assert (
+        space.encode({name: bin.reading for name, bin in space.decode(s).items()}) == s
+    )
     assert space.number(space.bins(s)) == s
 
 
 @given(kinds)
 def test_every_bin_can_be_reached(kind):
     variable = InputVariable("sensor", **kind)
-    assert [variable.bin(variable.decode(i).reading) for i in range(variable.n_bins)] == list(range(variable.n_bins))
+    assert [
+        variable.bin(variable.decode(i).reading) for i in range(variable.n_bins)
+    ] == list(range(variable.n_bins))
 
 
 @given(cut_lists)
 def test_a_reading_on_a_cut_belongs_to_the_bin_below_it(cuts):
     variable = InputVariable("laser", cuts=cuts)
     assert [variable.bin(c) for c in cuts] == list(range(len(cuts)))
-    assert [variable.bin(math.nextafter(c, math.inf)) for c in cuts] == list(range(1, len(cuts) + 1))
+    assert [variable.bin(math.nextafter(c, math.inf)) for c in cuts] == list(
+        range(1, len(cuts) + 1)
+    )
 
 
 @given(st.integers(2, 16), st.floats(-math.pi, math.pi))
@@ -66,7 +78,9 @@ def test_the_sector_of_an_angle_is_the_one_whose_centre_is_nearest(sectors, angl
 def test_siblings_share_all_inputs_but_one(case):
     space, s = case
     bins = space.bins(s)
-    for i, (variable, siblings) in enumerate(zip(space.inputs, space.siblings(s).values(), strict=True)):
+    for i, (variable, siblings) in enumerate(
+        zip(space.inputs, space.siblings(s).values(), strict=True)
+    ):
         expected = [bins[:i] + (k,) + bins[i + 1 :] for k in range(variable.n_bins)]
         assert [space.bins(int(sibling)) for sibling in siblings] == expected
 
@@ -77,18 +91,36 @@ def test_states_are_numbered_in_c_order(space):
         assert space.number(bins) == s == np.ravel_multi_index(bins, space.shape)
 
 
-@given(st.lists(st.lists(numbers, min_size=1, max_size=3, unique=True), min_size=1, max_size=3))
+@given(
+    st.lists(
+        st.lists(numbers, min_size=1, max_size=3, unique=True), min_size=1, max_size=3
+    )
+)
 def test_actions_are_numbered_in_c_order(values):
     space = ActionSpace([OutputVariable(f"motor_{i}", v) for i, v in enumerate(values)])
     for a, indices in enumerate(np.ndindex(space.shape)):
-        assert space.decode(a) == {f"motor_{i}": values[i][k] for i, k in enumerate(indices)}
+        assert space.decode(a) == {
+            f"motor_{i}": values[i][k] for i, k in enumerate(indices)
+        }
 
 
 def test_the_examples_of_the_course_fall_into_the_bins_it_says():
-    laser = InputVariable("laser_front", cuts=[0.27, 0.53, 0.80], unit="m", low=0.0, high=5.0)
-    assert [laser.bin(x) for x in (0.0, 0.27, 0.28, 0.53, 0.8, 0.81, 5.0)] == [0, 0, 1, 1, 2, 3, 3]
+    laser = InputVariable(
+        "laser_front", cuts=[0.27, 0.53, 0.80], unit="m", low=0.0, high=5.0
+    )
+    assert [laser.bin(x) for x in (0.0, 0.27, 0.28, 0.53, 0.8, 0.81, 5.0)] == [
+        0,
+        0,
+        1,
+        1,
+        2,
+        3,
+        3,
+    ]
     theta = InputVariable("theta", sectors=8)
-    assert [theta.bin(math.radians(d)) for d in (0, 22, 23, 90, 180, -180, -90, -22)] == [0, 0, 1, 2, 4, 4, 6, 0]
+    assert [
+        theta.bin(math.radians(d)) for d in (0, 22, 23, 90, 180, -180, -90, -22)
+    ] == [0, 0, 1, 2, 4, 4, 6, 0]
 
 
 @pytest.mark.parametrize(
@@ -164,16 +196,24 @@ def test_a_text_is_no_list_wherever_a_list_is_expected(text):
         with pytest.raises(ValueError):
             make()
     if text != ["1", "2"]:
-        with pytest.raises(ValueError, match="words must be one text for each of the 2 values"):
+        with pytest.raises(
+            ValueError, match="words must be one text for each of the 2 values"
+        ):
             rl.OutputVariable("x", [0, 1], words=text)
 
 
 def test_numbers_of_all_kinds_make_bins():
-    variable = rl.InputVariable("x", cuts=np.array([0.5, 1.5], np.float32), low=Fraction(0), high=Fraction(3))
-    assert variable.cuts == (0.5, 1.5) and [variable.bin(x) for x in (0, Fraction(1), np.float32(2))] == [0, 1, 2]
+    variable = rl.InputVariable(
+        "x", cuts=np.array([0.5, 1.5], np.float32), low=Fraction(0), high=Fraction(3)
+    )
+    assert variable.cuts == (0.5, 1.5) and [
+        variable.bin(x) for x in (0, Fraction(1), np.float32(2))
+    ] == [0, 1, 2]
     with pytest.raises(ValueError, match=r"reading 4 .*outside 0 to 3"):
         variable.bin(4)
-    with pytest.raises(ValueError, match="cuts must lie inside the sensor's range 1 to 3"):
+    with pytest.raises(
+        ValueError, match="cuts must lie inside the sensor's range 1 to 3"
+    ):
         rl.InputVariable("x", cuts=[0.5], low=Fraction(1), high=3)
 
 
@@ -183,8 +223,13 @@ def test_each_sector_ends_with_its_highest_angle_as_bins_do(sectors, place, part
     angle = (place + part) * 2 * math.pi / sectors
     if (angle * sectors / (2 * math.pi)) != place + part:
         return  # a float beside the place that was meant
-    assert variable.bin(angle) == place % sectors  # a half is the end of the sector before it
-    low, high = variable.decode(place % sectors).low, variable.decode(place % sectors).high
+    assert (
+        variable.bin(angle) == place % sectors
+    )  # a half is the end of the sector before it
+    low, high = (
+        variable.decode(place % sectors).low,
+        variable.decode(place % sectors).high,
+    )
     assert high - low == pytest.approx(2 * math.pi / sectors)
 
 
@@ -201,9 +246,12 @@ def test_a_reading_that_is_no_number_is_refused_with_the_inputs_name(reading):
         states.encode(good | {"laser_front_left": 10**400})
 
 
-@pytest.mark.parametrize("bins", [3, [9, 9], [1], [0, 0, 0], ["a", "b"], None, [0.5, 0], [10**400, 0]])
+@pytest.mark.parametrize(
+    "bins", [3, [9, 9], [1], [0, 0, 0], ["a", "b"], None, [0.5, 0], [10**400, 0]]
+)
 def test_what_is_no_bin_of_each_input_is_refused_with_the_inputs_names(bins):
     with pytest.raises(
-        ValueError, match=r"one bin of each of laser_front_left \(0 to 1\), laser_front_right \(0 to 1\);"
+        ValueError,
+        match=r"one bin of each of laser_front_left \(0 to 1\), laser_front_right \(0 to 1\);",
     ):
         rl.load_task("wander_simple").states.number(bins)

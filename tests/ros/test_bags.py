@@ -15,7 +15,9 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 
-pytest.importorskip("rosbags.highlevel", reason="rosbags is missing: pip install 'rlrobot-edu[ros]'")
+pytest.importorskip(
+    "rosbags.highlevel", reason="rosbags is missing: pip install 'rlrobot-edu[ros]'"
+)
 TASK = "giraff_wander_simple"
 
 
@@ -30,7 +32,9 @@ def driven():
 
 
 @pytest.mark.parametrize("form", FORMATS)
-def test_each_format_gives_the_transitions_that_the_robot_lived_through(driven, tmp_path, form):
+def test_each_format_gives_the_transitions_that_the_robot_lived_through(
+    driven, tmp_path, form
+):
     events, lived = driven
     recording = rl.recording_from_bag(write_bag(tmp_path, form, events), TASK)
     assert_same(recording, lived)
@@ -47,34 +51,61 @@ def test_a_stamped_twist_and_other_names_say_the_same(driven, tmp_path):
     events, lived = driven
     topics = {"odom": "/robot/odom", "scan": "/scan", "cmd_vel": "/robot/cmd_vel"}
     path = write_bag(tmp_path, "mcap", events, topics, stamped=True)
-    assert_same(rl.recording_from_bag(path, TASK, odom="robot/odom", scan="/scan", cmd_vel="/robot/cmd_vel"), lived)
     assert_same(
-        rl.recording_from_bag(path / "mcap.mcap", TASK, odom="robot/odom", scan="scan", cmd_vel="/robot/cmd_vel/"),
+        rl.recording_from_bag(
+            path, TASK, odom="robot/odom", scan="/scan", cmd_vel="/robot/cmd_vel"
+        ),
+        lived,
+    )
+    assert_same(
+        rl.recording_from_bag(
+            path / "mcap.mcap",
+            TASK,
+            odom="robot/odom",
+            scan="scan",
+            cmd_vel="/robot/cmd_vel/",
+        ),
         lived,
     )
 
 
 @pytest.mark.parametrize("task", ["wander_simple", "wander_1k"])
-def test_a_base_whose_lasers_stand_off_the_scanners_lines_lives_through_the_same(tmp_path, task):
+def test_a_base_whose_lasers_stand_off_the_scanners_lines_lives_through_the_same(
+    tmp_path, task
+):
     events, lived = drive(task, 60, see=full_scan)
     recording = rl.recording_from_bag(write_bag(tmp_path, "sqlite3", events), task)
     np.testing.assert_array_equal(recording.r, lived.r)
-    commands = [[lived.task.command_for(a) for a in who.a] for who in (recording, lived)]
+    commands = [
+        [lived.task.command_for(a) for a in who.a] for who in (recording, lived)
+    ]
     assert commands[0] == commands[1]
-    bins = [np.stack(np.unravel_index(who.s, lived.source.states.shape)) for who in (recording, lived)]
-    assert (bins[0] != bins[1]).mean() < 0.01  # a wall just at the limit of a bin, seen by a ray half a degree wide
+    bins = [
+        np.stack(np.unravel_index(who.s, lived.source.states.shape))
+        for who in (recording, lived)
+    ]
+    assert (
+        (bins[0] != bins[1]).mean() < 0.01
+    )  # a wall just at the limit of a bin, seen by a ray half a degree wide
 
 
 def recorded(tmp_path, events, task=TASK, **options):
     return rl.recording_from_bag(write_bag(tmp_path, "mcap", events), task, **options)
 
 
-def test_commands_that_are_late_or_said_ten_times_a_second_mean_the_same(driven, tmp_path):
+def test_commands_that_are_late_or_said_ten_times_a_second_mean_the_same(
+    driven, tmp_path
+):
     events, lived = driven
     rng = np.random.default_rng(1)
-    late = [(t + int(rng.integers(SECOND // 25)) * (kind == "cmd_vel"), kind, said) for t, kind, said in events]
+    late = [
+        (t + int(rng.integers(SECOND // 25)) * (kind == "cmd_vel"), kind, said)
+        for t, kind, said in events
+    ]
     often = [
-        (t + i * SECOND // 10, kind, said) for t, kind, said in late for i in range(10 if kind == "cmd_vel" else 1)
+        (t + i * SECOND // 10, kind, said)
+        for t, kind, said in late
+        for i in range(10 if kind == "cmd_vel" else 1)
     ]
     for i, told in enumerate((late, sorted(often, key=lambda event: event[0]))):
         (tmp_path / str(i)).mkdir()
@@ -85,15 +116,22 @@ def test_commands_that_are_late_or_said_ten_times_a_second_mean_the_same(driven,
 
 def test_a_twist_like_no_action_is_dropped_and_counted(driven, tmp_path):
     events, lived = driven
-    strange = {3: {"v": 0.5, "omega": 0.0}, 7: {"v": 0.5, "omega": 0.0}, 20: {"v": 0.0, "omega": math.nan}}
+    strange = {
+        3: {"v": 0.5, "omega": 0.0},
+        7: {"v": 0.5, "omega": 0.0},
+        20: {"v": 0.0, "omega": math.nan},
+    }
     strange[30] = {**events[3 * 30 + 2][2], "aside": 0.3}
     events = [
-        (t, kind, strange.get(i // 3, said) if kind == "cmd_vel" else said) for i, (t, kind, said) in enumerate(events)
+        (t, kind, strange.get(i // 3, said) if kind == "cmd_vel" else said)
+        for i, (t, kind, said) in enumerate(events)
     ]
     recording = recorded(tmp_path, events)
     kept = np.setdiff1d(np.arange(150), list(strange))
     for name in ("s", "a", "r", "s_next"):
-        np.testing.assert_array_equal(getattr(recording, name), getattr(lived, name)[kept])
+        np.testing.assert_array_equal(
+            getattr(recording, name), getattr(lived, name)[kept]
+        )
     assert np.flatnonzero(recording.truncated).tolist() == [2, 5, 17, 26]
     report = recording.report
     assert (report.dropped, report.stretches, report.unexplained[0.5, 0.0]) == (4, 5, 2)
@@ -101,28 +139,38 @@ def test_a_twist_like_no_action_is_dropped_and_counted(driven, tmp_path):
 
 
 @pytest.mark.parametrize("wrong", [0.05, -0.05])
-def test_the_tolerance_says_how_far_a_twist_may_be_from_an_action(driven, tmp_path, wrong):
+def test_the_tolerance_says_how_far_a_twist_may_be_from_an_action(
+    driven, tmp_path, wrong
+):
     events, lived = driven
     off = wrong * max(said["v"] for _, kind, said in events if kind == "cmd_vel")
-    events = [(t, kind, {**said, "v": said["v"] + off} if kind == "cmd_vel" else said) for t, kind, said in events]
+    events = [
+        (t, kind, {**said, "v": said["v"] + off} if kind == "cmd_vel" else said)
+        for t, kind, said in events
+    ]
     path = write_bag(tmp_path, "ros1", events)
     assert_same(rl.recording_from_bag(path, TASK, tolerance=0.06), lived)
-    with pytest.raises(ValueError, match="holds no step of giraff_wander_simple: 150 Twists that no action explains"):
+    with pytest.raises(
+        ValueError,
+        match="holds no step of giraff_wander_simple: 150 Twists that no action explains",
+    ):
         rl.recording_from_bag(path, TASK, tolerance=0.04)
 
 
 def test_messages_that_stay_out_make_gaps_and_no_steps(driven, tmp_path):
     events, lived = driven
     gone = {"odom": range(10, 15), "cmd_vel": range(40, 50), "scan": range(80, 83)}
-    events = [event for i, event in enumerate(events) if i // 3 not in gone.get(event[1], ())]
+    events = [
+        event for i, event in enumerate(events) if i // 3 not in gone.get(event[1], ())
+    ]
     recording = recorded(tmp_path, events)
     report = recording.report
     assert report.stretches == 4 and report.silences == 1
     assert report.steps + report.stale + report.cut_short + 9 == 150
     # a step that was kept was lived through, but for readings one message older at the edge of a gap
-    assert set(zip(recording.a, recording.s_next, strict=True)) <= set(zip(lived.a, lived.s_next, strict=True)) | set(
-        zip(lived.a, lived.s, strict=True)
-    )
+    assert set(zip(recording.a, recording.s_next, strict=True)) <= set(
+        zip(lived.a, lived.s_next, strict=True)
+    ) | set(zip(lived.a, lived.s, strict=True))
     assert recorded_more(tmp_path, max_age=30.0) > report.steps
 
 
@@ -134,7 +182,9 @@ def test_a_command_in_the_middle_of_a_step_cuts_it_short(driven, tmp_path):
     events, _ = driven
     halves = {"v": 0.0, "omega": 0.0}, {"v": 0.0375, "omega": 0.0}
     start = [event for event in events[:60] if event[1] != "cmd_vel"]
-    told = [(start[0][0] + i * SECOND // 2, "cmd_vel", halves[i % 2]) for i in range(10)]
+    told = [
+        (start[0][0] + i * SECOND // 2, "cmd_vel", halves[i % 2]) for i in range(10)
+    ]
     told += [(start[0][0] + 5 * SECOND, "cmd_vel", halves[0])]
     recording = recorded(tmp_path, sorted(start + told, key=lambda event: event[0]))
     assert recording.report.cut_short >= 10 and len(recording) >= 1
@@ -147,8 +197,14 @@ def test_a_message_that_says_nothing_is_counted(driven, tmp_path):
     events[30] = (events[30][0], "odom", {"x": math.nan, "y": 0.0, "theta": 0.0})
     recording = recorded(tmp_path, events)
     report = recording.report
-    assert (report.unreadable, report.unknown, len(recording)) == (1, 2, 148)  # of the steps before and after it
-    assert "unreadable messages of /odom" in str(report) and "the pose (nan, 0.0, 0.0) is no place" in str(report)
+    assert (report.unreadable, report.unknown, len(recording)) == (
+        1,
+        2,
+        148,
+    )  # of the steps before and after it
+    assert "unreadable messages of /odom" in str(
+        report
+    ) and "the pose (nan, 0.0, 0.0) is no place" in str(report)
 
 
 @pytest.fixture(scope="module")
@@ -159,7 +215,9 @@ def seen():
 
 
 def rows(recording):
-    return list(zip(recording.s, recording.a, recording.r, recording.s_next, strict=True))
+    return list(
+        zip(recording.s, recording.a, recording.r, recording.s_next, strict=True)
+    )
 
 
 def is_in_order(some, all_of_them) -> bool:
@@ -187,21 +245,35 @@ def test_whatever_part_of_the_messages_is_spoilt_no_row_changes_and_all_that_is_
 ):
     whole = recorded(tmp_path_factory.mktemp("whole"), seen)
     spoilt = list(seen)
-    for i in data.draw(st.lists(st.integers(0, len(seen) - 1), min_size=1, max_size=120, unique=True)):
+    for i in data.draw(
+        st.lists(st.integers(0, len(seen) - 1), min_size=1, max_size=120, unique=True)
+    ):
         time, kind, said = seen[i]
         spoilt[i] = (time, kind, said | data.draw(st.sampled_from(SPOILT[kind])))
     try:
         recording = recorded(tmp_path_factory.mktemp("spoilt"), spoilt)
     except ValueError as error:
-        assert re.search("holds no step|no readable message|never measures anything", str(error))
+        assert re.search(
+            "holds no step|no readable message|never measures anything", str(error)
+        )
         return
     assert is_in_order(rows(recording), rows(whole))
     report = recording.report
-    assert report.steps + report.unknown + report.jumps + report.stale + report.cut_short + report.dropped >= 60
+    assert (
+        report.steps
+        + report.unknown
+        + report.jumps
+        + report.stale
+        + report.cut_short
+        + report.dropped
+        >= 60
+    )
 
 
 @pytest.mark.parametrize("nothing", [0.0, math.nan, 99.0])
-def test_lost_rays_between_good_ones_leave_the_rows_as_they_are_or_drop_them(seen, tmp_path, nothing):
+def test_lost_rays_between_good_ones_leave_the_rows_as_they_are_or_drop_them(
+    seen, tmp_path, nothing
+):
     whole, rng = recorded(tmp_path, seen), np.random.default_rng(0)
     lossy = [
         (t, kind, said | {"ranges": np.where(rng.random(360) < 0.25, nothing, said["ranges"]).astype(np.float32)})
@@ -213,36 +285,65 @@ def test_lost_rays_between_good_ones_leave_the_rows_as_they_are_or_drop_them(see
     report = recording.report
     assert is_in_order(rows(recording), rows(whole))
     assert len(recording) + report.unknown == 60 and len(recording) > 40
-    assert 0.2 < report.lost / report.rays < 0.3 and "rays that measured nothing" in str(report)
+    assert (
+        0.2 < report.lost / report.rays < 0.3
+        and "rays that measured nothing" in str(report)
+    )
 
 
 def test_one_short_scan_costs_its_two_steps_and_not_the_bag(seen, tmp_path):
     whole = recorded(tmp_path, seen)
     short = [
-        (t, kind, said | {"ranges": said["ranges"][:5]} if (i, kind) == (91, "scan") else said)
+        (
+            t,
+            kind,
+            said | {"ranges": said["ranges"][:5]}
+            if (i, kind) == (91, "scan")
+            else said,
+        )
         for i, (t, kind, said) in enumerate(seen)
     ]
     (tmp_path / "short").mkdir()
     recording = recorded(tmp_path / "short", short)
-    assert (len(recording), recording.report.partial, recording.report.unknown) == (58, 1, 2)
+    assert (len(recording), recording.report.partial, recording.report.unknown) == (
+        58,
+        1,
+        2,
+    )
     assert rows(recording) == rows(whole)[:29] + rows(whole)[31:]
 
 
-def test_a_message_whose_bytes_are_damaged_is_counted_and_the_others_are_read(driven, tmp_path):
+def test_a_message_whose_bytes_are_damaged_is_counted_and_the_others_are_read(
+    driven, tmp_path
+):
     path = write_bag(tmp_path, "sqlite3", driven[0])
     with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
-        numbers = [number for (number,) in base.execute("SELECT id FROM messages ORDER BY timestamp, id")]
+        numbers = [
+            number
+            for (number,) in base.execute(
+                "SELECT id FROM messages ORDER BY timestamp, id"
+            )
+        ]
         base.executemany(
-            "UPDATE messages SET data = substr(data, 1, 20) WHERE id = ?", [(numbers[i],) for i in (30, 61)]
+            "UPDATE messages SET data = substr(data, 1, 20) WHERE id = ?",
+            [(numbers[i],) for i in (30, 61)],
         )
         base.commit()
     report = rl.recording_from_bag(path, TASK).report
-    assert report.unreadable == 2 and report.steps == 150 - report.unknown and report.unknown in (3, 4)
+    assert (
+        report.unreadable == 2
+        and report.steps == 150 - report.unknown
+        and report.unknown in (3, 4)
+    )
 
 
 def test_a_bag_of_which_nothing_is_left_says_how_much_was_lost(driven, tmp_path):
     dead = [
-        (t, kind, {**said, "ranges": np.zeros(8, np.float32)} if kind == "scan" else said)
+        (
+            t,
+            kind,
+            {**said, "ranges": np.zeros(8, np.float32)} if kind == "scan" else said,
+        )
         for t, kind, said in driven[0]
     ]
     with pytest.raises(
@@ -250,12 +351,19 @@ def test_a_bag_of_which_nothing_is_left_says_how_much_was_lost(driven, tmp_path)
         match=r"needs laser_front_left, laser_front_right, where .* anything \(1208 of all its 1208 rays\); say",
     ):
         recorded(tmp_path, dead)
-    lost = [(t, kind, {**said, "x": math.nan} if kind == "odom" else said) for t, kind, said in driven[0]]
+    lost = [
+        (t, kind, {**said, "x": math.nan} if kind == "odom" else said)
+        for t, kind, said in driven[0]
+    ]
     (tmp_path / "lost").mkdir()
-    with pytest.raises(ValueError, match=r"no readable message of /odom among 151: the pose \(nan, "):
+    with pytest.raises(
+        ValueError, match=r"no readable message of /odom among 151: the pose \(nan, "
+    ):
         recorded(tmp_path / "lost", lost)
     far = rl.recording_from_bag(tmp_path / "mcap", TASK, mounting=(0, 0, 0, False, 0.0))
-    assert len(far) == 150 and len(set(far.s)) == 1  # told that 0 means far, it is free all round
+    assert (
+        len(far) == 150 and len(set(far.s)) == 1
+    )  # told that 0 means far, it is free all round
 
 
 def test_a_place_that_the_robot_cannot_have_reached_makes_no_reward(driven, tmp_path):
@@ -278,29 +386,50 @@ def test_actions_with_the_same_motion_become_the_plainest():
 
 def test_a_scanner_that_does_not_see_what_the_task_needs_is_named(driven, tmp_path):
     events, _ = driven
-    ahead = [(t, kind, {**said, "ranges": said["ranges"][:3]} if kind == "scan" else said) for t, kind, said in events]
-    with pytest.raises(ValueError, match=r"mcap: giraff_wander_simple needs laser_front_right, where the scanner does"):
+    ahead = [
+        (t, kind, {**said, "ranges": said["ranges"][:3]} if kind == "scan" else said)
+        for t, kind, said in events
+    ]
+    with pytest.raises(
+        ValueError,
+        match=r"mcap: giraff_wander_simple needs laser_front_right, where the scanner does",
+    ):
         recorded(tmp_path, ahead)
-    turned = rl.recording_from_bag(tmp_path / "mcap", TASK, mounting=(0.0, 0.0, -math.pi / 4, False))
+    turned = rl.recording_from_bag(
+        tmp_path / "mcap", TASK, mounting=(0.0, 0.0, -math.pi / 4, False)
+    )
     assert len(turned) == 150 and "laser_rear" in turned.report.missing
 
 
 def test_a_missing_or_foreign_topic_is_named_with_those_there_are(driven, tmp_path):
-    path = write_bag(tmp_path, "ros1", driven[0], {"odom": "/odom", "scan": "/base/scan"})
+    path = write_bag(
+        tmp_path, "ros1", driven[0], {"odom": "/odom", "scan": "/base/scan"}
+    )
     with pytest.raises(
-        ValueError, match=r"'laser_scan' is not in .* give scan='/base/scan'\? The topics are: /base/sc"
+        ValueError,
+        match=r"'laser_scan' is not in .* give scan='/base/scan'\? The topics are: /base/sc",
     ):
         rl.recording_from_bag(path, TASK)
-    with pytest.raises(ValueError, match=r"'cmd_vel' is not in this bag, expected geometry_msgs/msg/Twist or "):
+    with pytest.raises(
+        ValueError,
+        match=r"'cmd_vel' is not in this bag, expected geometry_msgs/msg/Twist or ",
+    ):
         rl.recording_from_bag(path, TASK, scan="base/scan")
-    with pytest.raises(ValueError, match=r"topic 'odom' is of type nav_msgs/msg/Odometry, expected sensor_msgs"):
+    with pytest.raises(
+        ValueError,
+        match=r"topic 'odom' is of type nav_msgs/msg/Odometry, expected sensor_msgs",
+    ):
         rl.recording_from_bag(path, TASK, scan="odom")
 
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_a_damaged_bag_is_refused_in_one_sentence(driven, tmp_path, form):
     path = write_bag(tmp_path, form, driven[0][:90])
-    whole = path if path.is_file() else next(file for file in path.iterdir() if file.suffix != ".yaml")
+    whole = (
+        path
+        if path.is_file()
+        else next(file for file in path.iterdir() if file.suffix != ".yaml")
+    )
     data = whole.read_bytes()
     rng = np.random.default_rng(0)
     for i in range(12):
@@ -336,7 +465,9 @@ def test_options_that_cannot_be_are_refused(driven, tmp_path, option):
 
 
 def test_a_task_without_wheels_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="cmd_vel commands wheels alone, and arm_1k the robot 'arm'"):
+    with pytest.raises(
+        ValueError, match="cmd_vel commands wheels alone, and arm_1k the robot 'arm'"
+    ):
         rl.recording_from_bag(tmp_path, "arm_1k")
 
 
@@ -347,13 +478,17 @@ def test_without_rosbags_one_sentence_says_what_to_install(monkeypatch, tmp_path
 
 
 @pytest.mark.parametrize("form", FORMATS)
-def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times(driven, tmp_path, form):
+def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times(
+    driven, tmp_path, form
+):
     events, lived = driven
     shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
     assert_same(rl.recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
 
 
-def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(driven, tmp_path):
+def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(
+    driven, tmp_path
+):
     path = write_bag(tmp_path, "sqlite3", driven[0])
     with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
         base.execute("DELETE FROM message_definitions")
@@ -362,16 +497,26 @@ def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(driven
 
 
 def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
-    ahead = [(t, k, {**said, "ranges": said["ranges"][:3]} if k == "scan" else said) for t, k, said in driven[0]]
+    ahead = [
+        (t, k, {**said, "ranges": said["ranges"][:3]} if k == "scan" else said)
+        for t, k, said in driven[0]
+    ]
     path = write_bag(tmp_path, "mcap", ahead)
     task = replace(rl.load_task(TASK), reward=lambda before, after: after["laser_rear"])
-    with pytest.raises(ValueError, match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, "):
+    with pytest.raises(
+        ValueError,
+        match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, ",
+    ):
         rl.recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
 
 
 def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
     events, lived = driven
-    task = replace(lived.task, goal=lambda readings: readings["laser_front_left"] < 0.25, goal_steps=2)
+    task = replace(
+        lived.task,
+        goal=lambda readings: readings["laser_front_left"] < 0.25,
+        goal_steps=2,
+    )
     recording = recorded(tmp_path, events, task)
     near = np.array([lived.source.states.bins(s)[0] == 0 for s in lived.s_next])
     ends, in_a_row = [], 0
@@ -380,5 +525,7 @@ def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
         ends.append(in_a_row >= 2)
         in_a_row *= not ends[-1]
     assert recording.terminated.tolist() == ends and sum(ends) > 3
-    cut = rl.recording_from_bag(tmp_path / "mcap", replace(lived.task, episode_steps=40))
+    cut = rl.recording_from_bag(
+        tmp_path / "mcap", replace(lived.task, episode_steps=40)
+    )
     assert np.flatnonzero(cut.truncated).tolist() == [39, 79, 119]

@@ -12,7 +12,12 @@ from rlrobot_edu.task.robot_cards import LASERS
 
 TASK = rl.load_task("giraff_wander_simple")
 MOTIONS = Motions(TASK, 0.1)
-TWISTS = [(0.0, 0.0, 0.0), (0.0375, 0.0, 0.0), (0.0, 0.0, 0.163), (0.3, 0.0, 0.0)]  # the last is no action
+TWISTS = [
+    (0.0, 0.0, 0.0),
+    (0.0375, 0.0, 0.0),
+    (0.0, 0.0, 0.163),
+    (0.3, 0.0, 0.0),
+]  # the last is no action
 pauses = st.integers(0, 2 * SECOND)
 TOLD = st.lists(st.tuples(pauses, st.sampled_from(TWISTS)), min_size=1, max_size=30)
 SEEN = st.lists(st.tuples(pauses, st.floats(0.1, 5.0)), min_size=1, max_size=30)
@@ -35,24 +40,36 @@ def received(told, poses, scans) -> Drive:
 
 @settings(max_examples=150, deadline=None)
 @given(TOLD, SEEN, SEEN)
-def test_steps_last_as_long_as_the_tasks_do_not_overlap_and_are_filled_by_their_action(told, poses, scans):
+def test_steps_last_as_long_as_the_tasks_do_not_overlap_and_are_filled_by_their_action(
+    told, poses, scans
+):
     drive = received(told, poses, scans)
-    actions = [MOTIONS.action(v, omega, aside) for v, aside, omega in drive.twists.values]
+    actions = [
+        MOTIONS.action(v, omega, aside) for v, aside, omega in drive.twists.values
+    ]
     age, counts, before = round(1.5 * SECOND), Counter(), -1
     for begin, end, a in _spans(TASK, _holds(drive, actions, age, counts), counts):
         assert 0.9 * SECOND <= end - begin <= 1.1 * SECOND and begin >= before
         before = end
-        in_force = [b for time, b in zip(drive.twists.times, actions, strict=True) if begin < time < end]
+        in_force = [
+            b
+            for time, b in zip(drive.twists.times, actions, strict=True)
+            if begin < time < end
+        ]
         latest = max(i for i, time in enumerate(drive.twists.times) if time <= begin)
         assert set(in_force) <= {a} and actions[latest] == a
 
 
 @settings(max_examples=150, deadline=None)
 @given(TOLD, SEEN, SEEN)
-def test_whenever_messages_come_there_are_steps_or_one_sentence_and_all_is_counted(told, poses, scans):
+def test_whenever_messages_come_there_are_steps_or_one_sentence_and_all_is_counted(
+    told, poses, scans
+):
     drive = received(told, poses, scans)
     try:
-        transitions, report = transitions_of(TASK, drive, MOTIONS, None, ("odom", "scan", "cmd_vel"))
+        transitions, report = transitions_of(
+            TASK, drive, MOTIONS, None, ("odom", "scan", "cmd_vel")
+        )
     except ValueError as error:
         assert "holds no step" in str(error)
         return

@@ -32,12 +32,18 @@ from rlrobot_edu.task.robot_cards import LASERS
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
 
-def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(env, robot, monkeypatch):
+def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(
+    env, robot, monkeypatch
+):
     env.reset()
     rest, rests = time.sleep, []
     begin = time.monotonic()
     with monkeypatch.context() as watched:
-        watched.setattr(steering.time, "sleep", lambda seconds: rest(seconds) or rests.append(seconds))
+        watched.setattr(
+            steering.time,
+            "sleep",
+            lambda seconds: rest(seconds) or rests.append(seconds),
+        )
         env.step(AHEAD)
     assert time.monotonic() - begin >= 0.999
     assert set(robot.motions()) == {(V, 0.0)} and len(rests) == len(robot.told)
@@ -109,20 +115,26 @@ def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
 def test_nothing_moves_before_a_person_has_said_yes(robot, monkeypatch):
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
     asked = []
-    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "no")
+    monkeypatch.setattr(
+        builtins, "input", lambda question: asked.append(question) or "no"
+    )
     env.reset()
     with pytest.raises(PermissionError, match="the answer was 'no'"):
         env.step(AHEAD)
     assert not robot.told and "emergency stop" in asked[0]
     env.step(0)  # to stand still needs no leave
-    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "yes")
+    monkeypatch.setattr(
+        builtins, "input", lambda question: asked.append(question) or "yes"
+    )
     env.step(AHEAD)
     env.step(AHEAD)
     assert len(asked) == 2 and (V, 0.0) in robot.motions()
     env.close()
 
 
-def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(robot, monkeypatch):
+def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(
+    robot, monkeypatch
+):
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
 
     def no_keyboard(question):
@@ -139,7 +151,9 @@ def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(r
 def test_a_new_connection_asks_again(robot, monkeypatch):
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
     asked = []
-    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "yes")
+    monkeypatch.setattr(
+        builtins, "input", lambda question: asked.append(question) or "yes"
+    )
     for n in (1, 2):
         env.reset()
         env.step(LEFT)
@@ -161,7 +175,9 @@ def test_a_dry_run_says_nothing_at_all_and_counts_what_it_would_have_said(robot)
 
 
 @pytest.mark.parametrize("what", ["odometry and scan", "odometry", "scan"])
-def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes_on(env, robot, what, monkeypatch):
+def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes_on(
+    env, robot, what, monkeypatch
+):
     monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     env.step(LEFT)
@@ -171,12 +187,18 @@ def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes
     if what == "odometry and scan":
         robot.is_silent = True
     else:
-        monkeypatch.setattr(robot, "pose" if what == "odometry" else "scan", lambda stamp: None)
+        monkeypatch.setattr(
+            robot, "pose" if what == "odometry" else "scan", lambda stamp: None
+        )
     silent_since = time.monotonic()
     thread = threading.Thread(target=env.step, args=[AHEAD])
     thread.start()
-    eventually(lambda: link.report.pauses > paused and robot.motions()[-1:] == [(0.0, 0.0)])
-    assert all(t - silent_since < 0.5 + 0.3 for t, v, _ in robot.told if v), "it was driven on into the dark"
+    eventually(
+        lambda: link.report.pauses > paused and robot.motions()[-1:] == [(0.0, 0.0)]
+    )
+    assert all(t - silent_since < 0.5 + 0.3 for t, v, _ in robot.told if v), (
+        "it was driven on into the dark"
+    )
     time.sleep(0.3)
     assert robot.motions()[-1] == (0.0, 0.0) and thread.is_alive()
     if what == "odometry and scan":
@@ -187,7 +209,9 @@ def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes
     assert not thread.is_alive() and (V, 0.0) in robot.motions()
 
 
-def test_late_messages_count_as_old_though_the_clocks_do_not_agree(env, robot, monkeypatch):
+def test_late_messages_count_as_old_though_the_clocks_do_not_agree(
+    env, robot, monkeypatch
+):
     monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     env.step(LEFT)
@@ -201,12 +225,17 @@ def test_late_messages_count_as_old_though_the_clocks_do_not_agree(env, robot, m
     assert not thread.is_alive() and env.unwrapped.robot.report.pauses
 
 
-def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(env, robot, monkeypatch):
+def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(
+    env, robot, monkeypatch
+):
     env.reset()
     robot.is_silent = True
     monkeypatch.setattr(steering, "PATIENCE", 0.3)
     monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
-    with pytest.raises(TimeoutError, match=r"'odom' is \d+\.\d s old; the last message of 'laser_scan' is"):
+    with pytest.raises(
+        TimeoutError,
+        match=r"'odom' is \d+\.\d s old; the last message of 'laser_scan' is",
+    ):
         env.step(AHEAD)
     assert robot.motions()[-1] == (0.0, 0.0)
 
@@ -216,7 +245,10 @@ def test_a_scan_that_shows_nothing_at_all_lets_nothing_move(env, robot, monkeypa
     for rays in (NOTHING, [0.0] * 8, [math.nan] * 8):
         robot.show(rays)
         robot.told.clear()
-        with monkeypatch.context() as hasty, pytest.raises(TimeoutError, match="is the scanner on, uncovered"):
+        with (
+            monkeypatch.context() as hasty,
+            pytest.raises(TimeoutError, match="is the scanner on, uncovered"),
+        ):
             hasty.setattr(steering, "PATIENCE", 0.5)
             env.step(AHEAD)
         assert set(robot.motions()) <= {(0.0, 0.0)}
@@ -243,15 +275,22 @@ def test_what_is_behind_or_far_ahead_holds_nothing_back(env, robot):
     assert set(robot.motions()) == {(V, 0.0)}
 
 
-def test_a_task_that_wants_more_than_the_limits_is_refused_before_anything_is_sent(robot):
-    with pytest.raises(ValueError, match=r"giraff_wander_simple\.py: action 3 drives at 0\.0375 m/s .* max_speed="):
+def test_a_task_that_wants_more_than_the_limits_is_refused_before_anything_is_sent(
+    robot,
+):
+    with pytest.raises(
+        ValueError,
+        match=r"giraff_wander_simple\.py: action 3 drives at 0\.0375 m/s .* max_speed=",
+    ):
         rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_speed=0.03))
     with pytest.raises(ValueError, match="action 1 drives at"):
         rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_turn=0.1))
     assert not robot.topics
 
 
-@given(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6), st.floats(0.01, 10), st.floats(0.01, 10))
+@given(
+    st.floats(-1e6, 1e6), st.floats(-1e6, 1e6), st.floats(0.01, 10), st.floats(0.01, 10)
+)
 def test_no_motion_exceeds_a_limit_and_its_curve_stays(v, omega, max_speed, max_turn):
     slow, turn = within(v, omega, max_speed, max_turn)
     assert abs(slow) <= max_speed * (1 + 1e-12) and abs(turn) <= max_turn * (1 + 1e-12)
@@ -267,7 +306,9 @@ def test_a_command_above_the_limits_is_slowed_down_on_its_curve(robot):
     link.act({"left_wheel": 2.0, "right_wheel": 1.0})  # 0.1125 m/s
     env.close()
     v, omega = robot.motions()[0]
-    assert v == pytest.approx(0.05) and omega == pytest.approx(-0.075 / 0.46 * 0.05 / 0.1125)
+    assert v == pytest.approx(0.05) and omega == pytest.approx(
+        -0.075 / 0.46 * 0.05 / 0.1125
+    )
 
 
 @pytest.mark.parametrize("bad", [0, -1, math.nan, math.inf, "1", None])
@@ -281,16 +322,28 @@ def test_room_ahead_is_the_distance_of_the_nearest_thing_from_the_circle_around_
     rays = scan([2.0, 0.9, 0.3, 0.3, 0.3, 0.3, 0.3, 1.1])
     assert room_ahead(rays, GIRAFF, Mounting()) == pytest.approx(0.9 - 0.23)
     assert room_ahead(rays, GIRAFF, Mounting(yaw=math.pi)) == pytest.approx(0.3 - 0.23)
-    assert room_ahead(rays, GIRAFF, Mounting(yaw=-math.pi / 4)) == pytest.approx(0.3 - 0.23)
-    assert room_ahead(scan([1.0, 1.0, 1.0], -0.1, 0.1), PIONEER, Mounting(x=0.1)) == pytest.approx(
-        math.hypot(0.145 + math.cos(0.1), math.sin(0.1)) - 0.265
+    assert room_ahead(rays, GIRAFF, Mounting(yaw=-math.pi / 4)) == pytest.approx(
+        0.3 - 0.23
     )
-    assert room_ahead(scan([math.inf, 1.0], 0.0, math.pi), GIRAFF, Mounting()) == math.inf
-    assert math.isnan(room_ahead(scan([1.0, 1.0], 2.0, 0.1), GIRAFF, Mounting()))  # it looks elsewhere
-    assert room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0  # too near to be measured
+    assert room_ahead(
+        scan([1.0, 1.0, 1.0], -0.1, 0.1), PIONEER, Mounting(x=0.1)
+    ) == pytest.approx(math.hypot(0.145 + math.cos(0.1), math.sin(0.1)) - 0.265)
+    assert (
+        room_ahead(scan([math.inf, 1.0], 0.0, math.pi), GIRAFF, Mounting()) == math.inf
+    )
+    assert math.isnan(
+        room_ahead(scan([1.0, 1.0], 2.0, 0.1), GIRAFF, Mounting())
+    )  # it looks elsewhere
+    assert (
+        room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0
+    )  # too near to be measured
     assert room_ahead(scan([0.04, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0
-    assert room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting(x=-0.04)) < 0  # behind the middle, too
-    assert math.isnan(room_ahead(scan([1.0] * 320, 0.35, math.radians(1)), GIRAFF, Mounting()))  # not straight ahead
+    assert (
+        room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting(x=-0.04)) < 0
+    )  # behind the middle, too
+    assert math.isnan(
+        room_ahead(scan([1.0] * 320, 0.35, math.radians(1)), GIRAFF, Mounting())
+    )  # not straight ahead
 
 
 def whole_turn(ranges) -> object:
@@ -301,8 +354,18 @@ LOST = [math.nan, 0.0, 99.0]
 
 
 @pytest.mark.parametrize("lost", LOST)
-@pytest.mark.parametrize("side", [lambda i: i < 180, lambda i: i >= 180, lambda i: not 100 < i < 260, lambda i: i < 8])
-def test_where_a_part_of_the_scanner_ahead_is_dead_nothing_is_known_to_be_free(lost, side):
+@pytest.mark.parametrize(
+    "side",
+    [
+        lambda i: i < 180,
+        lambda i: i >= 180,
+        lambda i: not 100 < i < 260,
+        lambda i: i < 8,
+    ],
+)
+def test_where_a_part_of_the_scanner_ahead_is_dead_nothing_is_known_to_be_free(
+    lost, side
+):
     ranges = [lost if side(i) else 2.0 for i in range(360)]
     assert math.isnan(room_ahead(whole_turn(ranges), GIRAFF, Mounting()))
     behind = whole_turn([2.0] * 100 + [lost] * 160 + [2.0] * 100)
@@ -310,27 +373,48 @@ def test_where_a_part_of_the_scanner_ahead_is_dead_nothing_is_known_to_be_free(l
 
 
 @pytest.mark.parametrize("lost", LOST)
-def test_more_than_half_of_the_rays_ahead_must_say_something_however_narrow_the_gaps(lost):
+def test_more_than_half_of_the_rays_ahead_must_say_something_however_narrow_the_gaps(
+    lost,
+):
     for period, is_known in ((2, True), (3, False)):
         ranges = [2.0 if i % period == 0 else lost for i in range(720)]
-        assert math.isnan(room_ahead(whole_turn(ranges), GIRAFF, Mounting())) is not is_known
+        assert (
+            math.isnan(room_ahead(whole_turn(ranges), GIRAFF, Mounting()))
+            is not is_known
+        )
 
 
-@pytest.mark.parametrize(("lost", "far"), [(0.0, 0.0), (math.nan, math.nan), (99.0, 11.0)])
-def test_a_scanner_that_says_otherwise_than_others_that_nothing_is_in_range_is_told_so(lost, far):
+@pytest.mark.parametrize(
+    ("lost", "far"), [(0.0, 0.0), (math.nan, math.nan), (99.0, 11.0)]
+)
+def test_a_scanner_that_says_otherwise_than_others_that_nothing_is_in_range_is_told_so(
+    lost, far
+):
     ranges = [lost] * 90 + [2.0] * 180 + [lost] * 90
     assert room_ahead(whole_turn(ranges), GIRAFF, Mounting(far=far)) == math.inf
-    assert math.isnan(room_ahead(whole_turn([lost] * 360), GIRAFF, Mounting(far=far)))  # it may be covered, even so
-    ranges = [lost if i % 2 else 0.5 for i in range(360)]  # rays that are lost between good ones are not far
-    assert room_ahead(whole_turn(ranges), GIRAFF, Mounting(far=far)) == pytest.approx(0.5 - 0.23)
+    assert math.isnan(
+        room_ahead(whole_turn([lost] * 360), GIRAFF, Mounting(far=far))
+    )  # it may be covered, even so
+    ranges = [
+        lost if i % 2 else 0.5 for i in range(360)
+    ]  # rays that are lost between good ones are not far
+    assert room_ahead(whole_turn(ranges), GIRAFF, Mounting(far=far)) == pytest.approx(
+        0.5 - 0.23
+    )
 
 
 distances = st.sampled_from([0.1, 0.3, 0.45, 0.9, 3.0, math.inf])
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.lists(distances, min_size=360, max_size=360), st.sets(st.integers(0, 359)), st.sets(st.integers(0, 359)))
-def test_a_ray_that_gets_lost_makes_nothing_known_and_hides_nothing_wider_than_the_gaps(ranges, lost, also):
+@given(
+    st.lists(distances, min_size=360, max_size=360),
+    st.sets(st.integers(0, 359)),
+    st.sets(st.integers(0, 359)),
+)
+def test_a_ray_that_gets_lost_makes_nothing_known_and_hides_nothing_wider_than_the_gaps(
+    ranges, lost, also
+):
     def room(without) -> float:
         said = [math.nan if i in without else r for i, r in enumerate(ranges)]
         return room_ahead(whole_turn(said), GIRAFF, Mounting())
@@ -338,7 +422,9 @@ def test_a_ray_that_gets_lost_makes_nothing_known_and_hides_nothing_wider_than_t
     before, after = room(lost), room(lost | also)
     if math.isnan(before):
         assert math.isnan(after)  # what stopped the robot goes on stopping it
-    gap = math.ceil(GAP / math.radians(1)) + 1  # so many rays in a row: one of them at least must be known
+    gap = (
+        math.ceil(GAP / math.radians(1)) + 1
+    )  # so many rays in a row: one of them at least must be known
     ahead = [ranges[i % 360] for i in range(-60, 61)]
     nearest = min(max(ahead[i : i + gap]) for i in range(122 - gap))
     for seen in (before, after):
@@ -346,25 +432,38 @@ def test_a_ray_that_gets_lost_makes_nothing_known_and_hides_nothing_wider_than_t
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.lists(distances, min_size=8, max_size=40), st.floats(-math.pi, math.pi), st.data())
-def test_a_lost_ray_that_did_not_look_at_the_nearest_thing_changes_at_most_that_all_is_unknown(ranges, yaw, data):
+@given(
+    st.lists(distances, min_size=8, max_size=40),
+    st.floats(-math.pi, math.pi),
+    st.data(),
+)
+def test_a_lost_ray_that_did_not_look_at_the_nearest_thing_changes_at_most_that_all_is_unknown(
+    ranges, yaw, data
+):
     before = room_ahead(whole_turn(ranges), GIRAFF, Mounting(yaw=yaw))
     i = data.draw(st.integers(0, len(ranges) - 1))
-    after = room_ahead(whole_turn([*ranges[:i], math.nan, *ranges[i + 1 :]]), GIRAFF, Mounting(yaw=yaw))
+    after = room_ahead(
+        whole_turn([*ranges[:i], math.nan, *ranges[i + 1 :]]), GIRAFF, Mounting(yaw=yaw)
+    )
     assert math.isnan(after) or not math.isnan(before)
     if ranges[i] > min(ranges[i - 1], ranges[(i + 1) % len(ranges)]):
-        assert math.isnan(after) or after <= before  # a nearer neighbour stands in for it
+        assert (
+            math.isnan(after) or after <= before
+        )  # a nearer neighbour stands in for it
 
 
 @pytest.mark.parametrize("dead", [math.nan, 0.0, 99.0])
-def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(env, robot, monkeypatch, dead):
+def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(
+    env, robot, monkeypatch, dead
+):
     robot.rays = [2.0] * 360
     env.reset()
     robot.show([dead if math.cos(math.radians(i)) > -0.2 else 2.0 for i in range(360)])
     robot.told.clear()
     monkeypatch.setattr(steering, "PATIENCE", 0.5)
     with pytest.raises(
-        TimeoutError, match=r"121 of the 121 rays ahead say nothing \(0, NaN, or above range_max\), 121 of"
+        TimeoutError,
+        match=r"121 of the 121 rays ahead say nothing \(0, NaN, or above range_max\), 121 of",
     ):
         env.step(AHEAD)
     assert set(robot.motions()) <= {(0.0, 0.0)}
@@ -373,14 +472,24 @@ def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(env, rob
 
 
 def test_a_served_robot_with_half_a_dead_scanner_is_not_driven(monkeypatch):
-    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    pytest.importorskip(
+        "websockets",
+        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
+    )
     body = ServedBody("giraff_wander_simple")
     look, dead = body.look, threading.Event()
     monkeypatch.setattr(
-        body, "look", lambda: [math.nan if dead.is_set() and not 90 < i < 270 else r for i, r in enumerate(look())]
+        body,
+        "look",
+        lambda: [
+            math.nan if dead.is_set() and not 90 < i < 270 else r
+            for i, r in enumerate(look())
+        ],
     )
     with rl.ServedRobot(body, port=0, simulated_time=True) as served:
-        link = rl.RobotLink("rosbridge", confirmed=True, simulated_time=True, **served.where)
+        link = rl.RobotLink(
+            "rosbridge", confirmed=True, simulated_time=True, **served.where
+        )
         env = rl.make_env("giraff_wander_simple", link=link)
         env.reset()
         env.step(AHEAD)
@@ -391,11 +500,15 @@ def test_a_served_robot_with_half_a_dead_scanner_is_not_driven(monkeypatch):
         for _ in range(3):
             with pytest.raises(TimeoutError, match="nothing is known of laser_front"):
                 env.step(AHEAD)
-        assert body.pose()[0] <= here + 0.004  # a tenth of a second, in which the first dead scan came
+        assert (
+            body.pose()[0] <= here + 0.004
+        )  # a tenth of a second, in which the first dead scan came
         env.close()
 
 
-def test_a_scan_that_shows_less_than_at_the_reset_is_not_used_but_for_what_is_near_ahead(env, robot):
+def test_a_scan_that_shows_less_than_at_the_reset_is_not_used_but_for_what_is_near_ahead(
+    env, robot
+):
     robot.rays = [2.0] * 360
     env.reset()
     link = env.unwrapped.robot
@@ -409,13 +522,20 @@ def test_a_scan_that_shows_less_than_at_the_reset_is_not_used_but_for_what_is_ne
 
     short([3.0] * 5)
     assert link.readings == before and link.report.unreadable == 1
-    assert "a scan of 5 rays in which nothing is known of laser_front_left" in link.report.complaint
+    assert (
+        "a scan of 5 rays in which nothing is known of laser_front_left"
+        in link.report.complaint
+    )
     assert link._line.senses.ahead == pytest.approx(2.0 - 0.23)
     short([0.3] * 5)
-    assert link.readings == before and link._line.senses.ahead == pytest.approx(0.3 - 0.23)
+    assert link.readings == before and link._line.senses.ahead == pytest.approx(
+        0.3 - 0.23
+    )
 
 
-def test_a_laser_that_a_reward_may_ask_for_stays_out_if_it_was_unknown_at_the_reset(env, robot):
+def test_a_laser_that_a_reward_may_ask_for_stays_out_if_it_was_unknown_at_the_reset(
+    env, robot
+):
     rays = [2.0] * 100 + [0.0] * 160 + [2.0] * 100  # the robot's own mast, behind it
     robot.rays = rays
     env.reset()
@@ -424,7 +544,9 @@ def test_a_laser_that_a_reward_may_ask_for_stays_out_if_it_was_unknown_at_the_re
     robot.show([1.0] * 360)
     assert "laser_rear" not in link.readings and link.report.unreadable == 0
     beams = link.scene().beams
-    assert (beams[LASERS.index("laser_rear")][0] == beams[LASERS.index("laser_rear")][1]).all()  # nothing free is drawn
+    assert (
+        beams[LASERS.index("laser_rear")][0] == beams[LASERS.index("laser_rear")][1]
+    ).all()  # nothing free is drawn
 
 
 def test_a_link_can_be_neither_copied_nor_sent_away():
@@ -440,7 +562,10 @@ def test_a_link_can_be_neither_copied_nor_sent_away():
 @pytest.mark.parametrize("end", ["SIGKILL", "SIGTERM", "SIGINT", "exit", "exception"])
 def test_however_the_process_ends_the_robot_is_stopped(end):
     """What counts is that it is told so: its own watchdog would stop it in the end, too."""
-    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    pytest.importorskip(
+        "websockets",
+        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
+    )
     if not hasattr(signal, end) and end.startswith("SIG"):
         pytest.skip(f"no {end} on this system")
     from rlrobot_edu.ros.live.rosbridge import Rosbridge
@@ -448,7 +573,9 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
     with rl.ServedRobot("wander_1k", port=0) as served:
         heard = []
         listener = Rosbridge(**served.where)
-        listener.hear("cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x))
+        listener.hear(
+            "cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x)
+        )
         last = {"exit": "import sys; sys.exit()", "exception": "1 / 0"}.get(end, "")
         program = f"""
             import rlrobot_edu as rl
@@ -481,20 +608,35 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
 
 def test_the_guardian_ends_with_the_link_and_leaves_nothing_behind():
     psutil = pytest.importorskip("psutil")
-    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    pytest.importorskip(
+        "websockets",
+        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
+    )
     before = {child.pid for child in psutil.Process().children(recursive=True)}
     with rl.ServedRobot("giraff_wander_simple", port=0) as served:
-        env = rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbridge", confirmed=True, **served.where))
+        env = rl.make_env(
+            "giraff_wander_simple",
+            link=rl.RobotLink("rosbridge", confirmed=True, **served.where),
+        )
         env.reset()
         env.step(RIGHT)
-        assert {child.pid for child in psutil.Process().children(recursive=True)} - before
+        assert {
+            child.pid for child in psutil.Process().children(recursive=True)
+        } - before
         env.close()
-        assert not {child.pid for child in psutil.Process().children(recursive=True)} - before
+        assert (
+            not {child.pid for child in psutil.Process().children(recursive=True)}
+            - before
+        )
 
 
-def test_when_the_connection_is_lost_the_guardian_stops_the_robot_over_its_own(env, robot, monkeypatch):
+def test_when_the_connection_is_lost_the_guardian_stops_the_robot_over_its_own(
+    env, robot, monkeypatch
+):
     ended = []
-    monkeypatch.setattr(fake_robot.FakeGuardian, "close", lambda guardian: ended.append(guardian))
+    monkeypatch.setattr(
+        fake_robot.FakeGuardian, "close", lambda guardian: ended.append(guardian)
+    )
     env.reset()
     env.step(LEFT)
     assert not ended
@@ -522,22 +664,38 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
     """As JupyterLab does it: Stop, and then a shutdown that does not ask."""
     manager = pytest.importorskip("jupyter_client.manager")
     pytest.importorskip("ipykernel")
-    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    pytest.importorskip(
+        "websockets",
+        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
+    )
     from rlrobot_edu.ros.live.rosbridge import Rosbridge
 
     with rl.ServedRobot("wander_1k", port=0) as served:
         heard = []
         listener = Rosbridge(**served.where)
-        listener.hear("cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x))
+        listener.hear(
+            "cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x)
+        )
         kernel, client = manager.start_new_kernel()
-        run = partial(client.execute_interactive, allow_stdin=False, output_hook=lambda message: None)
+        run = partial(
+            client.execute_interactive,
+            allow_stdin=False,
+            output_hook=lambda message: None,
+        )
         try:
             link = f"rl.RobotLink('rosbridge', **{served.where!r}"
-            run(f"import rlrobot_edu as rl; env = rl.make_env('wander_1k', link={link})); env.reset()")
+            run(
+                f"import rlrobot_edu as rl; env = rl.make_env('wander_1k', link={link})); env.reset()"
+            )
             reply = run("env.step(8)")
             assert reply["content"]["ename"] == "PermissionError" and not heard
-            run(f"env.close(); env = rl.make_env('wander_1k', link={link}, confirmed=True)); env.reset()")
-            for end in (kernel.interrupt_kernel, lambda: kernel.shutdown_kernel(now=True)):
+            run(
+                f"env.close(); env = rl.make_env('wander_1k', link={link}, confirmed=True)); env.reset()"
+            )
+            for end in (
+                kernel.interrupt_kernel,
+                lambda: kernel.shutdown_kernel(now=True),
+            ):
                 heard.clear()
                 # what waits while an interrupt ends a cell is not executed
                 eventually(lambda: run("1")["content"]["status"] == "ok")

@@ -25,7 +25,12 @@ from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.ros.live import steering
 from rlrobot_edu.ros.live.latest import Latest
 from rlrobot_edu.ros.live.senses import Senses
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry
+from rlrobot_edu.ros.messages import (
+    LASER_SCAN,
+    ODOMETRY,
+    make_laser_scan,
+    make_odometry,
+)
 from rlrobot_edu.ros.scan import Mounting
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
@@ -92,7 +97,16 @@ class Served:
     def start(self, *options):
         """Start the robot, again where it was before; returns its process."""
         port = ["--port", str(self._port)] if self._link == "rosbridge" else []
-        command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link", self._link, *port, *options]
+        command = [
+            sys.executable,
+            "-m",
+            "rlrobot_edu",
+            "serve-robot",
+            "--link",
+            self._link,
+            *port,
+            *options,
+        ]
         process = self._open(command)
         said = process.stdout.readline()
         assert "is on" in said, said + process.stdout.read()
@@ -104,12 +118,19 @@ class Served:
         """Start a script, whose arguments are the link and where it is; returns its process."""
         where = [f"ws://127.0.0.1:{self._port}"] if self._port else []
         return self._open(
-            [sys.executable, "-c", textwrap.dedent(program), self._link, *where], cwd=Path(__file__).parents[1]
+            [sys.executable, "-c", textwrap.dedent(program), self._link, *where],
+            cwd=Path(__file__).parents[1],
         )
 
     def _open(self, command, **how):
         pipe = subprocess.PIPE
-        how |= {"stdin": pipe, "stdout": pipe, "stderr": subprocess.STDOUT, "text": True, "env": self._env}
+        how |= {
+            "stdin": pipe,
+            "stdout": pipe,
+            "stderr": subprocess.STDOUT,
+            "text": True,
+            "env": self._env,
+        }
         self._processes.append(subprocess.Popen(command, **how))
         return self._processes[-1]
 
@@ -125,7 +146,9 @@ def served(request):
     domain, claim = claimed()
     env = os.environ | {"ROS_DOMAIN_ID": str(domain)}
     package, extra = NEEDS[request.param]
-    pytest.importorskip(package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'")
+    pytest.importorskip(
+        package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'"
+    )
     served = Served(request.param, env)
     yield served
     served.end()
@@ -165,15 +188,23 @@ def test_what_comes_twice_or_out_of_order_changes_nothing(env, robot, monkeypatc
     assert link.readings["x"] == 1.0 and link.report.not_new == 6
 
 
-def test_messages_that_are_lost_are_not_missed_while_others_come(env, robot, monkeypatch):
+def test_messages_that_are_lost_are_not_missed_while_others_come(
+    env, robot, monkeypatch
+):
     env.reset()
     whole, scans = robot.scan, iter(range(10**6))
-    monkeypatch.setattr(robot, "scan", lambda stamp: whole(stamp) if next(scans) % 4 == 0 else None)  # 5 a second
+    monkeypatch.setattr(
+        robot, "scan", lambda stamp: whole(stamp) if next(scans) % 4 == 0 else None
+    )  # 5 a second
     link = env.unwrapped.robot
     for _ in range(30):
         if link.report.unreadable <= 5:  # as a rule, 15 are lost in one step
             env.step(AHEAD)
-    assert link.report.unreadable > 5 and link.report.pauses == 0 and (V, 0.0) in robot.motions()
+    assert (
+        link.report.unreadable > 5
+        and link.report.pauses == 0
+        and (V, 0.0) in robot.motions()
+    )
 
 
 @pytest.mark.parametrize(
@@ -207,9 +238,15 @@ def test_a_malformed_message_is_counted_named_and_not_used(env, robot, spoil):
 
 
 anything = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.just(10**400) | st.floats() | st.text(max_size=5),
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.just(10**400)
+    | st.floats()
+    | st.text(max_size=5),
     lambda inner: (
-        st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["x", "sec", "pose"]), inner, max_size=2)
+        st.lists(inner, max_size=3)
+        | st.dictionaries(st.sampled_from(["x", "sec", "pose"]), inner, max_size=2)
     ),
     max_leaves=4,
 )
@@ -217,12 +254,17 @@ anything = st.recursive(
 
 def namespaces(value):
     """What JSON becomes on its way from rosbridge."""
-    return json.loads(json.dumps(value), object_hook=lambda fields: SimpleNamespace(**fields))
+    return json.loads(
+        json.dumps(value), object_hook=lambda fields: SimpleNamespace(**fields)
+    )
 
 
 @given(st.data())
 def test_whatever_a_message_holds_it_is_taken_or_counted_as_unreadable(data):
-    for make, hear in ((make_odometry, "hear_odometry"), (make_laser_scan, "hear_scan")):
+    for make, hear in (
+        (make_odometry, "hear_odometry"),
+        (make_laser_scan, "hear_scan"),
+    ):
         said = (0.1, 0.2, 0.3) if hear == "hear_odometry" else ([1.0, 2.0, 3.0], 10.0)
         message = make(lambda kind, **fields: fields, 5.0, *said)
         here = message
@@ -240,7 +282,9 @@ def test_whatever_a_message_holds_it_is_taken_or_counted_as_unreadable(data):
             assert all(map(math.isfinite, latest.value.values()))
 
 
-def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot, monkeypatch):
+def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(
+    env, robot, monkeypatch
+):
     monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     robot.is_silent = True
@@ -266,7 +310,9 @@ def test_a_lost_connection_ends_the_step_and_reset_connects_again(env, robot):
     env.reset()
     env.step(LEFT)
     robot.lost = "the connection to the fake robot is lost"
-    with pytest.raises(ConnectionError, match=r"fake robot is lost; env\.reset\(\) connects again"):
+    with pytest.raises(
+        ConnectionError, match=r"fake robot is lost; env\.reset\(\) connects again"
+    ):
         env.step(AHEAD)
     robot.is_closed = False
     robot.lost = None
@@ -285,7 +331,10 @@ def test_a_robot_that_is_not_there_is_said_to_be_so(robot, monkeypatch):
     monkeypatch.setattr(steering, "PATIENCE", 0.3)
     robot.is_silent = True
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(odom="odometry"))
-    with pytest.raises(TimeoutError, match=r"nothing readable comes from the topic 'odometry' \(0 messages so far\)"):
+    with pytest.raises(
+        TimeoutError,
+        match=r"nothing readable comes from the topic 'odometry' \(0 messages so far\)",
+    ):
         env.reset()
     assert not robot.told
     env.close()
@@ -301,7 +350,10 @@ def narrow_scan(robot, stamp):
 def test_a_task_whose_lasers_the_scanner_cannot_stand_for_is_refused_at_reset(robot):
     robot.scan = lambda stamp: narrow_scan(robot, stamp)
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
-    with pytest.raises(ValueError, match="giraff_wander_simple needs laser_front_left, laser_front_right, where"):
+    with pytest.raises(
+        ValueError,
+        match="giraff_wander_simple needs laser_front_left, laser_front_right, where",
+    ):
         env.reset()
     env.close()
 
@@ -312,22 +364,35 @@ def test_a_link_needs_an_environment_and_an_environment_no_engine():
         link.reset()
     with pytest.raises(ConnectionError, match=r"env\.reset\(\) first"):
         link.act({"left_wheel": 0.0, "right_wheel": 0.0})
-    for name, value in {"engine": "pymunk", "realism": rl.Realism(laser_noise=0.1), "lag": 0.1}.items():
+    for name, value in {
+        "engine": "pymunk",
+        "realism": rl.Realism(laser_noise=0.1),
+        "lag": 0.1,
+    }.items():
         with pytest.raises(ValueError, match=f"leave {name} out"):
             rl.make_env("giraff_wander_simple", link=link, **{name: value})
     with pytest.raises(ValueError, match=r"only a task has a robot: .* link"):
-        rl.make_env(rl.SampleModel.from_recording(rl.read_recording("wander_simple")), link=link)
+        rl.make_env(
+            rl.SampleModel.from_recording(rl.read_recording("wander_simple")), link=link
+        )
     with pytest.raises(ValueError, match="cmd_vel commands wheels alone"):
         rl.make_env("arm_1k", link=link)
     with pytest.raises(ValueError, match="dry_run or simulated_time"):
         rl.RobotLink(dry_run=True, simulated_time=True)
-    with pytest.raises(ValueError, match="no link is called 'rosbrige'; did you mean 'rosbridge'"):
+    with pytest.raises(
+        ValueError, match="no link is called 'rosbrige'; did you mean 'rosbridge'"
+    ):
         rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbrige")).reset()
 
 
 def test_an_unknown_argument_of_a_link_is_named():
-    with pytest.raises(ValueError, match="rosbridge has no argument 'adress'; did you mean 'address'"):
-        rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbridge", adress="ws://127.0.0.1:9090")).reset()
+    with pytest.raises(
+        ValueError, match="rosbridge has no argument 'adress'; did you mean 'address'"
+    ):
+        rl.make_env(
+            "giraff_wander_simple",
+            link=rl.RobotLink("rosbridge", adress="ws://127.0.0.1:9090"),
+        ).reset()
 
 
 def test_what_is_seen_of_a_robot_behind_a_link_is_itself_and_its_beams(env, robot):
@@ -335,16 +400,24 @@ def test_what_is_seen_of_a_robot_behind_a_link_is_itself_and_its_beams(env, robo
     env.reset()
     scene = env.unwrapped.robot.scene()
     body = next(solid for solid in scene.solids if solid.name == "robot/body")
-    assert body.pose[:2, 3] == pytest.approx([1.0, 2.0]) and scene.beams.shape == (8, 2, 3)
+    assert body.pose[:2, 3] == pytest.approx([1.0, 2.0]) and scene.beams.shape == (
+        8,
+        2,
+        3,
+    )
     rl.plot_scene(scene)
 
 
 # (how long after the one before it is here, by how much its clock went on)
-messages = st.lists(st.tuples(st.floats(0.0, 2.0), st.floats(-1.0, 2.0)), min_size=1, max_size=30)
+messages = st.lists(
+    st.tuples(st.floats(0.0, 2.0), st.floats(-1.0, 2.0)), min_size=1, max_size=30
+)
 
 
 @given(messages, st.floats(0, 1e6))
-def test_no_message_is_younger_than_it_is_here_and_none_is_used_after_a_newer_one(steps, clock):
+def test_no_message_is_younger_than_it_is_here_and_none_is_used_after_a_newer_one(
+    steps, clock
+):
     latest, now, stamp, newest = Latest(), 0.0, clock + 1.0, -1.0
     for wait, ahead in steps:
         now, stamp = now + wait, max(stamp + ahead, 1e-3)
@@ -352,7 +425,10 @@ def test_no_message_is_younger_than_it_is_here_and_none_is_used_after_a_newer_on
         is_new = stamp > newest
         newest = max(newest, stamp)
         assert latest.value == newest
-        assert latest.age(now) >= (-1e-9 if is_new else 0) and latest.age(now + 1.0) >= 1.0 - 1e-9
+        assert (
+            latest.age(now) >= (-1e-9 if is_new else 0)
+            and latest.age(now + 1.0) >= 1.0 - 1e-9
+        )
 
 
 def test_a_message_without_a_time_is_as_old_as_it_is_here():
@@ -365,6 +441,8 @@ def test_a_message_without_a_time_is_as_old_as_it_is_here():
 
 def test_clocks_that_drift_apart_make_no_message_old():
     latest = Latest()
-    for i in range(36_000):  # an hour, ten a second; the sender's clock is slow by 100 ppm
+    for i in range(
+        36_000
+    ):  # an hour, ten a second; the sender's clock is slow by 100 ppm
         latest.take(5.0 + 0.1 * i * 0.9999, i, 0.1 * i)
     assert latest.age(0.1 * i) < 0.01

@@ -23,7 +23,9 @@ from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
 from rlrobot_edu.ros.scan import Mounting, laser_readings
 from rlrobot_edu.task.robot_cards import LASERS
 
-pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+pytest.importorskip(
+    "websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'"
+)
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as raw_connect
 from websockets.sync.server import serve
@@ -33,7 +35,9 @@ from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
 
 PATIENCE = 60.0  # [s] on a busy machine
 # a sign of life that the connection sends meanwhile draws a random number
-signs_of_life = pytest.mark.filterwarnings("ignore:Do not use the `random` module inside strategies")
+signs_of_life = pytest.mark.filterwarnings(
+    "ignore:Do not use the `random` module inside strategies"
+)
 
 
 def twist(link, v=0.3, omega=-0.5):
@@ -90,7 +94,9 @@ class RawClient:
     """A websocket that says and hears words of the protocol as they are."""
 
     def __init__(self, router):
-        self._socket = raw_connect(router.address, proxy=None, close_timeout=1).__enter__()
+        self._socket = raw_connect(
+            router.address, proxy=None, close_timeout=1
+        ).__enter__()
         self.close = self._socket.close
 
     def say(self, text="", **said):
@@ -120,15 +126,26 @@ def test_the_client_says_the_protocols_own_words(server, link):
         "op": "subscribe", "topic": "/odom", "type": "nav_msgs/Odometry", "queue_length": 1, "throttle_rate": 0,
     }  # fmt: skip
     drive = link.speak("/cmd_vel", TWIST)
-    assert server.next() == {"op": "advertise", "topic": "/cmd_vel", "type": "geometry_msgs/Twist"}
+    assert server.next() == {
+        "op": "advertise",
+        "topic": "/cmd_vel",
+        "type": "geometry_msgs/Twist",
+    }
     drive(twist(link))
-    vectors = {"linear": {"x": 0.3, "y": 0.0, "z": 0.0}, "angular": {"x": 0.0, "y": 0.0, "z": -0.5}}
+    vectors = {
+        "linear": {"x": 0.3, "y": 0.0, "z": 0.0},
+        "angular": {"x": 0.0, "y": 0.0, "z": -0.5},
+    }
     assert server.next() == {"op": "publish", "topic": "/cmd_vel", "msg": vectors}
 
 
 def test_a_stamped_twist_goes_without_its_time_and_odometry_with_it(server, link):
-    link.speak("/cmd_vel", TWIST_STAMPED)(messages.make_twist_stamped(link.make, 12.5, 0.1, 0.2))
-    link.speak("/odom", ODOMETRY)(messages.make_odometry(link.make, 12.5, 1.0, 2.0, 0.5))
+    link.speak("/cmd_vel", TWIST_STAMPED)(
+        messages.make_twist_stamped(link.make, 12.5, 0.1, 0.2)
+    )
+    link.speak("/odom", ODOMETRY)(
+        messages.make_odometry(link.make, 12.5, 1.0, 2.0, 0.5)
+    )
     told = [server.next() for _ in range(4)]
     assert told[1]["msg"]["header"] == {"frame_id": "base_link"}
     assert told[1]["msg"]["twist"]["linear"]["x"] == 0.1
@@ -137,12 +154,16 @@ def test_a_stamped_twist_goes_without_its_time_and_odometry_with_it(server, link
 
 def test_what_is_no_number_goes_as_null(server, link):
     ranges = [1.0, math.inf, -math.inf, math.nan, np.float32(2.5), np.float32("inf")]
-    link.speak("/scan", LASER_SCAN)(messages.make_laser_scan(link.make, 0.0, ranges, 10.0))
+    link.speak("/scan", LASER_SCAN)(
+        messages.make_laser_scan(link.make, 0.0, ranges, 10.0)
+    )
     server.next()
     assert server.next()["msg"]["ranges"] == [1.0, None, None, None, 2.5, None]
 
 
-def test_infinity_among_ranges_means_that_nothing_was_met_and_null_that_nothing_is_known(link):
+def test_infinity_among_ranges_means_that_nothing_was_met_and_null_that_nothing_is_known(
+    link,
+):
     scans = []
     link.hear("/scan", LASER_SCAN, scans.append)
     ranges = ["null", "NaN", "Infinity", "1e999", "0.8", "0.8", "0.8", "0.8"]
@@ -159,24 +180,42 @@ def test_infinity_among_ranges_means_that_nothing_was_met_and_null_that_nothing_
     assert len(set(readings.values())) == 2
 
 
-@pytest.mark.parametrize("stamp", [{"secs": 3, "nsecs": 250_000_000}, {"sec": 3, "nanosec": 250_000_000}])
+@pytest.mark.parametrize(
+    "stamp", [{"secs": 3, "nsecs": 250_000_000}, {"sec": 3, "nanosec": 250_000_000}]
+)
 def test_the_times_of_ros_1_and_of_ros_2_are_read(link, stamp):
     heard = []
     link.hear("/odom", ODOMETRY, heard.append)
-    pose = {"position": {"x": 1, "y": 2, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}
-    said = {"op": "publish", "topic": "/odom", "msg": {"header": {"stamp": stamp}, "pose": {"pose": pose}}}
+    pose = {
+        "position": {"x": 1, "y": 2, "z": 0},
+        "orientation": {"x": 0, "y": 0, "z": 0, "w": 1},
+    }
+    said = {
+        "op": "publish",
+        "topic": "/odom",
+        "msg": {"header": {"stamp": stamp}, "pose": {"pose": pose}},
+    }
     link.server.send(json.dumps(said))
     link.server.send(json.dumps(said).encode())
     eventually(lambda: len(heard) == 2)
-    assert (messages.stamp_of(heard[0]), messages.pose_of(heard[1])) == (3.25, (1.0, 2.0, 0.0))
+    assert (messages.stamp_of(heard[0]), messages.pose_of(heard[1])) == (
+        3.25,
+        (1.0, 2.0, 0.0),
+    )
 
 
 def test_doubled_topics_and_messages_reach_every_callback(link):
     one, two, other = [], [], []
-    for topic, callback in (("/a", one.append), ("/a", two.append), ("/b", other.append)):
+    for topic, callback in (
+        ("/a", one.append),
+        ("/a", two.append),
+        ("/b", other.append),
+    ):
         link.hear(topic, TWIST, callback)
     for topic in ("/a", "/a", "/b"):
-        link.server.send(json.dumps({"op": "publish", "topic": topic, "msg": {"topic": topic}}))
+        link.server.send(
+            json.dumps({"op": "publish", "topic": topic, "msg": {"topic": topic}})
+        )
     eventually(lambda: other)
     assert [m.topic for m in one] == [m.topic for m in two] == ["/a", "/a"]
 
@@ -203,7 +242,10 @@ def test_what_cannot_be_understood_is_counted_and_passed_over(link):
 
 JSON = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
-    lambda parts: st.lists(parts) | st.dictionaries(st.text() | st.sampled_from(["op", "topic", "msg"]), parts),
+    lambda parts: (
+        st.lists(parts)
+        | st.dictionaries(st.text() | st.sampled_from(["op", "topic", "msg"]), parts)
+    ),
     max_leaves=8,
 )
 SAID = st.fixed_dictionaries(
@@ -220,8 +262,15 @@ SAID = st.fixed_dictionaries(
 @signs_of_life
 def test_whatever_json_the_server_sends_the_client_lives_on():
     heard = queue.Queue()
-    with contextlib.closing(RawServer()) as server, contextlib.closing(Rosbridge(server.address)) as link:
-        link.hear("/odom", ODOMETRY, lambda message: (heard.put(message), messages.pose_of(message)))
+    with (
+        contextlib.closing(RawServer()) as server,
+        contextlib.closing(Rosbridge(server.address)) as link,
+    ):
+        link.hear(
+            "/odom",
+            ODOMETRY,
+            lambda message: (heard.put(message), messages.pose_of(message)),
+        )
         told = server.connections.get(timeout=PATIENCE)
 
         @settings(max_examples=100, deadline=None)
@@ -239,8 +288,12 @@ def test_whatever_json_the_server_sends_the_client_lives_on():
 def test_the_latest_complaints_are_kept_and_so_is_what_went_wrong_in_hearing(link):
     link.hear("/odom", ODOMETRY, messages.pose_of)
     for i in range(20):
-        link.server.send(json.dumps({"op": "status", "level": "error", "msg": f"complaint {i}"}))
-    link.server.send(json.dumps({"op": "status", "level": "info", "msg": "all is well"}))
+        link.server.send(
+            json.dumps({"op": "status", "level": "error", "msg": f"complaint {i}"})
+        )
+    link.server.send(
+        json.dumps({"op": "status", "level": "info", "msg": "all is well"})
+    )
     link.server.send('{"op": "publish", "topic": "/odom", "msg": {}}')
     eventually(lambda: link.complaints and "Odometry" in link.complaints[-1])
     assert link.complaints[-2] == "complaint 19"
@@ -251,13 +304,23 @@ def test_the_latest_complaints_are_kept_and_so_is_what_went_wrong_in_hearing(lin
 def test_a_large_message_is_taken(link):
     heard = []
     link.hear("/scan", LASER_SCAN, heard.append)
-    link.server.send(json.dumps({"op": "publish", "topic": "/scan", "msg": {"ranges": [1.23456789] * 400_000}}))
+    link.server.send(
+        json.dumps(
+            {
+                "op": "publish",
+                "topic": "/scan",
+                "msg": {"ranges": [1.23456789] * 400_000},
+            }
+        )
+    )
     eventually(lambda: heard)
     assert len(heard[0].ranges) == 400_000
 
 
 @pytest.mark.parametrize("by_accident", [False, True])
-def test_a_lost_connection_is_said_in_one_sentence_and_a_new_one_can_be_made(server, link, by_accident):
+def test_a_lost_connection_is_said_in_one_sentence_and_a_new_one_can_be_made(
+    server, link, by_accident
+):
     drive = link.speak("/cmd_vel", TWIST)
     if by_accident:
         link.server.socket.shutdown(socket.SHUT_RDWR)
@@ -270,7 +333,10 @@ def test_a_lost_connection_is_said_in_one_sentence_and_a_new_one_can_be_made(ser
     assert "connect again" in link.lost
     with pytest.raises(ConnectionError):
         link.hear("/odom", ODOMETRY, print)
-    with contextlib.closing(RawServer(server.port)) as again, contextlib.closing(Rosbridge(server.address)) as anew:
+    with (
+        contextlib.closing(RawServer(server.port)) as again,
+        contextlib.closing(Rosbridge(server.address)) as anew,
+    ):
         anew.speak("/cmd_vel", TWIST)(twist(anew))
         assert [again.next()["op"] for _ in range(2)] == ["advertise", "publish"]
 
@@ -340,7 +406,9 @@ def test_closing_while_another_thread_is_stuck_in_speaking_is_prompt(hanging):
     assert not thread.is_alive()
 
 
-def test_what_was_said_before_closing_arrives_and_nothing_can_be_said_after(server, link):
+def test_what_was_said_before_closing_arrives_and_nothing_can_be_said_after(
+    server, link
+):
     drive = link.speak("/cmd_vel", TWIST)
     for i in range(500):
         drive(twist(link, v=i))
@@ -371,7 +439,9 @@ def test_many_threads_may_speak_at_once(server, link):
     for thread in threads:
         thread.join()
     for i in range(8):
-        assert [s["msg"]["n"] for s in said if s["op"] == "publish" and s["msg"]["i"] == i] == list(range(50))
+        assert [
+            s["msg"]["n"] for s in said if s["op"] == "publish" and s["msg"]["i"] == i
+        ] == list(range(50))
 
 
 # Nobody there
@@ -431,11 +501,30 @@ def test_a_proxy_of_the_environment_is_not_asked(router, monkeypatch):
 
 def test_the_router_says_the_protocols_own_words(router, raw):
     with contextlib.closing(RawClient(router)) as other:
-        other.say(op="subscribe", id="s", topic="/cmd_vel", type="geometry_msgs/Twist", queue_length=1, throttle_rate=0)
+        other.say(
+            op="subscribe",
+            id="s",
+            topic="/cmd_vel",
+            type="geometry_msgs/Twist",
+            queue_length=1,
+            throttle_rate=0,
+        )
         assert other.hears_nothing_more()
-        raw.say(op="advertise", id="a", topic="/cmd_vel", type="geometry_msgs/msg/Twist")
-        raw.say(op="publish", id="p", topic="/cmd_vel", msg={"linear": {"x": 1}}, latch=False)
-        assert other.hear() == {"op": "publish", "topic": "/cmd_vel", "msg": {"linear": {"x": 1}}}
+        raw.say(
+            op="advertise", id="a", topic="/cmd_vel", type="geometry_msgs/msg/Twist"
+        )
+        raw.say(
+            op="publish",
+            id="p",
+            topic="/cmd_vel",
+            msg={"linear": {"x": 1}},
+            latch=False,
+        )
+        assert other.hear() == {
+            "op": "publish",
+            "topic": "/cmd_vel",
+            "msg": {"linear": {"x": 1}},
+        }
         assert raw.hears_nothing_more()
         other.say(op="unsubscribe", id="s", topic="/cmd_vel")
         assert other.hears_nothing_more()
@@ -445,7 +534,9 @@ def test_the_router_says_the_protocols_own_words(router, raw):
         assert other.hears_nothing_more()
 
 
-def test_a_topic_is_the_same_with_and_without_a_slash_and_comes_as_it_was_asked_for(router, raw):
+def test_a_topic_is_the_same_with_and_without_a_slash_and_comes_as_it_was_asked_for(
+    router, raw
+):
     raw.say(op="subscribe", topic="odom", type="nav_msgs/Odometry")
     raw.say(op="publish", topic="/odom", msg={"x": 1})  # one hears oneself, too
     assert raw.hear() == {"op": "publish", "topic": "odom", "msg": {"x": 1}}
@@ -458,9 +549,13 @@ def test_who_subscribes_twice_hears_once_and_until_both_are_ended(router, raw):
     raw.say(op="publish", topic="/odom", msg={})
     assert raw.hear()["op"] == "publish"
     raw.say(op="unsubscribe", topic="/odom")
-    raw.say(op="advertise", topic="/odom", type="other/Type")  # nobody gives it a type any more
+    raw.say(
+        op="advertise", topic="/odom", type="other/Type"
+    )  # nobody gives it a type any more
     raw.say(op="publish", topic="/odom", msg={})
-    assert raw.hear()["level"] == "error"  # what was published without a type advertised it
+    assert (
+        raw.hear()["level"] == "error"
+    )  # what was published without a type advertised it
 
 
 @pytest.mark.parametrize(
@@ -470,21 +565,35 @@ def test_who_subscribes_twice_hears_once_and_until_both_are_ended(router, raw):
         ("[1, 2]", "an object of JSON"),
         ("[" * 100_000, "recursion"),
         ('{"topic": "/odom"}', "with an op"),
-        ('{"op": "call_service", "service": "/rosapi/topics"}', "unknown op 'call_service'"),
+        (
+            '{"op": "call_service", "service": "/rosapi/topics"}',
+            "unknown op 'call_service'",
+        ),
         ('{"op": "subscribe"}', "needs a topic"),
         ('{"op": "subscribe", "topic": ""}', "needs a topic"),
         ('{"op": "subscribe", "topic": "/new"}', "type of /new is unknown"),
-        ('{"op": "subscribe", "topic": "/new", "type": "a/B", "queue_length": -1}', "queue_length"),
+        (
+            '{"op": "subscribe", "topic": "/new", "type": "a/B", "queue_length": -1}',
+            "queue_length",
+        ),
         ('{"op": "advertise", "topic": "/new"}', "type of /new is unknown"),
         ('{"op": "advertise", "topic": "/new", "type": 5}', "type of /new is unknown"),
-        ('{"op": "advertise", "topic": "/odom", "type": "a/B"}', "/odom is of type nav_msgs/Odometry, not a/B"),
-        ('{"op": "subscribe", "topic": "/odom", "type": "a/B"}', "/odom is of type nav_msgs/Odometry, not a/B"),
+        (
+            '{"op": "advertise", "topic": "/odom", "type": "a/B"}',
+            "/odom is of type nav_msgs/Odometry, not a/B",
+        ),
+        (
+            '{"op": "subscribe", "topic": "/odom", "type": "a/B"}',
+            "/odom is of type nav_msgs/Odometry, not a/B",
+        ),
         ('{"op": "publish", "topic": "/new", "msg": {}}', "type of /new is unknown"),
         ('{"op": "publish", "topic": "/odom", "msg": 5}', "needs a msg"),
         ('{"op": "publish", "topic": "/odom"}', "needs a msg"),
     ],
 )
-def test_what_cannot_be_done_is_answered_and_the_connection_stays(router, raw, said, fault):
+def test_what_cannot_be_done_is_answered_and_the_connection_stays(
+    router, raw, said, fault
+):
     with contextlib.closing(RawClient(router)) as other:
         other.say(op="advertise", topic="/odom", type="nav_msgs/Odometry")
         assert other.hears_nothing_more()
@@ -512,18 +621,28 @@ def test_the_link_hears_of_a_wrong_type(router, raw):
     with contextlib.closing(Rosbridge(router.address)) as link:
         link.speak("/cmd_vel", TWIST)
         eventually(lambda: link.complaints)
-        assert link.complaints[0] == "/cmd_vel is of type geometry_msgs/TwistStamped, not geometry_msgs/Twist"
+        assert (
+            link.complaints[0]
+            == "/cmd_vel is of type geometry_msgs/TwistStamped, not geometry_msgs/Twist"
+        )
 
 
 @signs_of_life
 def test_whatever_json_a_client_says_the_router_serves_on():
-    ops = st.sampled_from(["publish", "subscribe", "advertise", "unsubscribe", "unadvertise"])
-    said = st.fixed_dictionaries({"op": ops | JSON}, optional={k: JSON for k in ("type", "id", "msg", "queue_length")})
+    ops = st.sampled_from(
+        ["publish", "subscribe", "advertise", "unsubscribe", "unadvertise"]
+    )
+    said = st.fixed_dictionaries(
+        {"op": ops | JSON},
+        optional={k: JSON for k in ("type", "id", "msg", "queue_length")},
+    )
     topics = st.just("/odom") | JSON
     with RosbridgeRouter(0) as router, contextlib.closing(RawClient(router)) as raw:
 
         @settings(max_examples=100, deadline=None)
-        @given(JSON | st.builds(lambda one, topic: {**one, "topic": topic}, said, topics))
+        @given(
+            JSON | st.builds(lambda one, topic: {**one, "topic": topic}, said, topics)
+        )
         def serves_on(value):
             raw.say(json.dumps(value))
             raw.say(op="no such op")
@@ -535,19 +654,28 @@ def test_whatever_json_a_client_says_the_router_serves_on():
 
 def test_what_is_no_number_leaves_the_router_as_null(router, raw):
     raw.say(op="subscribe", topic="/scan", type="sensor_msgs/LaserScan")
-    raw.say('{"op": "publish", "topic": "/scan", "msg": {"ranges": [NaN, Infinity, -Infinity, 1e999, 1.5]}}')
+    raw.say(
+        '{"op": "publish", "topic": "/scan", "msg": {"ranges": [NaN, Infinity, -Infinity, 1e999, 1.5]}}'
+    )
     assert raw.hear()["msg"] == {"ranges": [None, None, None, None, 1.5]}
 
 
 def test_who_does_not_read_holds_up_nobody_and_finds_the_newest(router, raw):
     last = 2000
-    with contextlib.closing(Rosbridge(router.address)) as robot, contextlib.closing(Rosbridge(router.address)) as link:
-        raw.say(op="subscribe", topic="/scan", type="sensor_msgs/LaserScan", queue_length=1)
+    with (
+        contextlib.closing(Rosbridge(router.address)) as robot,
+        contextlib.closing(Rosbridge(router.address)) as link,
+    ):
+        raw.say(
+            op="subscribe", topic="/scan", type="sensor_msgs/LaserScan", queue_length=1
+        )
         assert raw.hears_nothing_more()
         heard = queue.Queue()
         link.hear("/scan", LASER_SCAN, heard.put)
         link.hear("/ready", TWIST, heard.put)
-        link.speak("/ready", TWIST)({})  # comes back after the subscription to the scan is in force
+        link.speak("/ready", TWIST)(
+            {}
+        )  # comes back after the subscription to the scan is in force
         heard.get(timeout=PATIENCE)
         tell = robot.speak("/scan", LASER_SCAN)
         for i in range(last + 1):
@@ -564,7 +692,9 @@ def test_who_does_not_read_does_not_hold_up_the_routers_end(router, raw):
     raw.say(op="subscribe", topic="/scan", type="sensor_msgs/LaserScan", queue_length=1)
     for i in range(2000):
         raw.say(op="publish", topic="/scan", msg={"i": i, "ranges": [1.234567] * 720})
-    with socket.create_connection(("127.0.0.1", router.port)):  # and one who says nothing
+    with socket.create_connection(
+        ("127.0.0.1", router.port)
+    ):  # and one who says nothing
         begin = time.monotonic()
         router.close()
         router.close()
@@ -574,7 +704,11 @@ def test_who_does_not_read_does_not_hold_up_the_routers_end(router, raw):
 def test_what_waits_for_a_client_still_comes_before_the_router_ends(router):
     heard, last = [], threading.Event()
     with contextlib.closing(Rosbridge(router.address)) as link:
-        link.hear("/odom", ODOMETRY, lambda message: (heard.append(message.i), time.sleep(0.001)))
+        link.hear(
+            "/odom",
+            ODOMETRY,
+            lambda message: (heard.append(message.i), time.sleep(0.001)),
+        )
         link.hear("/last", ODOMETRY, lambda _: last.set())
         tell = link.speak("/odom", ODOMETRY)
         for i in range(50):
@@ -593,7 +727,9 @@ def test_only_this_computer_is_served(router):
         socket.create_connection(("127.0.0.2", router.port), timeout=1).close()
 
 
-@pytest.mark.parametrize("origin", ["http://evil.example", "http://localhost:8888", "null"])
+@pytest.mark.parametrize(
+    "origin", ["http://evil.example", "http://localhost:8888", "null"]
+)
 def test_no_web_page_gets_in_wherever_it_comes_from(router, origin):
     with pytest.raises(InvalidStatus, match="403"):
         raw_connect(router.address, origin=origin, proxy=None).__enter__()
@@ -605,16 +741,22 @@ def test_many_who_do_not_read_are_ended_side_by_side(router):
     key += "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n"
     with contextlib.ExitStack() as clients:
         for _ in range(60):
-            client = clients.enter_context(socket.create_connection(("127.0.0.1", router.port), timeout=PATIENCE))
+            client = clients.enter_context(
+                socket.create_connection(("127.0.0.1", router.port), timeout=PATIENCE)
+            )
             client.sendall(key.encode())
             assert b"101 Switching" in client.recv(1000)
         begin = time.monotonic()
         router.close()
-        assert time.monotonic() - begin < 8  # one after the other, a second for each few, it would be eleven
+        assert (
+            time.monotonic() - begin < 8
+        )  # one after the other, a second for each few, it would be eleven
 
 
 def test_a_port_that_is_taken_is_said_in_one_sentence(router):
-    with pytest.raises(ConnectionError, match=f"port {router.port} is not free") as error:
+    with pytest.raises(
+        ConnectionError, match=f"port {router.port} is not free"
+    ) as error:
         RosbridgeRouter(router.port)
     assert "\n" not in str(error.value)
 
@@ -626,10 +768,16 @@ def test_what_is_no_port_is_refused(port):
 
 
 def test_a_client_comes_back_to_a_router_that_was_started_again():
-    with RosbridgeRouter(0) as router, contextlib.closing(Rosbridge(router.address)) as link:
+    with (
+        RosbridgeRouter(0) as router,
+        contextlib.closing(Rosbridge(router.address)) as link,
+    ):
         router.close()
         eventually(lambda: link.lost)
-        with RosbridgeRouter(router.port) as again, contextlib.closing(Rosbridge(again.address)) as anew:
+        with (
+            RosbridgeRouter(router.port) as again,
+            contextlib.closing(Rosbridge(again.address)) as anew,
+        ):
             heard = queue.Queue()
             anew.hear("/cmd_vel", TWIST, heard.put)
             anew.speak("/cmd_vel", TWIST)(twist(anew))
@@ -675,7 +823,10 @@ ros.terminate()
 def process(program, address):
     """A Python process that runs until its input ends, after it has said that it is ready."""
     with subprocess.Popen(
-        [sys.executable, "-c", program, address], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", program, address],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     ) as running:
         try:
             assert running.stdout.readline() == "ready\n"
@@ -686,11 +837,16 @@ def process(program, address):
 
 
 def test_a_robot_in_another_process_answers_each_command(router):
-    with contextlib.closing(Rosbridge(router.address)) as link, process(ROBOT, router.address):
+    with (
+        contextlib.closing(Rosbridge(router.address)) as link,
+        process(ROBOT, router.address),
+    ):
         heard = queue.Queue()
         link.hear("/odom", ODOMETRY, heard.put)
         drive = link.speak("/cmd_vel", TWIST)
-        eventually(lambda: drive(twist(link, 0.0, 0.0)) or heard.qsize())  # till both have subscribed
+        eventually(
+            lambda: drive(twist(link, 0.0, 0.0)) or heard.qsize()
+        )  # till both have subscribed
         for i in range(1, 300):
             drive(twist(link, i, -i))
             while (pose := messages.pose_of(heard.get(timeout=PATIENCE)))[0] == 0:
@@ -699,10 +855,19 @@ def test_a_robot_in_another_process_answers_each_command(router):
 
 
 def test_a_client_that_others_wrote_is_understood_and_understands(router):
-    pytest.importorskip("roslibpy", reason="roslibpy, another client of rosbridge, is not installed")
-    with contextlib.closing(Rosbridge(router.address)) as link, process(ROSLIBPY, router.address):
+    pytest.importorskip(
+        "roslibpy", reason="roslibpy, another client of rosbridge, is not installed"
+    )
+    with (
+        contextlib.closing(Rosbridge(router.address)) as link,
+        process(ROSLIBPY, router.address),
+    ):
         heard = []
         link.hear("/cmd_vel", TWIST, heard.append)
         tell = link.speak("/odom", ODOMETRY)
-        eventually(lambda: tell(messages.make_odometry(link.make, 1.5, 0.25, -0.75, 0.0)) or heard)
+        eventually(
+            lambda: (
+                tell(messages.make_odometry(link.make, 1.5, 0.25, -0.75, 0.0)) or heard
+            )
+        )
         assert messages.velocity_of(heard[0]) == (0.25, 0.0, -0.75)

@@ -13,10 +13,19 @@ from waiting import eventually
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, make_twist, pose_of, stamp_of
+from rlrobot_edu.ros.messages import (
+    LASER_SCAN,
+    ODOMETRY,
+    TWIST,
+    make_twist,
+    pose_of,
+    stamp_of,
+)
 from rlrobot_edu.ros.scan import Mounting, laser_readings
 
-pytest.importorskip("websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'")
+pytest.importorskip(
+    "websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'"
+)
 from rlrobot_edu.ros.live.rosbridge import Rosbridge
 
 
@@ -42,12 +51,17 @@ class Listener:
 
 
 def test_in_simulated_time_each_command_takes_the_robot_a_tenth_of_a_second_on():
-    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot, Listener(robot) as listener:
+    with (
+        rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
+        Listener(robot) as listener,
+    ):
         begin, (x, y, theta) = stamp_of(listener.poses[-1]), pose_of(listener.poses[-1])
         there = (x + 0.1 * math.cos(theta), y + 0.1 * math.sin(theta), theta)
         for i in range(1, 11):
             listener.tell(0.1, 0.0)
-            eventually(lambda i=i: stamp_of(listener.poses[-1]) > begin + 0.1 * i - 0.01)
+            eventually(
+                lambda i=i: stamp_of(listener.poses[-1]) > begin + 0.1 * i - 0.01
+            )
         assert stamp_of(listener.poses[-1]) == pytest.approx(begin + 1.0)
         assert pose_of(listener.poses[-1]) == pytest.approx(there)
 
@@ -55,15 +69,24 @@ def test_in_simulated_time_each_command_takes_the_robot_a_tenth_of_a_second_on()
 def test_it_stops_by_itself_when_it_is_told_nothing_more():
     with rl.ServedRobot("wander_1k", port=0) as robot, Listener(robot) as listener:
         x = pose_of(listener.poses[-1])[0]
-        eventually(lambda: pose_of(listener.poses[-1])[0] != x, lambda: listener.tell(0.1, 0.0))
+        eventually(
+            lambda: pose_of(listener.poses[-1])[0] != x, lambda: listener.tell(0.1, 0.0)
+        )
         eventually(lambda: len(set(map(pose_of, listener.poses[-5:]))) == 1)
 
 
 def test_a_twist_that_says_nothing_that_can_be_is_not_obeyed():
-    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot, Listener(robot) as listener:
+    with (
+        rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
+        Listener(robot) as listener,
+    ):
         begin = stamp_of(listener.poses[-1])
         send = listener.connection.speak("cmd_vel", TWIST)
-        for wrong in ({}, {"linear": {"x": "fast"}}, {"linear": {"x": None}, "angular": {"z": 0.0}}):
+        for wrong in (
+            {},
+            {"linear": {"x": "fast"}},
+            {"linear": {"x": None}, "angular": {"z": 0.0}},
+        ):
             send(wrong)
         listener.tell(1e300, -1e300)  # more than its wheels can do is cut off
         eventually(lambda: stamp_of(listener.poses[-1]) > begin)
@@ -72,27 +95,54 @@ def test_a_twist_that_says_nothing_that_can_be_is_not_obeyed():
 
 def test_its_scan_shows_what_its_lasers_see():
     for task, base, tolerance in (
-        ("giraff_wander_1k", Giraff("hexagon_giraff", 0.1), 1e-6),  # its lasers look straight away from its scanner
-        ("wander_1k", MobileBase("maze_6x6", 0.1), 0.05),  # here a wall's end may hide what a laser sees
+        (
+            "giraff_wander_1k",
+            Giraff("hexagon_giraff", 0.1),
+            1e-6,
+        ),  # its lasers look straight away from its scanner
+        (
+            "wander_1k",
+            MobileBase("maze_6x6", 0.1),
+            0.05,
+        ),  # here a wall's end may hide what a laser sees
     ):
-        with rl.ServedRobot(task, port=0, simulated_time=True) as robot, Listener(robot) as listener:
+        with (
+            rl.ServedRobot(task, port=0, simulated_time=True) as robot,
+            Listener(robot) as listener,
+        ):
             scan = listener.scans[-1]
         assert len(scan.ranges) == 360
-        misses = [r - base.readings[laser] for laser, r in laser_readings(scan, base.chassis, Mounting()).items()]
+        misses = [
+            r - base.readings[laser]
+            for laser, r in laser_readings(scan, base.chassis, Mounting()).items()
+        ]
         assert len(misses) == 8 and max(misses) <= tolerance
-        assert sum(abs(miss) <= tolerance for miss in misses) >= (8 if task.startswith("giraff") else 6)
+        assert sum(abs(miss) <= tolerance for miss in misses) >= (
+            8 if task.startswith("giraff") else 6
+        )
 
 
 def test_realism_shows_in_its_scans_and_in_its_motion():
     noisy = rl.Realism(laser_noise=0.05, wheel_slip=0.2)
     ends = []
     for realism in (None, noisy):
-        robot = rl.ServedRobot("wander_1k", realism=realism, seed=1, port=0, simulated_time=True)
+        robot = rl.ServedRobot(
+            "wander_1k", realism=realism, seed=1, port=0, simulated_time=True
+        )
         with robot, Listener(robot) as listener:
             begin = stamp_of(listener.poses[-1])
             listener.tell(0.1, 0.0)
-            eventually(lambda begin=begin, listener=listener: stamp_of(listener.scans[-1]) > begin)
-            ends.append((np.array(listener.scans[-1].ranges, float), pose_of(listener.poses[-1])))
+            eventually(
+                lambda begin=begin, listener=listener: (
+                    stamp_of(listener.scans[-1]) > begin
+                )
+            )
+            ends.append(
+                (
+                    np.array(listener.scans[-1].ranges, float),
+                    pose_of(listener.poses[-1]),
+                )
+            )
     (ideal, straight), (real, crooked) = ends
     assert 0.02 < np.std(real - ideal) < 0.1 and straight != crooked
 
@@ -100,12 +150,22 @@ def test_realism_shows_in_its_scans_and_in_its_motion():
 def test_with_a_seed_and_in_simulated_time_noise_is_the_same_however_long_one_waits():
     ends = []
     for pause in (0.0, 0.6):  # meanwhile, it says again and again what is so
-        robot = rl.ServedRobot("wander_1k", realism=rl.Realism(laser_noise=0.05), seed=1, port=0, simulated_time=True)
+        robot = rl.ServedRobot(
+            "wander_1k",
+            realism=rl.Realism(laser_noise=0.05),
+            seed=1,
+            port=0,
+            simulated_time=True,
+        )
         with robot, Listener(robot) as listener:
             time.sleep(pause)
             begin = stamp_of(listener.poses[-1])
             listener.tell(0.1, 0.0)
-            eventually(lambda begin=begin, listener=listener: stamp_of(listener.scans[-1]) > begin)
+            eventually(
+                lambda begin=begin, listener=listener: (
+                    stamp_of(listener.scans[-1]) > begin
+                )
+            )
             ends.append(list(listener.scans[-1].ranges))
     assert ends[0] == ends[1]
 
@@ -119,12 +179,19 @@ def test_only_a_robot_on_wheels_that_pymunk_simulates_can_be_served():
         rl.ServedRobot("wander_1k", "bluetooth")
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process alone")
+@pytest.mark.skipif(
+    sys.platform == "win32", reason="Windows has no SIGINT for one process alone"
+)
 def test_the_command_serves_until_ctrl_c_and_leaves_without_a_trace():
     command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--port", "0"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
     try:
-        assert "odom, laser_scan and cmd_vel over rosbridge at ws://127.0.0.1:" in process.stdout.readline()
+        assert (
+            "odom, laser_scan and cmd_vel over rosbridge at ws://127.0.0.1:"
+            in process.stdout.readline()
+        )
         process.send_signal(signal.SIGINT)
         assert process.wait(60) == 0 and process.stdout.read() == ""
     finally:
@@ -135,6 +202,8 @@ def test_the_command_serves_until_ctrl_c_and_leaves_without_a_trace():
 
 def test_the_command_says_in_one_sentence_what_is_wrong():
     command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link"]
-    done = subprocess.run([*command, "zigbee"], capture_output=True, text=True, timeout=600)
+    done = subprocess.run(
+        [*command, "zigbee"], capture_output=True, text=True, timeout=600
+    )
     said = "no link is called 'zigbee'"
     assert done.returncode == 1 and said in done.stderr and done.stderr.count("\n") == 1

@@ -24,7 +24,10 @@ def make_all():
         yield name, lambda name=name: rl.make_env(name, seed=0)
     yield "gymnasium.make", lambda: gymnasium.make("rlrobot/wander_1k-v0")
     yield "with pictures", lambda: rl.make_env("wander_simple", render_mode="rgb_array")
-    yield "with realism", lambda: rl.make_env("wander_1k", realism=rl.Realism(laser_noise=0.02))
+    yield (
+        "with realism",
+        lambda: rl.make_env("wander_1k", realism=rl.Realism(laser_noise=0.02)),
+    )
     yield "in PyBullet", lambda: rl.make_env("wander_simple", engine="pybullet")
     for name in ("worked_example", "arm_1k"):
         yield f"model of {name}", lambda name=name: rl.make_env(model_of(name), seed=0)
@@ -34,7 +37,9 @@ def model_of(name):
     return rl.SampleModel.from_recording(rl.read_recording(name))
 
 
-@pytest.mark.parametrize(("name", "make"), [pytest.param(*pair, id=pair[0]) for pair in make_all()])
+@pytest.mark.parametrize(
+    ("name", "make"), [pytest.param(*pair, id=pair[0]) for pair in make_all()]
+)
 def test_its_checker_accepts_every_environment_without_a_warning(baselines, name, make):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -55,16 +60,32 @@ def test_the_page_of_the_study_says_the_numbers():
     of = {}
     for i, method in enumerate((*study.TABLES, *study.NETWORKS)):
         of[method] = [
-            {"windows": rng.normal(i, 0.1, 18).tolist(), "learning": 1.8, "robot": 0.4, "goals": 1} for _ in range(3)
+            {
+                "windows": rng.normal(i, 0.1, 18).tolist(),
+                "learning": 1.8,
+                "robot": 0.4,
+                "goals": 1,
+            }
+            for _ in range(3)
         ]
     page = study.page({"machine": "a computer", "runs": dict.fromkeys(study.TASKS, of)})
-    (line, with_goals) = (line for line in page.splitlines() if line.startswith("| at random "))
-    mean, first, last, seconds, milliseconds, difference = (cell.strip() for cell in line.strip("|").split("|")[1:])
-    assert [float(cell.split()[0]) for cell in (mean, first, last)] == pytest.approx([2, 2, 2], abs=0.3)
+    (line, with_goals) = (
+        line for line in page.splitlines() if line.startswith("| at random ")
+    )
+    mean, first, last, seconds, milliseconds, difference = (
+        cell.strip() for cell in line.strip("|").split("|")[1:]
+    )
+    assert [float(cell.split()[0]) for cell in (mean, first, last)] == pytest.approx(
+        [2, 2, 2], abs=0.3
+    )
     assert seconds == "1.80 ± 0.00" and milliseconds == "0.50"
     assert difference.startswith("+2.") or difference.startswith("+1.9")
     assert with_goals.endswith("| 1.0 ± 0.0 |")
-    assert "p < 0.01" in difference and "a computer" in page and "Mean reward a step" in page
+    assert (
+        "p < 0.01" in difference
+        and "a computer" in page
+        and "Mean reward a step" in page
+    )
 
 
 def test_a_table_learns_in_a_run_of_the_study():

@@ -22,7 +22,9 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 RESULTS, REPORT = "docs/results.md", "docs/reproduction/README.md"
 QBIASSR, SR, Q = paper.THREE
-NUMBER = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?!\w)")  # not the digits of a name as wander_1k
+NUMBER = re.compile(
+    r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?!\w)"
+)  # not the digits of a name as wander_1k
 COMMENT = re.compile(r"<!--.*?-->", re.S)
 
 
@@ -36,7 +38,11 @@ def prose(page: str) -> str:
     text = (ROOT / page).read_text(encoding="utf-8")
     if not page.endswith(".ipynb"):
         return COMMENT.sub("", BLOCK.sub("", text))
-    return "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown")
+    return "\n".join(
+        "".join(cell["source"])
+        for cell in json.loads(text)["cells"]
+        if cell["cell_type"] == "markdown"
+    )
 
 
 def tells(page: str, *numbers: float) -> bool:
@@ -52,11 +58,15 @@ def outcomes() -> dict[str, Outcome]:
 
 def test_the_reports_tables_follow_from_the_averages_beside_it(outcomes):
     made = tables.tables(outcomes)
-    costs = json.loads((DOCS / "reproduction/environment.json").read_text())["seconds a step"]
+    costs = json.loads((DOCS / "reproduction/environment.json").read_text())[
+        "seconds a step"
+    ]
     made["costs"] = in_markdown(tables.cost_table(costs))
     page = (ROOT / REPORT).read_text(encoding="utf-8")
     blocks = {found[1]: found[0] for found in BLOCK.finditer(page)}
-    assert [name for name, table in made.items() if table not in blocks.get(name, "")] == []
+    assert [
+        name for name, table in made.items() if table not in blocks.get(name, "")
+    ] == []
 
 
 def test_the_report_is_no_longer_than_one_reads():
@@ -65,7 +75,11 @@ def test_the_report_is_no_longer_than_one_reads():
 
 
 MARKED = re.compile(r"([-−+]?\d+(?:\.\d+)?)(?: ± (\d+\.\d+))?<!--= (.+?) -->")
-CONSTANTS = {"0.05", "0.25", "0.14"}  # the level, what counts as near to a shuttle, the speed of our arm
+CONSTANTS = {
+    "0.05",
+    "0.25",
+    "0.14",
+}  # the level, what counts as near to a shuttle, the speed of our arm
 
 
 def marked(outcomes: dict[str, Outcome], mark: str) -> tuple[float, float | None]:
@@ -78,11 +92,19 @@ def marked(outcomes: dict[str, Outcome], mark: str) -> tuple[float, float | None
     first, _, second = what.partition(" - ")
     if place.startswith("paper "):
         task = place.removeprefix("paper ")
-        (its,) = (pair for pair in paper.TUKEY[task] if {pair.better, pair.worse} == {first, second})
+        (its,) = (
+            pair
+            for pair in paper.TUKEY[task]
+            if {pair.better, pair.worse} == {first, second}
+        )
         return paper.difference(task, its) * (1 if its.better == first else -1), None
     key, _, length = place.removeprefix("p ").partition(", ")
     outcome = outcomes[key]
-    length = next((n for n in outcome.final if str(n) == length), None) if length else outcome.longest
+    length = (
+        next((n for n in outcome.final if str(n) == length), None)
+        if length
+        else outcome.longest
+    )
     if not second:
         mean, half = tables.mean_and_half(outcome.final[length][first]).split(" ± ")
         return float(mean), float(half)
@@ -96,16 +118,22 @@ def test_a_marked_number_is_what_its_mark_names(outcomes, page):
     for number, half, mark in found:
         value, width = marked(outcomes, mark)
         digits = len(number.partition(".")[2])
-        assert float(number.replace("−", "-")) == pytest.approx(value, abs=0.5001 * 10.0**-digits), mark
+        assert float(number.replace("−", "-")) == pytest.approx(
+            value, abs=0.5001 * 10.0**-digits
+        ), mark
         assert not half or float(half) == width, mark
 
 
 @pytest.mark.parametrize("page", [RESULTS, REPORT])
 def test_every_result_in_the_text_has_a_mark(page):
     """A result is a number with two decimals or more, a mean with its interval, or a p."""
-    text = MARKED.sub("", words(BLOCK.sub("", (ROOT / page).read_text(encoding="utf-8"))))
+    text = MARKED.sub(
+        "", words(BLOCK.sub("", (ROOT / page).read_text(encoding="utf-8")))
+    )
     text = re.sub(r"!\[[^\]]*\]", "", text)  # a picture's text has a test of its own
-    assert set(re.findall(r"\d+\.\d\d+|± ?\d[\d.]*|p = [\d.]+", text)) - CONSTANTS == set()
+    assert (
+        set(re.findall(r"\d+\.\d\d+|± ?\d[\d.]*|p = [\d.]+", text)) - CONSTANTS == set()
+    )
 
 
 def verdicts_on_pairs(outcomes):
@@ -121,11 +149,25 @@ def verdicts_on_pairs(outcomes):
 
 def test_the_results_page_has_each_pair_of_the_paper_with_its_mark(outcomes):
     found = verdicts_on_pairs(outcomes)
-    marks = {(task, pair.name): verdicts.mark(its) for (task, pair), its in found.items() if pair.p < LEVEL}
-    rows = re.findall(r"^\| (\w+) \| ([\w+]+ over [\w+]+) \| .* \| (\S+) \| [^|]*\|$", prose(RESULTS), re.M)
-    assert {(task, pair): mark for task, pair, mark in rows} == marks and len(rows) == len(marks)
-    counts = [list(marks.values()).count(x) for x in (verdicts.EVERYWHERE, verdicts.SOMEWHERE)]
-    assert tells(RESULTS, len(found), len(marks)) and tells(RESULTS, len(marks), *counts, 1, 3)
+    marks = {
+        (task, pair.name): verdicts.mark(its)
+        for (task, pair), its in found.items()
+        if pair.p < LEVEL
+    }
+    rows = re.findall(
+        r"^\| (\w+) \| ([\w+]+ over [\w+]+) \| .* \| (\S+) \| [^|]*\|$",
+        prose(RESULTS),
+        re.M,
+    )
+    assert {(task, pair): mark for task, pair, mark in rows} == marks and len(
+        rows
+    ) == len(marks)
+    counts = [
+        list(marks.values()).count(x) for x in (verdicts.EVERYWHERE, verdicts.SOMEWHERE)
+    ]
+    assert tells(RESULTS, len(found), len(marks)) and tells(
+        RESULTS, len(marks), *counts, 1, 3
+    )
     assert sum(counts) == len(marks) - 1 - 3
     assert list(marks.values()).count(verdicts.TENDENCY) == 1
 
@@ -139,68 +181,128 @@ def test_the_results_page_says_which_of_the_other_pairs_are_significant_here(out
     shown = {name for name, its in rest.items() if its != {UNDECIDED}}
     assert shown == {("wander_simple", f"{SR} over {QBIASSR}"), ("wander_4k", f"{SR} over {Q}"),
                      *(("navigation_1k", f"{x} over {Q}") for x in (QBIASSR, SR))}  # fmt: skip
-    assert significant(outcomes["robot_navigation_1k"], QBIASSR, Q) == ["5 episodes", "10 episodes"]
-    assert significant(outcomes["robot_navigation_1k"], SR, Q) == ["5 episodes", "10 episodes"]
+    assert significant(outcomes["robot_navigation_1k"], QBIASSR, Q) == [
+        "5 episodes",
+        "10 episodes",
+    ]
+    assert significant(outcomes["robot_navigation_1k"], SR, Q) == [
+        "5 episodes",
+        "10 episodes",
+    ]
 
 
 def significant(outcome: Outcome, better: str, worse: str) -> list[str]:
     """The lengths at which the first of two methods is significantly ahead."""
-    tested = {str(length): outcome.pair(better, worse, length) for length in outcome.final}
+    tested = {
+        str(length): outcome.pair(better, worse, length) for length in outcome.final
+    }
     return [length for length, (gain, p) in tested.items() if gain > 0 and p < LEVEL]
 
 
 def test_the_pages_say_who_is_ahead_where_the_tests_do(outcomes):
-    for key in ("robot_wander_1k", "robot_wander_4k", "cause_walls_wander_1k", "cause_walls_wander_4k"):
+    for key in (
+        "robot_wander_1k",
+        "robot_wander_4k",
+        "cause_walls_wander_1k",
+        "cause_walls_wander_4k",
+    ):
         assert all(significant(outcomes[key], QBIASSR, other) for other in (SR, Q))
     assert significant(outcomes["robot_wander_simple"], SR, QBIASSR) == ["60 steps"]
     assert significant(outcomes["robot_wander_simple"], QBIASSR, Q) == ["300 steps"]
     late = ["3 episodes", "10 episodes", "30 episodes"]
-    assert significant(outcomes["robot_arm_1k"], Q, QBIASSR) == late == significant(outcomes["robot_arm_1k"], Q, SR)
+    assert (
+        significant(outcomes["robot_arm_1k"], Q, QBIASSR)
+        == late
+        == significant(outcomes["robot_arm_1k"], Q, SR)
+    )
     assert all(outcomes["robot_arm_1k"].pair(x, Q, n)[0] > 0 for x in (QBIASSR, SR)
                for n in list(outcomes["robot_arm_1k"].final)[:2])  # fmt: skip
     arm = outcomes["robot_arm_4k"]
-    assert significant(arm, QBIASSR, Q) == ["3 episodes", "10 episodes"] and significant(arm, Q, SR) == []
-    assert significant(arm, SR, Q) == ["1 episode", "10 episodes"] and significant(arm, Q, QBIASSR) == ["30 episodes"]
+    assert (
+        significant(arm, QBIASSR, Q) == ["3 episodes", "10 episodes"]
+        and significant(arm, Q, SR) == []
+    )
+    assert significant(arm, SR, Q) == ["1 episode", "10 episodes"] and significant(
+        arm, Q, QBIASSR
+    ) == ["30 episodes"]
     for task in ("giraff_wander_simple", "giraff_wander_4k"):
-        assert all(pair.p >= LEVEL for its in outcomes[f"robot_{task}"].pairs.values() for pair in its)
+        assert all(
+            pair.p >= LEVEL
+            for its in outcomes[f"robot_{task}"].pairs.values()
+            for pair in its
+        )
     nav = outcomes["robot_navigation_1k"]
     for length in list(nav.final)[1:]:
         assert nav.means(length)[QBIASSR] > nav.means(length)[SR] > nav.means(length)[Q]
 
 
-def test_walls_and_the_programs_fault_bring_the_papers_order_back_and_lucky_rows_do_not(outcomes):
-    for key in ("robot_wander_1k", "model_wander_1k", "cause_lag_wander_1k", "cause_evasion_wander_1k"):
+def test_walls_and_the_programs_fault_bring_the_papers_order_back_and_lucky_rows_do_not(
+    outcomes,
+):
+    for key in (
+        "robot_wander_1k",
+        "model_wander_1k",
+        "cause_lag_wander_1k",
+        "cause_evasion_wander_1k",
+    ):
         assert significant(outcomes[key], Q, SR)
-    assert {one.verdict.name for one in outcomes["cause_walls_wander_1k"].judged()} == {AGREES}
+    assert {one.verdict.name for one in outcomes["cause_walls_wander_1k"].judged()} == {
+        AGREES
+    }
     assert significant(outcomes["cause_friction_wander_1k"], SR, Q)
     assert significant(outcomes["cause_fault"], SR, "Q+SR with the fault")
-    ahead = {cut: bool(significant(outcomes[f"cause_loops_{cut}"], Q, SR)) for cut in ("uniform", "siblings", "stay")}
+    ahead = {
+        cut: bool(significant(outcomes[f"cause_loops_{cut}"], Q, SR))
+        for cut in ("uniform", "siblings", "stay")
+    }
     assert ahead == {"uniform": False, "siblings": True, "stay": True}
-    assert all(significant(outcomes[f"cause_recording_{seed}"], Q, SR) for seed in (1, 2, 3))
+    assert all(
+        significant(outcomes[f"cause_recording_{seed}"], Q, SR) for seed in (1, 2, 3)
+    )
     about = rl.SampleModel.from_recording(rl.read_recording("wander_1k")).diagnose()
     seen_once = round(100 * about.pairs_seen_once / about.pairs_seen)
-    assert tells(REPORT, seen_once, round(100 * paper.SEEN_ONCE_IN_VREP), len(about.loops))
+    assert tells(
+        REPORT, seen_once, round(100 * paper.SEEN_ONCE_IN_VREP), len(about.loops)
+    )
 
 
-def test_the_pages_count_the_arms_pairs_that_turn_round_and_the_arms_that_shuttle(outcomes):
+def test_the_pages_count_the_arms_pairs_that_turn_round_and_the_arms_that_shuttle(
+    outcomes,
+):
     for kind in ("contact", "traces"):
         bad = signs = turned = 0
         for arm in ("arm_1k", "arm_4k"):
             for length in outcomes[f"robot_{arm}"].final:
-                both = (outcomes[f"{name}_{arm}"].judged(length) for name in ("robot", f"cause_{kind}"))
+                both = (
+                    outcomes[f"{name}_{arm}"].judged(length)
+                    for name in ("robot", f"cause_{kind}")
+                )
                 for before, after in zip(*both, strict=True):
                     if before.verdict.is_opposite:
                         bad += 1
                         signs += not after.verdict.is_opposite
                         turned += after.gain > 0 and after.p < LEVEL
-        assert tells(REPORT, bad, 7, 4, 3, 0) and (signs, turned) == {"contact": (7, 4), "traces": (3, 0)}[kind]
+        assert (
+            tells(REPORT, bad, 7, 4, 3, 0)
+            and (signs, turned) == {"contact": (7, 4), "traces": (3, 0)}[kind]
+        )
     assert tells(RESULTS, 7, 8, 4)
     final = outcomes["robot_arm_1k"].final[outcomes["robot_arm_1k"].longest]
-    assert tells(REPORT, 30, *(round(100 * shuttles(final[x])) for x in (SR, QBIASSR)), 0.25)
+    assert tells(
+        REPORT, 30, *(round(100 * shuttles(final[x])) for x in (SR, QBIASSR)), 0.25
+    )
     assert shuttles(final[Q]) == 0
-    contact, traces = (outcomes[f"cause_{kind}_arm_1k"] for kind in ("contact", "traces"))
-    assert significant(contact, QBIASSR, Q) == ["60 steps", "3 episodes"] and significant(contact, SR, Q)
-    assert all(significant(traces, x, QBIASSR) == ["10 episodes", "30 episodes"] for x in (SR, Q))
+    contact, traces = (
+        outcomes[f"cause_{kind}_arm_1k"] for kind in ("contact", "traces")
+    )
+    assert significant(contact, QBIASSR, Q) == [
+        "60 steps",
+        "3 episodes",
+    ] and significant(contact, SR, Q)
+    assert all(
+        significant(traces, x, QBIASSR) == ["10 episodes", "30 episodes"]
+        for x in (SR, Q)
+    )
 
 
 def test_the_report_says_which_verdicts_depend_on_loop_evasion(outcomes):
@@ -209,7 +311,11 @@ def test_the_report_says_which_verdicts_depend_on_loop_evasion(outcomes):
         task = changed.experiment.task
         if key.startswith("cause_evasion_"):
             for length in changed.final:
-                for ours, its in zip(outcomes[f"robot_{task}"].judged(length), changed.judged(length), strict=True):
+                for ours, its in zip(
+                    outcomes[f"robot_{task}"].judged(length),
+                    changed.judged(length),
+                    strict=True,
+                ):
                     same += ours.verdict.name == its.verdict.name
                     if ours.verdict.name != its.verdict.name:
                         other.add((task, its.pair.name, its.verdict.name))
@@ -221,8 +327,13 @@ def test_the_report_says_which_verdicts_depend_on_loop_evasion(outcomes):
 def test_the_report_counts_what_models_do_as_the_averages_do(outcomes):
     models = {key: o for key, o in outcomes.items() if key.startswith("model_")}
     ahead = [key for key, o in models.items() if o.pair(QBIASSR, SR)[0] > 0]
-    assert ahead == ["model_wander_1k"] and significant(models["model_wander_1k"], QBIASSR, SR)
-    assert significant(models["model_wander_simple"], SR, QBIASSR) == ["60 steps", "300 steps"]
+    assert ahead == ["model_wander_1k"] and significant(
+        models["model_wander_1k"], QBIASSR, SR
+    )
+    assert significant(models["model_wander_simple"], SR, QBIASSR) == [
+        "60 steps",
+        "300 steps",
+    ]
     assert significant(models["model_navigation_1k"], SR, QBIASSR) == ["10 episodes"]
     worse = [(label, mean < outcomes[key.replace("model", "robot")].means(length)[label])
              for key, o in models.items() for length in o.final for label, mean in o.means(length).items()]  # fmt: skip
@@ -247,29 +358,59 @@ def test_the_report_says_of_the_preliminary_tests_what_they_show(outcomes):
         ("preliminary_exploration", "", "TOSL+EG"), ("preliminary_exploration_robot", "", "TOSL+EG"),
     ):  # fmt: skip
         others = [label for label in outcomes[key].experiment.methods if label != SR]
-        assert {x for x in others if significant(outcomes[key], x, SR)} == set(better.split()), key
-        assert {x for x in others if significant(outcomes[key], SR, x)} == set(worse.split()), key
+        assert {x for x in others if significant(outcomes[key], x, SR)} == set(
+            better.split()
+        ), key
+        assert {x for x in others if significant(outcomes[key], SR, x)} == set(
+            worse.split()
+        ), key
     assert len(PRELIMINARIES) == 7
 
 
 def test_the_report_says_how_many_pairs_few_repetitions_would_miss(outcomes):
     rows = tables.few_table(outcomes).rows
     shares = [(task, int(share.rstrip("%"))) for task, *_, share in rows]
-    assert len(rows) == 5 and [task for task, share in shares if share < 10] == ["navigation_1k"] * 4
+    assert (
+        len(rows) == 5
+        and [task for task, share in shares if share < 10] == ["navigation_1k"] * 4
+    )
     assert [share > 50 for task, share in shares if task == "wander_4k"] == [True]
-    q, sarsa, _, reduced, _, full = json.loads((DOCS / "reproduction/environment.json").read_text())["seconds a step"]
+    q, sarsa, _, reduced, _, full = json.loads(
+        (DOCS / "reproduction/environment.json").read_text()
+    )["seconds a step"]
     assert sarsa < q and 5 < full / reduced < 20  # "about ten times"
 
 
 def test_the_page_of_differences_says_how_long_the_processes_are(outcomes):
     runs = {
-        (task, unit): [n.number for n in outcomes[f"robot_{task}"].final if n.unit == unit]
-        for task in ("wander_simple", "giraff_wander_1k", "giraff_wander_simple", "arm_1k", "navigation_1k")
+        (task, unit): [
+            n.number for n in outcomes[f"robot_{task}"].final if n.unit == unit
+        ]
+        for task in (
+            "wander_simple",
+            "giraff_wander_1k",
+            "giraff_wander_simple",
+            "arm_1k",
+            "navigation_1k",
+        )
         for unit in ("steps", "episodes")
     }
-    (giraff,), (its_small,) = runs["giraff_wander_1k", "steps"], runs["giraff_wander_simple", "steps"]
-    ends = [runs[task, "episodes"][i] for task in ("arm_1k", "navigation_1k") for i in (0, -1)]
-    assert tells("docs/differences.md", *runs["wander_simple", "steps"], giraff / 60, its_small, *ends)
+    (giraff,), (its_small,) = (
+        runs["giraff_wander_1k", "steps"],
+        runs["giraff_wander_simple", "steps"],
+    )
+    ends = [
+        runs[task, "episodes"][i]
+        for task in ("arm_1k", "navigation_1k")
+        for i in (0, -1)
+    ]
+    assert tells(
+        "docs/differences.md",
+        *runs["wander_simple", "steps"],
+        giraff / 60,
+        its_small,
+        *ends,
+    )
 
 
 def test_the_pages_tell_how_fast_the_arms_turn():
@@ -280,7 +421,9 @@ def test_the_pages_tell_how_fast_the_arms_turn():
 def test_the_pages_picture_is_the_reports(outcomes):
     o = outcomes["robot_wander_1k"]
     n = len(o.final[o.longest][Q])
-    assert tells(RESULTS, n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR)))
+    assert tells(
+        RESULTS, n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR))
+    )
 
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
@@ -291,9 +434,19 @@ PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(
 @pytest.mark.parametrize("page", PAGES)
 def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
     """On GitHub, where nothing is there that `make docs` makes."""
-    text = re.sub(r"^```.*?^```", "", (ROOT / page).read_text(encoding="utf-8"), flags=re.M | re.S)
-    targets = [target for target in re.findall(r"\]\(([^)\s]+)\)", text) if not re.match(r"https?:|mailto:|#", target)]
-    assert [target for target in targets if not ((ROOT / page).parent / target.split("#")[0]).exists()] == []
+    text = re.sub(
+        r"^```.*?^```", "", (ROOT / page).read_text(encoding="utf-8"), flags=re.M | re.S
+    )
+    targets = [
+        target
+        for target in re.findall(r"\]\(([^)\s]+)\)", text)
+        if not re.match(r"https?:|mailto:|#", target)
+    ]
+    assert [
+        target
+        for target in targets
+        if not ((ROOT / page).parent / target.split("#")[0]).exists()
+    ] == []
 
 
 @pytest.mark.parametrize("lesson, name, form", [
@@ -316,8 +469,16 @@ def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
 
 def computed(lesson: str) -> dict[str, tuple[float, float]]:
     """What lesson_numbers.csv has for a lesson: value and half interval, by what they are of and the steps."""
-    rows = [row for row in table("studies/lesson_numbers.csv") if row["lesson"] == lesson]
-    return {f"{row['of']}, {row['steps']}": (float(row["value"]), float(row["half_interval"])) for row in rows}
+    rows = [
+        row for row in table("studies/lesson_numbers.csv") if row["lesson"] == lesson
+    ]
+    return {
+        f"{row['of']}, {row['steps']}": (
+            float(row["value"]),
+            float(row["half_interval"]),
+        )
+        for row in rows
+    }
 
 
 def table(path: str) -> list[dict[str, str]]:
@@ -329,22 +490,45 @@ def table(path: str) -> list[dict[str, str]]:
 PLUS_MINUS = re.compile(r"([-−]?\d+\.\d+) ?± ?(\d*\.\d+)")
 
 
-@pytest.mark.parametrize("lesson", [path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()])
-def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_computed_for_one(lesson):
+@pytest.mark.parametrize(
+    "lesson", [path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()]
+)
+def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_computed_for_one(
+    lesson,
+):
     """Or it is the difference of two that do."""
     number = Path(lesson).name[:2]
-    of_lesson = {(row["lesson"][:2], row["value"], row["half_interval"]) for row in table("studies/lesson_numbers.csv")}
-    rows = of_lesson | {("", row["mean"], row["half"]) for row in table("rlrobot_course/scoreboard.csv")}
-    known = {(f"{float(x):.{digits}f}", f"{float(half):.{digits}f}") for _, x, half in rows for digits in (1, 2)}
+    of_lesson = {
+        (row["lesson"][:2], row["value"], row["half_interval"])
+        for row in table("studies/lesson_numbers.csv")
+    }
+    rows = of_lesson | {
+        ("", row["mean"], row["half"]) for row in table("rlrobot_course/scoreboard.csv")
+    }
+    known = {
+        (f"{float(x):.{digits}f}", f"{float(half):.{digits}f}")
+        for _, x, half in rows
+        for digits in (1, 2)
+    }
     cells = json.loads((ROOT / lesson).read_text(encoding="utf-8"))["cells"]
-    shown = PLUS_MINUS.findall(json.dumps([c.get("outputs") for c in cells], ensure_ascii=False).replace("−", "-"))
+    shown = PLUS_MINUS.findall(
+        json.dumps([c.get("outputs") for c in cells], ensure_ascii=False).replace(
+            "−", "-"
+        )
+    )
     quoted = set(PLUS_MINUS.findall(prose(lesson).replace("−", "-"))) - set(shown)
-    here = [*shown, *(quoted & known), *((x, half) for of, x, half in of_lesson if of == number)]
+    here = [
+        *shown,
+        *(quoted & known),
+        *((x, half) for of, x, half in of_lesson if of == number),
+    ]
     values, halves = np.array(here or [(0, 0)], dtype=float).T
     for value, half in quoted - known:
         rounding = 1.1 * 10.0 ** -len(value.partition(".")[2])
         found = np.isclose(values[:, None] - values, float(value), atol=rounding)
-        found &= np.isclose(np.hypot(halves[:, None], halves), float(half), atol=rounding)
+        found &= np.isclose(
+            np.hypot(halves[:, None], halves), float(half), atol=rounding
+        )
         assert found.any(), f"{value} ± {half}"
 
 
@@ -355,9 +539,16 @@ def test_lessons_11_and_16_call_apart_what_does_not_overlap():
         (a, half_a), (b, half_b) = rows[f"{low}, 1800"], rows[f"{high}, 1800"]
         return a + half_a < b - half_b
 
-    assert below("lasers err by 5 cm", "ideal") and not below("wheels slip by 20 %", "ideal")
-    for world in ("ideal", "as in V-REP"):  # the rows of these names have the paper's cuts
-        assert below(world, f"5, 10, 15 cm, {world}") and below(f"50, 100, 150 cm, {world}", world)
+    assert below("lasers err by 5 cm", "ideal") and not below(
+        "wheels slip by 20 %", "ideal"
+    )
+    for world in (
+        "ideal",
+        "as in V-REP",
+    ):  # the rows of these names have the paper's cuts
+        assert below(world, f"5, 10, 15 cm, {world}") and below(
+            f"50, 100, 150 cm, {world}", world
+        )
 
 
 def test_lessons_count_the_robots_that_were_counted():
@@ -367,8 +558,12 @@ def test_lessons_count_the_robots_that_were_counted():
     assert tells("notebooks/12_navigation.ipynb", 18, sum(arrived[:2]))
     assert tells("notebooks/12_navigation.ipynb", sum(arrived[2:]), 18)
     ((shortest, _),) = computed("12, shortest way").values()
-    assert tells("notebooks/12_navigation.ipynb", 25, round(shortest, 1), round(shortest / 0.195))
-    few, some, many = (value for value, _ in computed("13").values())  # at λ = 0, 0.7 and 0.9
+    assert tells(
+        "notebooks/12_navigation.ipynb", 25, round(shortest, 1), round(shortest / 0.195)
+    )
+    few, some, many = (
+        value for value, _ in computed("13").values()
+    )  # at λ = 0, 0.7 and 0.9
     assert tells("notebooks/13_robot_arm.ipynb", many, 3, 0.9, some, 0.7, few, 0)
 
 
@@ -381,15 +576,27 @@ def test_lessons_quote_the_report(outcomes):
     wander = "notebooks/11_wandering_robot.ipynb"
     for world in ("robot", "cause_walls"):
         o = outcomes[f"{world}_wander_1k"]
-        assert tells(wander, *(round(o.means()[label], 2) for label in (Q, SR, QBIASSR)))
-        assert all(o.pair(*pair)[1] < 0.05 for pair in ((Q, SR), (Q, QBIASSR), (SR, QBIASSR)))
-    gains = [outcomes[f"cause_{part}_wander_1k"].pair(SR, Q)[0] for part in ("friction", "lag")]
+        assert tells(
+            wander, *(round(o.means()[label], 2) for label in (Q, SR, QBIASSR))
+        )
+        assert all(
+            o.pair(*pair)[1] < 0.05 for pair in ((Q, SR), (Q, QBIASSR), (SR, QBIASSR))
+        )
+    gains = [
+        outcomes[f"cause_{part}_wander_1k"].pair(SR, Q)[0]
+        for part in ("friction", "lag")
+    ]
     assert tells(wander, round(gains[0], 2), -round(gains[1], 2))
 
     o = outcomes["preliminary_temperature_robot"]
     means = {label: round(o.means()[label], 2) for label in ("T = 1", "T = 0.3")}
     assert tells(
-        "notebooks/14_sample_models.ipynb", 1, means["T = 1"], 0.3, means["T = 0.3"], round(o.pair(*means)[1], 3)
+        "notebooks/14_sample_models.ipynb",
+        1,
+        means["T = 1"],
+        0.3,
+        means["T = 0.3"],
+        round(o.pair(*means)[1], 3),
     )
 
     low = {}
@@ -397,15 +604,27 @@ def test_lessons_quote_the_report(outcomes):
         final = outcomes[f"{name}_arm_1k"].final
         at = next(n for n in final if n.unit == "episodes" and n.number == 10)
         low[name] = {label: int((x < 3).sum()) for label, x in final[at].items()}
-    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 13 has them
+    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [
+        10,
+        8,
+        0,
+        2,
+    ]  # as lesson 13 has them
 
 
 def test_lesson_22_quotes_the_study_of_networks():
-    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["wander_1k"]
-    last = {label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()}
+    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))[
+        "runs"
+    ]["wander_1k"]
+    last = {
+        label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()
+    }
     numbers = [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
     assert tells("notebooks/more/22_a_better_bias.ipynb", *numbers)
-    taken = {label: np.mean([run["learning"] for run in runs[label]]) for label in ("DQN, fitted", QBIASSR)}
+    taken = {
+        label: np.mean([run["learning"] for run in runs[label]])
+        for label in ("DQN, fitted", QBIASSR)
+    }
     assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
 
 
@@ -413,11 +632,21 @@ def test_lesson_22_quotes_the_study_of_networks():
     ("README.md", "## Ten lines of Python", 10), ("docs/real_robot.md", "## In five lines", 6),  # and its import
 ])  # fmt: skip
 def test_a_heading_counts_its_lines(page, heading, lines):
-    code = re.search(rf"^{heading}$.*?^```python$(.*?)^```$", prose(page), re.M | re.S)[1]
+    code = re.search(rf"^{heading}$.*?^```python$(.*?)^```$", prose(page), re.M | re.S)[
+        1
+    ]
     assert len([line for line in code.splitlines() if line]) == lines
 
 
 def test_the_first_hour_tells_the_minutes_of_the_table_of_lessons():
-    table = dict(re.findall(r"notebooks/(\w+)\.ipynb\).*\| (\d+) \|", (ROOT / "README.md").read_text(encoding="utf-8")))
-    told = re.findall(r"notebooks/(\w+)\.ipynb\), (\d+) minutes", words(prose("docs/howto/first_hour.md")))
+    table = dict(
+        re.findall(
+            r"notebooks/(\w+)\.ipynb\).*\| (\d+) \|",
+            (ROOT / "README.md").read_text(encoding="utf-8"),
+        )
+    )
+    told = re.findall(
+        r"notebooks/(\w+)\.ipynb\), (\d+) minutes",
+        words(prose("docs/howto/first_hour.md")),
+    )
     assert told and all(table[lesson] == minutes for lesson, minutes in told)

@@ -32,7 +32,9 @@ DOCS = ROOT / "docs"
 )  # fmt: skip
 def test_a_page_says_what_its_script_would_write(page, template):
     text = words((DOCS / page).read_text(encoding="utf-8"))
-    assert [part for part in re.split(r"\{[^{}]*\}", template) if words(part) not in text] == []
+    assert [
+        part for part in re.split(r"\{[^{}]*\}", template) if words(part) not in text
+    ] == []
 
 
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
@@ -42,7 +44,9 @@ def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
 
 def test_the_registered_page_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/better_bias.json").read_text(encoding="utf-8"))
-    assert (DOCS / "a_better_bias.md").read_text(encoding="utf-8") == better_bias_page.page(found)
+    assert (DOCS / "a_better_bias.md").read_text(
+        encoding="utf-8"
+    ) == better_bias_page.page(found)
     assert {name: {label: len(values) for label, values in its.items() if ", T = " not in label or "tuning" in label}
             for name, its in found.items()} == {
         name: {label: better_bias.repetitions(name, label) for label in better_bias.first_labels(name)}
@@ -52,31 +56,62 @@ def test_the_registered_page_is_what_its_numbers_say():
 
 def first_study(robot: str) -> dict[str, str]:
     """The means of the first study of biases in a world, by method."""
-    lines = (DOCS / "a_better_bias.md").read_text(encoding="utf-8").split("## How the question arose")[1].splitlines()
-    head, row = (next(line for line in lines if line.startswith(f"| {begin}")) for begin in ("robot |", f"{robot},"))
-    return dict(zip(*([cell.strip() for cell in line.split("|")] for line in (head, row)), strict=True))
+    lines = (
+        (DOCS / "a_better_bias.md")
+        .read_text(encoding="utf-8")
+        .split("## How the question arose")[1]
+        .splitlines()
+    )
+    head, row = (
+        next(line for line in lines if line.startswith(f"| {begin}"))
+        for begin in ("robot |", f"{robot},")
+    )
+    return dict(
+        zip(
+            *([cell.strip() for cell in line.split("|")] for line in (head, row)),
+            strict=True,
+        )
+    )
 
 
 def test_the_history_of_the_better_bias_has_the_robots_of_the_page_of_the_blind_one():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     for world in ("wander_1k", "wander_4k", "giraff_wander_1k", "giraff_wander_4k"):
         for label in ("VBIASSR", "blind"):
-            assert first_study(world)[label] == f"{np.mean(found[world]['finals'][label]):.2f}"
+            assert (
+                first_study(world)[label]
+                == f"{np.mean(found[world]['finals'][label]):.2f}"
+            )
     p = blind_study.p_of(found["wander_4k"], "VBIASSR")
-    assert p >= 0.05 and f"(p = {p:.2f})" in (DOCS / "a_better_bias.md").read_text(encoding="utf-8")
+    assert p >= 0.05 and f"(p = {p:.2f})" in (DOCS / "a_better_bias.md").read_text(
+        encoding="utf-8"
+    )
 
 
 def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
     """Of planning.md, by steps, world, method and planner: mean with and without, p (0 for < 0.001), bold or italic."""
     text, found = (DOCS / "planning.md").read_text(encoding="utf-8"), {}
-    for steps, part in zip((300, 3600), re.split(r"## After .* steps\n", text)[1:], strict=True):
+    for steps, part in zip(
+        (300, 3600), re.split(r"## After .* steps\n", text)[1:], strict=True
+    ):
         world = ""
-        for row in re.findall(r"^\| ([^|]*) \| ([\w+]+) \| ([-\d.]+) \| (.*) \| (.*) \|$", part.split("##")[0], re.M):
+        for row in re.findall(
+            r"^\| ([^|]*) \| ([\w+]+) \| ([-\d.]+) \| (.*) \| (.*) \|$",
+            part.split("##")[0],
+            re.M,
+        ):
             world = row[0].strip() or world
             for planner, cell in zip(("dyna", "sweeping"), row[3:], strict=True):
-                style, mean, sign, p = re.fullmatch(r"(\**)([-\d.]+) \(p ([<=]) ([\d.]+)\)\**", cell).groups()
+                style, mean, sign, p = re.fullmatch(
+                    r"(\**)([-\d.]+) \(p ([<=]) ([\d.]+)\)\**", cell
+                ).groups()
                 p = 0.0 if sign == "<" else float(p)
-                found[steps, world, row[1], planner] = (float(mean), float(row[2]), p, style)
+                found[steps, world, row[1], planner] = (
+                    float(mean),
+                    float(row[2]),
+                    p,
+                    style,
+                )
     return found
 
 
@@ -89,24 +124,39 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
     def style(steps, world, method, planner="sweeping"):
         return found[steps, world, method, planner][3]
 
-    nav, giraff, one, arm = (f"{name}, model" for name in ("navigation_1k", "giraff_wander_1k", "wander_1k", "arm_1k"))
+    nav, giraff, one, arm = (
+        f"{name}, model"
+        for name in ("navigation_1k", "giraff_wander_1k", "wander_1k", "arm_1k")
+    )
     robot, simple = "wander_1k, robot", "wander_simple, model"
-    better = {(n, nav, f"Q+{x}", "sweeping") for n in (300, 3600) for x in ("SR", "QBIASSR")}
+    better = {
+        (n, nav, f"Q+{x}", "sweeping") for n in (300, 3600) for x in ("SR", "QBIASSR")
+    }
     better |= {(3600, nav, "Q+QBIASSR", "dyna"), (3600, giraff, "Q+EG", "sweeping")}
     assert {key for key in found if key[1] in (nav, giraff) and found[key][3]} == better
-    assert {found[key][3] for key in better} == {"**"} and not any(found[key][3] for key in found if key[1] == one)
-    assert {key: its[3] for key, its in found.items() if key[1] == robot and its[3]} == {
-        (3600, robot, "Q+SR", "sweeping"): "*"
-    }
+    assert {found[key][3] for key in better} == {"**"} and not any(
+        found[key][3] for key in found if key[1] == one
+    )
+    assert {
+        key: its[3] for key, its in found.items() if key[1] == robot and its[3]
+    } == {(3600, robot, "Q+SR", "sweeping"): "*"}
     p = found[3600, robot, "Q+EG", "dyna"][2]
-    assert tells("docs/planning.md", p) and p <= found[3600, robot, "Q+EG", "sweeping"][2]
+    assert (
+        tells("docs/planning.md", p) and p <= found[3600, robot, "Q+EG", "sweeping"][2]
+    )
     ends = [found[3600, arm, "Q+SR", planner] for planner in ("dyna", "sweeping")]
     assert tells("docs/planning.md", ends[0][1], *(mean for mean, *_ in ends))
     assert [end[3] for end in ends] == ["*", "*"]
     loss = 1.9  # as the page says
-    losses = [found[3600, simple, f"{x}+QBIASSR", y] for x in ("Q", "TOSL") for y in ("dyna", "sweeping")]
+    losses = [
+        found[3600, simple, f"{x}+QBIASSR", y]
+        for x in ("Q", "TOSL")
+        for y in ("dyna", "sweeping")
+    ]
     assert all(base - mean > loss and mark == "*" for mean, base, _, mark in losses)
-    assert all(style(3600, arm, "Q+EG", planner) == "**" for planner in ("dyna", "sweeping"))
+    assert all(
+        style(3600, arm, "Q+EG", planner) == "**" for planner in ("dyna", "sweeping")
+    )
     assert not any(its[3] == "*" for key, its in found.items() if key[2] == "Q+EG")
 
 
@@ -116,10 +166,21 @@ def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
     called = re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text)
     assert len(called) == tests
     assert all((float(p) < limit / tests) == bool(mark) for p, mark in called)
-    rows = text[text.index("**Pioneer to Giraff**") : text.index("**wander_1k to wander_4k**")].splitlines()
-    plain, halved = (next(row for row in rows if row.startswith(f"| {way} |")) for way in transfer.WAYS[1:3])
-    significant = [["(significant)" in cell for cell in row.split("|")[2:6]] for row in (plain, halved)]
-    assert significant == [[False, True, True, False], [False, False, True, True]]  # as the page sums them up
+    rows = text[
+        text.index("**Pioneer to Giraff**") : text.index("**wander_1k to wander_4k**")
+    ].splitlines()
+    plain, halved = (
+        next(row for row in rows if row.startswith(f"| {way} |"))
+        for way in transfer.WAYS[1:3]
+    )
+    significant = [
+        ["(significant)" in cell for cell in row.split("|")[2:6]]
+        for row in (plain, halved)
+    ]
+    assert significant == [
+        [False, True, True, False],
+        [False, False, True, True],
+    ]  # as the page sums them up
 
 
 def test_a_page_tells_the_limits_of_the_arms_joints():
@@ -129,12 +190,19 @@ def test_a_page_tells_the_limits_of_the_arms_joints():
 
 def test_no_difference_between_the_arms_engines_is_significant():
     text = (DOCS / "kinematic_arm.md").read_text(encoding="utf-8")
-    p = [float(x) for x in re.findall(r"^\| `arm_\dk` \| [\w+]+ \| .* \| ([\d.]+) \|$", text, re.M)]
+    p = [
+        float(x)
+        for x in re.findall(
+            r"^\| `arm_\dk` \| [\w+]+ \| .* \| ([\d.]+) \|$", text, re.M
+        )
+    ]
     assert len(p) == 4 and min(p) >= 0.05
 
 
 def test_what_the_study_of_networks_says_of_goals_is_what_its_runs_show():
-    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["navigation_1k"]
+    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))[
+        "runs"
+    ]["navigation_1k"]
     goals = {label: [run["goals"] for run in its] for label, its in runs.items()}
 
     def p(one, other):
@@ -144,4 +212,10 @@ def test_what_the_study_of_networks_says_of_goals_is_what_its_runs_show():
     assert told < 0.05 and tells("docs/baselines.md", told)
     assert np.mean(goals["DQN, as it comes"]) < np.mean(goals["Q+RANDOM"])
     assert max(goals, key=lambda label: np.mean(goals[label])) == "DQN, fitted"
-    assert min(p("DQN, fitted", other) for other in ("PPO, fitted", "DQN, fitted, sees readings")) >= 0.05
+    assert (
+        min(
+            p("DQN, fitted", other)
+            for other in ("PPO, fitted", "DQN, fitted, sees readings")
+        )
+        >= 0.05
+    )

@@ -9,7 +9,9 @@ def test_a_way_is_compared_with_learning_from_scratch_over_the_first_steps_alone
     rewards = np.zeros((4, 2, 6))
     rewards[:, 1, :2] = [[1, 2], [2, 3], [3, 4], [4, 5]]
     said, p, better = study.compared(rewards, 1, 2)
-    assert said == "3.00 ± 2.05" and better == 1 and p == pytest.approx(0.0211, abs=1e-4)  # t(0.975, 3) = 3.182
+    assert (
+        said == "3.00 ± 2.05" and better == 1 and p == pytest.approx(0.0211, abs=1e-4)
+    )  # t(0.975, 3) = 3.182
     assert study.compared(rewards, 0, 6)[2] == 0.5
     assert "first 100 steps" not in str(study.table(study.CARRIES[1], rewards, 1))
 

@@ -28,9 +28,19 @@ QBIASSR, SR, Q = paper.THREE
         (-1.0, 0.2, 0.7, "undecided"),
         (-1.0, 0.2, 0.002, "opposite, not significant"),
         (-1.0, 0.001, 0.002, "significantly the opposite"),
-        (-1.0, 0.001, 0.2, "significantly the opposite (the paper's is not significant)"),
+        (
+            -1.0,
+            0.001,
+            0.2,
+            "significantly the opposite (the paper's is not significant)",
+        ),
         (1.0, 0.001, None, "agrees (the paper gives no test)"),
-        (1.0, 0.2, None, "agrees in direction (ours is not significant; the paper gives no test)"),
+        (
+            1.0,
+            0.2,
+            None,
+            "agrees in direction (ours is not significant; the paper gives no test)",
+        ),
         (-1.0, 0.2, None, "opposite, not significant (the paper gives no test)"),
         (-1.0, 0.001, None, "significantly the opposite (the paper gives no test)"),
         (1.0, 0.05, 0.05, "undecided"),
@@ -46,8 +56,13 @@ def test_a_verdict_is_the_same_whichever_method_is_named_first():
     for labels in (paper.THREE, paper.THREE[::-1]):
         groups = {label: np.linspace(-1, 1, 9) + 9 * (label == Q) for label in labels}
         (length,) = by_key("robot_wander_1k").lengths
-        both, bias, traces = Outcome(by_key("robot_wander_1k"), {length: groups}).judged()
-        assert bias.gain == traces.gain == -9 and bias.verdict.name == traces.verdict.name == verdicts.REVERSED
+        both, bias, traces = Outcome(
+            by_key("robot_wander_1k"), {length: groups}
+        ).judged()
+        assert (
+            bias.gain == traces.gain == -9
+            and bias.verdict.name == traces.verdict.name == verdicts.REVERSED
+        )
         assert both.gain == 0 and both.pair.name == f"{QBIASSR} over {SR}"
 
 
@@ -59,7 +74,10 @@ def test_a_mark_says_what_all_set_ups_of_a_pair_show(names, mark):
     assert verdicts.mark(map(verdicts.Verdict, names)) == mark
 
 
-@pytest.mark.parametrize("chosen, said", [("c", verdicts.BEST), ("b", verdicts.AS_GOOD), ("a", verdicts.BEATEN)])
+@pytest.mark.parametrize(
+    "chosen, said",
+    [("c", verdicts.BEST), ("b", verdicts.AS_GOOD), ("a", verdicts.BEATEN)],
+)
 def test_a_chosen_value_is_only_asked_whether_it_is_the_best(chosen, said):
     noise = np.random.default_rng(0).normal(size=20)
     final = {"a": noise - 9, "b": noise, "c": noise + 0.1}
@@ -72,12 +90,20 @@ def test_a_tiny_p_value_is_never_printed_as_zero():
     for table in (Tukey.of(groups).table(), Anova.of(list(groups.values())).table()):
         for text in (str(table), in_markdown(table), table._repr_html_()):
             assert "1e-15" in text and " 0.0000" not in text
-    assert exact(0.0) == exact(9e-16) == "p < 1e-15" and exact(1e-15) == 1e-15 and np.isnan(exact(float("nan")))
+    assert (
+        exact(0.0) == exact(9e-16) == "p < 1e-15"
+        and exact(1e-15) == 1e-15
+        and np.isnan(exact(float("nan")))
+    )
 
 
 def test_half_the_width_of_an_interval_is_the_difference_that_is_just_significant():
-    groups = {name: np.random.default_rng(i).normal(size=12) for i, name in enumerate("abc")}
-    middle = {name: x - x.mean() for name, x in groups.items()}  # the variance stays, the means are alike
+    groups = {
+        name: np.random.default_rng(i).normal(size=12) for i, name in enumerate("abc")
+    }
+    middle = {
+        name: x - x.mean() for name, x in groups.items()
+    }  # the variance stays, the means are alike
     just = interval(groups)
     assert just == half_width(Anova.of(list(groups.values())), 12)
     for shift, significant in ((0.999 * just, False), (1.001 * just, True)):
@@ -87,14 +113,27 @@ def test_half_the_width_of_an_interval_is_the_difference_that_is_just_significan
 
 def test_few_repetitions_find_less_and_all_of_them_find_what_the_test_finds():
     rng = np.random.default_rng(1)
-    groups = {"a": rng.normal(0, 1, 30), "b": rng.normal(1, 1, 30), "c": rng.normal(9, 1, 30)}
-    all_of_them, few = significant_with(groups, 30, draws=20), significant_with(groups, 6)
+    groups = {
+        "a": rng.normal(0, 1, 30),
+        "b": rng.normal(1, 1, 30),
+        "c": rng.normal(9, 1, 30),
+    }
+    all_of_them, few = (
+        significant_with(groups, 30, draws=20),
+        significant_with(groups, 6),
+    )
     for pair in Tukey.of(groups).pairs:
         assert all_of_them[frozenset(pair[:2])] == (pair.p < 0.05)
     assert few[frozenset("ab")] < 0.8 and few[frozenset("ac")] == 1
 
 
-CHAIN = [(0, 0, -1.0, 1, 0), (1, 0, -1.0, 0, 0), (0, 1, 5.0, 0, 0), (0, 0, -1.0, 1, 0), (1, 1, 0.0, 1, 0)]
+CHAIN = [
+    (0, 0, -1.0, 1, 0),
+    (1, 0, -1.0, 0, 0),
+    (0, 1, 5.0, 0, 0),
+    (0, 0, -1.0, 1, 0),
+    (1, 1, 0.0, 1, 0),
+]
 
 
 def test_with_the_papers_fault_the_action_before_moves_and_the_present_one_is_paid():
@@ -108,10 +147,16 @@ def test_with_the_papers_fault_the_action_before_moves_and_the_present_one_is_pa
         observation, r, *_ = env.step(action)
         there = moves[action if last is None else last][state]
         assert observation[0] == there
-        assert r == paid[state, action, there] if (state, action, there) in paid else r in (-1.0, 0.0, 5.0)
+        assert (
+            r == paid[state, action, there]
+            if (state, action, there) in paid
+            else r in (-1.0, 0.0, 5.0)
+        )
         state, last = there, action
     env.reset()
-    assert env.step(1)[1] == paid[env.unwrapped.state, 1, env.unwrapped.state]  # nothing is left of the episode before
+    assert (
+        env.step(1)[1] == paid[env.unwrapped.state, 1, env.unwrapped.state]
+    )  # nothing is left of the episode before
 
 
 def test_lucky_loops_are_taken_out_of_a_model_and_nothing_else():
@@ -126,24 +171,62 @@ def test_lucky_loops_are_taken_out_of_a_model_and_nothing_else():
 
 def test_the_reward_for_contact_alone_pays_nothing_for_the_way():
     task = contact_alone(rl.load_task("arm_1k"))
-    thing = {"object_x": 0.0, "object_y": 0.0, "object_z": 0.0, "gripper_y": 0.0, "gripper_z": 0.0}
+    thing = {
+        "object_x": 0.0,
+        "object_y": 0.0,
+        "object_z": 0.0,
+        "gripper_y": 0.0,
+        "gripper_z": 0.0,
+    }
     far, near, touching = ({**thing, "gripper_x": x} for x in (0.2, 0.1, 0.04))
-    assert task.reward_for(far, near) == task.reward_for(near, far) == task.reward_for(touching, far) == -0.02
+    assert (
+        task.reward_for(far, near)
+        == task.reward_for(near, far)
+        == task.reward_for(touching, far)
+        == -0.02
+    )
     assert task.reward_for(near, touching) == task.reward_for(touching, touching) == 10
 
 
 def test_a_table_of_changes_has_the_pairs_that_are_opposite_or_become_others():
     def outcome(key, *means):
         (length,), noise = by_key(key).lengths, 0.1 * np.linspace(-1, 1, 30)
-        return Outcome(by_key(key), {length: {x: mean + noise for x, mean in zip(paper.THREE, means, strict=True)}})
+        return Outcome(
+            by_key(key),
+            {
+                length: {
+                    x: mean + noise for x, mean in zip(paper.THREE, means, strict=True)
+                }
+            },
+        )
 
-    ideal, held = outcome("robot_wander_1k", 5, 3, 4), outcome("cause_walls_wander_1k", 3, 4, 5)
+    ideal, held = (
+        outcome("robot_wander_1k", 5, 3, 4),
+        outcome("cause_walls_wander_1k", 3, 4, 5),
+    )
     assert tables.changes_table({"robot_wander_1k": ideal}, "wander_1k").rows == []
-    rows = tables.changes_table({"robot_wander_1k": ideal, "cause_walls_wander_1k": held}, "wander_1k").rows
+    rows = tables.changes_table(
+        {"robot_wander_1k": ideal, "cause_walls_wander_1k": held}, "wander_1k"
+    ).rows
     assert [(row[2], row[3], row[4], row[6:]) for row in rows] == [
-        (f"{QBIASSR} less {SR}", pytest.approx(2), pytest.approx(-1), [verdicts.AGREES, verdicts.REVERSED]),
-        (f"{QBIASSR} less {Q}", pytest.approx(1), pytest.approx(-2), [verdicts.AGREES, verdicts.REVERSED]),
-        (f"{SR} less {Q}", pytest.approx(-1), pytest.approx(-1), [verdicts.REVERSED] * 2),
+        (
+            f"{QBIASSR} less {SR}",
+            pytest.approx(2),
+            pytest.approx(-1),
+            [verdicts.AGREES, verdicts.REVERSED],
+        ),
+        (
+            f"{QBIASSR} less {Q}",
+            pytest.approx(1),
+            pytest.approx(-2),
+            [verdicts.AGREES, verdicts.REVERSED],
+        ),
+        (
+            f"{SR} less {Q}",
+            pytest.approx(-1),
+            pytest.approx(-1),
+            [verdicts.REVERSED] * 2,
+        ),
     ]
 
 

@@ -17,7 +17,12 @@ def rows(*transitions):
 
 def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_reference():
     one = rows(*[(0, 0, 1, 10.0)] * 3, *[(1, 0, 1, -2.0)])
-    two = rows(*[(0, 0, 1, 10.0)] * 1, *[(0, 0, 2, 10.0)] * 1, *[(1, 0, 2, -2.0)], (5, 5, 5, 10.0))
+    two = rows(
+        *[(0, 0, 1, 10.0)] * 1,
+        *[(0, 0, 2, 10.0)] * 1,
+        *[(1, 0, 2, -2.0)],
+        (5, 5, 5, 10.0),
+    )
     pairs = often_seen([one, two], least=1)
     assert pairs == {(0, 0), (1, 0)} and often_seen([one, two], least=2) == {(0, 0)}
     assert distance(one, one, pairs) == 0
@@ -28,11 +33,15 @@ def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_refer
 @pytest.fixture(scope="module")
 def lived(vrep):
     """What our robot lives through in a world, in two recordings; the page has six, and without physics 24."""
-    return cache(lambda world: joined([same_choices(world, seed, vrep) for seed in (0, 1)]))
+    return cache(
+        lambda world: joined([same_choices(world, seed, vrep) for seed in (0, 1)])
+    )
 
 
 @pytest.mark.long
-def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_friction_no_further_away(vrep, lived):
+def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_friction_no_further_away(
+    vrep, lived
+):
     """The limits are the noise of so few recordings above what the page says."""
     found, now, preset = map(lived, (FOUND, NOW, PRESET))
     pairs = often_seen([vrep, found, now, preset])
@@ -44,9 +53,13 @@ def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_
 
 
 @pytest.mark.long
-def test_the_base_without_a_physics_engine_is_about_as_near_to_vrep_as_pymunks(vrep, lived):
+def test_the_base_without_a_physics_engine_is_about_as_near_to_vrep_as_pymunks(
+    vrep, lived
+):
     """Within the noise of so few recordings."""
     now, kinematic = map(lived, (NOW, World(engine="kinematic")))
     pairs = often_seen([vrep, now, kinematic])
     assert len(pairs) > 40
-    assert distance(vrep, kinematic, pairs) == pytest.approx(distance(vrep, now, pairs), abs=0.02)
+    assert distance(vrep, kinematic, pairs) == pytest.approx(
+        distance(vrep, now, pairs), abs=0.02
+    )

@@ -30,7 +30,15 @@ def plan(m, x, s, a, n, rng):
     for _ in range(n):
         pair = x.tried[int(rng.random() * x.now.pairs)]
         i = draw_met(x, pair, int(rng.random() * x.tries[pair]))
-        q_learning.update(m, pair // n_actions, pair % n_actions, x.r[i], x.s_next[i], -1, x.terminated[i])
+        q_learning.update(
+            m,
+            pair // n_actions,
+            pair % n_actions,
+            x.r[i],
+            x.s_next[i],
+            -1,
+            x.terminated[i],
+        )
 
 
 DYNA = Planner(name="dyna", plan=plan)

@@ -8,7 +8,9 @@ from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
 
-NOW = np.dtype([("outcomes", "i8"), ("pairs", "i8")])  # numbers of different outcomes met, and of pairs tried
+NOW = np.dtype(
+    [("outcomes", "i8"), ("pairs", "i8")]
+)  # numbers of different outcomes met, and of pairs tried
 
 
 class Experience(NamedTuple):
@@ -66,9 +68,14 @@ def with_room(x: Experience, n: int) -> Experience:
     if size + n <= room:
         return x
     if size + n > MOST_OUTCOMES:
-        raise ValueError(f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; plan in a smaller world")
+        raise ValueError(
+            f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; plan in a smaller world"
+        )
     more = min(max(2 * room, size + n), MOST_OUTCOMES) - size
-    return Experience(**x._asdict() | {name: np.pad(getattr(x, name)[:size], (0, more)) for name in OUTCOME})
+    return Experience(
+        **x._asdict()
+        | {name: np.pad(getattr(x, name)[:size], (0, more)) for name in OUTCOME}
+    )
 
 
 @compiled
@@ -79,12 +86,20 @@ def meet(x, pair, s_next, r, terminated):
         x.now.pairs += 1
     x.tries[pair] += 1
     i = x.last_of[pair]
-    while i >= 0 and not (x.s_next[i] == s_next and x.r[i] == r and x.terminated[i] == terminated):
+    while i >= 0 and not (
+        x.s_next[i] == s_next and x.r[i] == r and x.terminated[i] == terminated
+    ):
         i = x.same_pair[i]
     if i < 0:  # it never happened before
         i = x.now.outcomes
         x.now.outcomes = i + 1
-        x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = pair, s_next, r, terminated, 0
+        x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = (
+            pair,
+            s_next,
+            r,
+            terminated,
+            0,
+        )
         x.same_pair[i], x.same_next[i] = x.last_of[pair], x.last_into[s_next]
         x.last_of[pair] = x.last_into[s_next] = i
     x.times[i] += 1

@@ -40,4 +40,6 @@ def biased_softmax_regression(m, s):
     softmax(m.probabilities, m.now.temperature, m.probabilities)
 
 
-QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)
+QBIASSR = Selection(
+    name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True
+)

@@ -29,7 +29,9 @@ if TYPE_CHECKING:
 
 ROWS, ABOUT = "main_data.hdf5", "metadata.json"  # Minari's own names
 COLUMNS = ("observations", "actions", "rewards", "terminations", "truncations")
-KEY = "rlrobot_edu"  # under which the metadata keep the data package of `Recording.save`
+KEY = (
+    "rlrobot_edu"  # under which the metadata keep the data package of `Recording.save`
+)
 
 
 def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> None:
@@ -43,12 +45,19 @@ def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> N
         row = int(breaks.argmax()) + 1
         begins = f"row {row} of the recording begins in state {recording.s[row]}"
         before = f"the row before ended in state {recording.s_next[row - 1]}"
-        raise ValueError(f"{begins}, {before}: Minari keeps one state a step, so use Recording.save")
+        raise ValueError(
+            f"{begins}, {before}: Minari keeps one state a step, so use Recording.save"
+        )
     buffers = []
-    for rows in np.split(np.arange(len(recording)), np.flatnonzero(recording.step == 0)[1:]):
+    for rows in np.split(
+        np.arange(len(recording)), np.flatnonzero(recording.step == 0)[1:]
+    ):
         states = np.append(recording.s[rows], recording.s_next[rows[-1]])
         observations = np.stack(np.unravel_index(states, source.states.shape), axis=1)
-        others = (getattr(recording, name)[rows] for name in ("a", "r", "terminated", "truncated"))
+        others = (
+            getattr(recording, name)[rows]
+            for name in ("a", "r", "terminated", "truncated")
+        )
         columns = dict(zip(COLUMNS, (observations, *others), strict=True))
         buffers.append(minari.data_collector.EpisodeBuffer(**columns))
     is_task = source.task_name in available_tasks()
@@ -58,15 +67,21 @@ def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> N
             gymnasium.spaces.MultiDiscrete(list(source.states.shape)),
             gymnasium.spaces.Discrete(source.actions.n),
             # of those that are known: `gymnasium.spec` would import what the name of a foreign one says
-            gymnasium.registry.get(f"rlrobot/{source.task_name}-v0" if is_task else source.task_name),
+            gymnasium.registry.get(
+                f"rlrobot/{source.task_name}-v0" if is_task else source.task_name
+            ),
             data_format="hdf5",
         )
         about = {"dataset_id": dataset_id, "minari_version": minari.__version__}
         package = json.loads(to_files(source, recording.transitions)[1])
-        storage.update_metadata({**about, "algorithm_name": source.method, KEY: package})
+        storage.update_metadata(
+            {**about, "algorithm_name": source.method, KEY: package}
+        )
         storage.update_episodes(buffers)
         # The metadata come last: they hold the fingerprint of the rows, so half a pair is refused when read.
-        write_together({folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)})
+        write_together(
+            {folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)}
+        )
 
 
 def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
@@ -75,12 +90,18 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
     serialization = _needed("minari.serialization")
     folder = _folder(dataset_id, root)
     if not (folder / ABOUT).is_file():
-        raise FileNotFoundError(f"{folder}: there is no Minari dataset {dataset_id!r}; nothing is downloaded")
+        raise FileNotFoundError(
+            f"{folder}: there is no Minari dataset {dataset_id!r}; nothing is downloaded"
+        )
     try:
         about = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
         if about["data_format"] != "hdf5":
-            raise ValueError(f"its data_format is {about['data_format']!r:.80}, expected 'hdf5'")
-        env = gymnasium.Env[Any, Any]()  # a dataset may name an environment, whose code we had better not run
+            raise ValueError(
+                f"its data_format is {about['data_format']!r:.80}, expected 'hdf5'"
+            )
+        env = gymnasium.Env[
+            Any, Any
+        ]()  # a dataset may name an environment, whose code we had better not run
         for name in ("observation_space", "action_space"):
             setattr(env, name, serialization.deserialize_space(about[name]))
         with h5py.File(folder / ROWS) as file:
@@ -97,11 +118,19 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
         its, due = Size.of(env), Size.of(task)
         if (its.shape, its.n_actions) != (due.shape, due.n_actions):
             there = f"its bins are {its.shape}, its actions {its.n_actions}"
-            raise ValueError(f"{folder}: {there}; task {task.name} has {due.shape} and {due.n_actions}")
+            raise ValueError(
+                f"{folder}: {there}; task {task.name} has {due.shape} and {due.n_actions}"
+            )
         source = Source.of_task(task, method=source.method)
-    check_rows(transitions._asdict(), source, lambda row: f"{folder}: row {row} of the recording")
+    check_rows(
+        transitions._asdict(),
+        source,
+        lambda row: f"{folder}: row {row} of the recording",
+    )
     if digits and sha256(to_csv(transitions).encode()) != digits:
-        raise ValueError(f"{folder}: its rows are not the ones that its data package describes; {REMEDY}")
+        raise ValueError(
+            f"{folder}: its rows are not the ones that its data package describes; {REMEDY}"
+        )
     return transitions, source, task
 
 
@@ -111,7 +140,9 @@ def _needed(module: str) -> Any:
         return importlib.import_module(module)
     except ImportError:
         install = "run pip install 'minari[hdf5]'; everything else works without it"
-        raise ImportError(f"{module.partition('.')[0]} is not installed: {install}") from None
+        raise ImportError(
+            f"{module.partition('.')[0]} is not installed: {install}"
+        ) from None
 
 
 def _folder(dataset_id: str, root: str | Path | None) -> Path:
@@ -120,16 +151,22 @@ def _folder(dataset_id: str, root: str | Path | None) -> Path:
         _needed("minari.dataset.minari_dataset").parse_dataset_id(dataset_id)
     except (ValueError, TypeError):
         expected = "letters, digits, - and _, perhaps with /, and a version, such as 'wander_1k/tosl-v0'"
-        raise ValueError(f"a Minari dataset's name is {expected}, got {dataset_id!r:.200}") from None
+        raise ValueError(
+            f"a Minari dataset's name is {expected}, got {dataset_id!r:.200}"
+        ) from None
     if root is None:
         root = _needed("minari.storage.datasets_root_dir").get_dataset_path()
     return Path(root) / dataset_id / "data"
 
 
-def _source(about: dict[str, Any], env: gymnasium.Env[Any, Any], transitions: Transitions) -> Source:
+def _source(
+    about: dict[str, Any], env: gymnasium.Env[Any, Any], transitions: Transitions
+) -> Source:
     """What another program's dataset says of itself."""
     spec = json.loads(about.get("env_spec", "{}"))
-    source = Source.of_env(env, transitions.r, method=str(about.get("algorithm_name", "unknown")))
+    source = Source.of_env(
+        env, transitions.r, method=str(about.get("algorithm_name", "unknown"))
+    )
     name = str(spec.get("id", about["dataset_id"]))
     return replace(source, task_name=name, time_limit=spec.get("max_episode_steps"))
 
@@ -145,7 +182,9 @@ def _episodes(file: Any) -> list[list[NDArray[Any]]]:
     return [[group[name][()] for name in COLUMNS] for group in groups]
 
 
-def _joined(episodes: list[list[NDArray[Any]]], env: gymnasium.Env[Any, Any]) -> Transitions:
+def _joined(
+    episodes: list[list[NDArray[Any]]], env: gymnasium.Env[Any, Any]
+) -> Transitions:
     """The rows of all episodes. Raises ValueError for columns that are none of such an environment."""
     shape = Size.of(env).shape
     start = getattr(env.observation_space, "start", 0)
@@ -154,9 +193,14 @@ def _joined(episodes: list[list[NDArray[Any]]], env: gymnasium.Env[Any, Any]) ->
         observations, actions, rewards, terminations, truncations = columns
         n = len(actions)
         lengths = [column.shape for column in columns]
-        if lengths[1:] != [(n,)] * 4 or lengths[0] not in [(n + 1,), (n + 1, len(shape))]:
+        if lengths[1:] != [(n,)] * 4 or lengths[0] not in [
+            (n + 1,),
+            (n + 1, len(shape)),
+        ]:
             raise ValueError(f"the columns of episode {i} have the shapes {lengths}")
-        states = np.ravel_multi_index(tuple((observations.reshape(n + 1, -1) - start).T), shape)
+        states = np.ravel_multi_index(
+            tuple((observations.reshape(n + 1, -1) - start).T), shape
+        )
         terminated, truncated = terminations.astype(bool), truncations.astype(bool)
         if n and i + 1 < len(episodes):
             truncated[-1] |= not terminated[-1]  # another episode follows

@@ -20,7 +20,9 @@ Numbers = NDArray[np.float64]
 
 def available_recordings() -> list[str]:
     """Names of the recordings that come with the toolkit."""
-    return sorted(package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}"))
+    return sorted(
+        package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}")
+    )
 
 
 def read_recording(
@@ -55,15 +57,21 @@ def read_recording(
         If there is no such recording, or one of its two files is missing.
     """
     if not isinstance(path, str | Path):
-        raise ValueError(f"a recording is the name of one or the path of its folder, not {path!r:.200}")
+        raise ValueError(
+            f"a recording is the name of one or the path of its folder, not {path!r:.200}"
+        )
     path = Path(path)
     if legacy:
         if task is None:
-            raise ValueError(f"{path}: the paper's format does not say which task was recorded; give task=")
+            raise ValueError(
+                f"{path}: the paper's format does not say which task was recorded; give task="
+            )
         task = load_task(task)
         return Recording(_read_legacy(path, task, inputs), Source.of_task(task), task)
     if inputs is not None:
-        raise ValueError(f"{path}: inputs= is for legacy=True; this format names its inputs itself")
+        raise ValueError(
+            f"{path}: inputs= is for legacy=True; this format names its inputs itself"
+        )
     if path.is_dir() or path.suffix in (".csv", ".json"):
         return Recording.load(path, task)
     names = available_recordings()
@@ -89,18 +97,31 @@ def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transi
     names = [variable.name for variable in task.inputs]
     order = names if inputs is None else list(inputs)
     if sorted(order) != sorted(names):
-        raise ValueError(f"{path}: inputs must be the task's in some order, {names}, got {order}")
+        raise ValueError(
+            f"{path}: inputs must be the task's in some order, {names}, got {order}"
+        )
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     remedy = "is it a recording of another task?"
     check_rows(columns, Source.of_task(task), lambda row: f"{path}, row {row}", remedy)
     axes = [order.index(name) for name in names]
-    s, s_next = (_to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next"))
+    s, s_next = (
+        _to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next")
+    )
     a = _to_c_order(columns["a"], task.actions.shape, range(len(task.outputs)))
     truncated = np.append(s_next[:-1] != s[1:], False)
-    return Transitions(s, a, columns["r"], s_next, terminated=np.zeros_like(truncated), truncated=truncated)
+    return Transitions(
+        s,
+        a,
+        columns["r"],
+        s_next,
+        terminated=np.zeros_like(truncated),
+        truncated=truncated,
+    )
 
 
-def _to_c_order(numbers: Numbers, shape: tuple[int, ...], axes: Sequence[int]) -> NDArray[np.intp]:
+def _to_c_order(
+    numbers: Numbers, shape: tuple[int, ...], axes: Sequence[int]
+) -> NDArray[np.intp]:
     """Numbers in C order; `axes[i]` is where the task's variable i stands in the array's order."""
     shape_there = [shape[axes.index(i)] for i in range(len(shape))]
     bins = np.unravel_index(numbers.astype(np.intp), shape_there, order="F")
@@ -115,11 +136,15 @@ def _load(path: Path) -> Numbers:
         with open(path, "rb") as file:
             table = np.load(file, allow_pickle=False)
     except Exception as error:
-        raise ValueError(f"{path}: not a whole NumPy array file ({error}); get the file again") from error
+        raise ValueError(
+            f"{path}: not a whole NumPy array file ({error}); get the file again"
+        ) from error
     is_array = isinstance(table, np.ndarray)
     if not is_array or table.dtype.kind not in "fiu" or table.shape[1:] != (4,):
         kind = f"{table.dtype} of shape {table.shape}" if is_array else "several arrays"
-        raise ValueError(f"{path}: expected one array of numbers with 4 columns (s, a, s', r), found {kind}")
+        raise ValueError(
+            f"{path}: expected one array of numbers with 4 columns (s, a, s', r), found {kind}"
+        )
     if not len(table):
         raise ValueError(f"{path}: the array has no rows")
     return np.asarray(table, dtype=np.float64)

@@ -19,8 +19,18 @@ URDF = Path(__file__).parent / "arm.urdf"
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
 OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle [m]
-FIELD = (0.20, -0.16, 0.32, 0.16)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
-TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
+FIELD = (
+    0.20,
+    -0.16,
+    0.32,
+    0.16,
+)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
+TABLE = (
+    -0.10,
+    -0.26,
+    0.42,
+    0.26,
+)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
 
 
 class Angles(NamedTuple):
@@ -54,8 +64,12 @@ def joints() -> dict[str, Joint]:
             _one(part, "parent").attrib["link"],
             _one(part, "child").attrib["link"],
             _origin(part),
-            np.zeros(3) if limit is None else _numbers(_one(part, "axis").attrib["xyz"]),
-            (0.0, 0.0) if limit is None else (float(limit.attrib["lower"]), float(limit.attrib["upper"])),
+            np.zeros(3)
+            if limit is None
+            else _numbers(_one(part, "axis").attrib["xyz"]),
+            (0.0, 0.0)
+            if limit is None
+            else (float(limit.attrib["lower"]), float(limit.attrib["upper"])),
         )
     return found
 
@@ -67,7 +81,11 @@ def link_poses(angles: Angles) -> dict[str, np.ndarray]:
     """
     turned, there = angles._asdict(), {"foot": np.eye(4)}
     for name, joint in joints().items():
-        there[joint.child] = there[joint.parent] @ joint.origin @ _turn(joint.axis, turned.get(name, 0.0))
+        there[joint.child] = (
+            there[joint.parent]
+            @ joint.origin
+            @ _turn(joint.axis, turned.get(name, 0.0))
+        )
     return there
 
 
@@ -77,16 +95,25 @@ def solids_of(angles: Angles) -> list[Solid]:
     return [solid._replace(pose=there[link] @ solid.pose) for link, solid in _visuals()]
 
 
-def readings_of(gripper: Iterable[float], thing: Iterable[float], angles: Angles) -> dict[str, float]:
+def readings_of(
+    gripper: Iterable[float], thing: Iterable[float], angles: Angles
+) -> dict[str, float]:
     """What an arm senses: the places x, y, z of gripper and object [m], and the joints' angles [rad]."""
     places = {"gripper": gripper, "object": thing}
-    there = {f"{what}_{axis}": float(v) for what, place in places.items() for axis, v in zip("xyz", place, strict=True)}
+    there = {
+        f"{what}_{axis}": float(v)
+        for what, place in places.items()
+        for axis, v in zip("xyz", place, strict=True)
+    }
     return there | angles._asdict()
 
 
 def scene_of(arm: Sequence[Solid]) -> Scene:
     """The table with its field, the object, and the arm, whose gripper leaves the path."""
-    arm = [solid._replace(name="robot/body") if solid.name == "robot/gripper" else solid for solid in arm]
+    arm = [
+        solid._replace(name="robot/body") if solid.name == "robot/gripper" else solid
+        for solid in arm
+    ]
     x_min, y_min, x_max, y_max = FIELD
     middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
     field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
@@ -117,8 +144,18 @@ def _looks(visual: ET.Element) -> tuple[str, tuple[float, ...], np.ndarray, str]
     role = "wheel" if _one(visual, "material").attrib["name"] == "dark" else "robot"
     form = _one(visual, "geometry")[0]
     if form.tag == "box":
-        return "box", tuple(_numbers(form.attrib["size"]).tolist()), _origin(visual), role
-    return "cylinder", (float(form.attrib["radius"]), float(form.attrib["length"])), _origin(visual), role
+        return (
+            "box",
+            tuple(_numbers(form.attrib["size"]).tolist()),
+            _origin(visual),
+            role,
+        )
+    return (
+        "cylinder",
+        (float(form.attrib["radius"]), float(form.attrib["length"])),
+        _origin(visual),
+        role,
+    )
 
 
 def _one(part: ET.Element, tag: str) -> ET.Element:
@@ -133,7 +170,9 @@ def _origin(part: ET.Element) -> np.ndarray:
     """The place and the turn of an element in its link."""
     origin = _one(part, "origin").attrib
     place = pose(*_numbers(origin["xyz"]))
-    for axis, angle in zip(np.eye(3)[::-1], _numbers(origin.get("rpy", "0 0 0"))[::-1], strict=True):
+    for axis, angle in zip(
+        np.eye(3)[::-1], _numbers(origin.get("rpy", "0 0 0"))[::-1], strict=True
+    ):
         place = place @ _turn(axis, angle)  # about z, then y, then x
     return place
 

@@ -2,7 +2,14 @@
 
 from collections.abc import Mapping, Sequence
 
-from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of
+from rlrobot_edu.robots.arm.arm_body import (
+    HOME,
+    OBJECT,
+    OBJECT_PLACE,
+    URDF,
+    Angles,
+    readings_of,
+)
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
@@ -19,9 +26,23 @@ class ArmJoints:
     step_time: how long a command lasts [s]
     """
 
-    def __init__(self, simulation: BulletSimulation, body: int, place: Sequence[float], step_time: float) -> None:
-        self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
-        self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
+    def __init__(
+        self,
+        simulation: BulletSimulation,
+        body: int,
+        place: Sequence[float],
+        step_time: float,
+    ) -> None:
+        self._simulation, self._body, self._place, self._step_time = (
+            simulation,
+            body,
+            place,
+            step_time,
+        )
+        self._motors, self._gripper = (
+            Motors(simulation, body, JOINTS),
+            simulation.joints(body)["wrist"],
+        )
         for joint, i in self._motors.numbers.items():
             simulation.resetJointState(body, i, HOME._asdict()[joint])
 
@@ -31,12 +52,19 @@ class ArmJoints:
         angles, limits = motors.angles(), motors.limits.items()
         speeds = {joint: (command[joint], (low - angles[joint]) / step, (high - angles[joint]) / step)
                   for joint, (low, high) in limits}  # fmt: skip
-        motors.drive({joint: min(max(speed, low), high) for joint, (speed, low, high) in speeds.items()})
+        motors.drive(
+            {
+                joint: min(max(speed, low), high)
+                for joint, (speed, low, high) in speeds.items()
+            }
+        )
 
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
-        return readings_of(gripper.tolist(), self._place, Angles(**self._motors.angles()))
+        return readings_of(
+            gripper.tolist(), self._place, Angles(**self._motors.angles())
+        )
 
 
 class Arm(BulletRobot):
@@ -49,7 +77,11 @@ class Arm(BulletRobot):
     def __init__(self, scene: str, step_time: float) -> None:
         simulation = BulletSimulation(PHYSICS_HZ)
         simulation.add_floor()  # the table's top
-        simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
+        simulation.add(
+            Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
+        )
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
         joints = ArmJoints(simulation, body, OBJECT_PLACE, step_time)
-        super().__init__("arm", simulation, body, [joints], step_time, KinematicArm(scene, step_time))
+        super().__init__(
+            "arm", simulation, body, [joints], step_time, KinematicArm(scene, step_time)
+        )

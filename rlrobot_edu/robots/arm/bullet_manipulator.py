@@ -7,7 +7,11 @@ from tempfile import TemporaryDirectory
 
 from rlrobot_edu.robots.arm import bullet_arm as arm
 from rlrobot_edu.robots.arm.arm_body import OBJECT, URDF
-from rlrobot_edu.robots.arm.kinematic_manipulator import MOUNT, OBJECT_PLACE, KinematicManipulator
+from rlrobot_edu.robots.arm.kinematic_manipulator import (
+    MOUNT,
+    OBJECT_PLACE,
+    KinematicManipulator,
+)
 from rlrobot_edu.robots.engines.bullet import mobile_base as bullet_base
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
@@ -34,9 +38,14 @@ class MobileManipulator(BulletRobot):
     """
 
     def __init__(self, scene: str, step_time: float) -> None:
-        simulation, level = BulletSimulation(bullet_base.PHYSICS_HZ), KinematicBase(scene, step_time)
+        simulation, level = (
+            BulletSimulation(bullet_base.PHYSICS_HZ),
+            KinematicBase(scene, step_time),
+        )
         bullet_base.add_arena(simulation, level.arena)
-        simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
+        simulation.add(
+            Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
+        )
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
@@ -45,4 +54,6 @@ class MobileManipulator(BulletRobot):
         wheels = bullet_base.Wheels(simulation, body, level)
         joints = arm.ArmJoints(simulation, body, OBJECT_PLACE, step_time)
         twin = KinematicManipulator(scene, step_time)
-        super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, twin)
+        super().__init__(
+            "mobile_manipulator", simulation, body, [wheels, joints], step_time, twin
+        )

@@ -11,7 +11,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE, Angles, joints, scene_of, solids_of
+from rlrobot_edu.robots.arm.arm_body import (
+    HOME,
+    OBJECT_PLACE,
+    Angles,
+    joints,
+    scene_of,
+    solids_of,
+)
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
 from rlrobot_edu.robots.kernel_robot import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
@@ -19,8 +26,13 @@ from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 _KNOWN = joints()
 LIMITS = tuple(_KNOWN[name].limits for name in JOINTS)
-SHOULDER = float(_KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3])  # height above the foot's base [m]
-UPPER, LOWER = float(_KNOWN["forearm"].origin[2, 3]), float(_KNOWN["wrist"].origin[0, 3])  # to elbow, to fingertips [m]
+SHOULDER = float(
+    _KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3]
+)  # height above the foot's base [m]
+UPPER, LOWER = (
+    float(_KNOWN["forearm"].origin[2, 3]),
+    float(_KNOWN["wrist"].origin[0, 3]),
+)  # to elbow, to fingertips [m]
 
 
 @compiled
@@ -47,7 +59,9 @@ def move(arm, speeds):
     Rounded to 9 digits, so that to and fro leads back to the same angles.
     """
     for i in range(3):
-        angle = min(max(arm.place[i] + speeds[i] * arm.step_time, LIMITS[i][0]), LIMITS[i][1])
+        angle = min(
+            max(arm.place[i] + speeds[i] * arm.step_time, LIMITS[i][0]), LIMITS[i][1]
+        )
         arm.place[i] = math.floor(angle * 1e9 + 0.5) / 1e9
 
 
@@ -66,7 +80,9 @@ def turned(angles: Angles, command: Mapping[str, float], seconds: float) -> Angl
 @compiled
 def sense(arm, readings):
     """Fill in gripper and object [m], and the joints' angles [rad]; readings: array (9,)."""
-    readings[0], readings[1], readings[2] = gripper(arm.place[0], arm.place[1], arm.place[2])
+    readings[0], readings[1], readings[2] = gripper(
+        arm.place[0], arm.place[1], arm.place[2]
+    )
     for i in range(3):
         readings[3 + i], readings[6 + i] = OBJECT_PLACE[i], arm.place[i]
 

@@ -12,9 +12,17 @@ from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
-MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
+MOUNT = (
+    0.06,
+    0.0,
+    0.1425,
+)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
-_FOOT = (PIONEER.axle + MOUNT[0], MOUNT[1], PIONEER.wheel_radius + MOUNT[2])  # in the frame whose place is measured [m]
+_FOOT = (
+    PIONEER.axle + MOUNT[0],
+    MOUNT[1],
+    PIONEER.wheel_radius + MOUNT[2],
+)  # in the frame whose place is measured [m]
 
 
 class KinematicManipulator(MobileBase):
@@ -38,7 +46,9 @@ class KinematicManipulator(MobileBase):
         """What the base senses, and gripper and object [m] and the joints' angles [rad]."""
         base = super()._sense()
         cos, sin = math.cos(base["theta"]), math.sin(base["theta"])
-        x, y, z = (v + foot for v, foot in zip(gripper(*self._angles), _FOOT, strict=True))
+        x, y, z = (
+            v + foot for v, foot in zip(gripper(*self._angles), _FOOT, strict=True)
+        )
         there = (base["x"] + x * cos - y * sin, base["y"] + x * sin + y * cos, z)
         return base | readings_of(there, OBJECT_PLACE, self._angles)
 
@@ -46,9 +56,17 @@ class KinematicManipulator(MobileBase):
         """The parts of base and arm, with their poses on the robot."""
         foot = pose(*_FOOT)
         angles = Angles(*(self._readings[joint] for joint in JOINTS))
-        return (*super().solids(), *(part._replace(pose=foot @ part.pose) for part in solids_of(angles)))
+        return (
+            *super().solids(),
+            *(part._replace(pose=foot @ part.pose) for part in solids_of(angles)),
+        )
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""
         room = super().scene()
-        return room._replace(solids=(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"), *room.solids))
+        return room._replace(
+            solids=(
+                Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"),
+                *room.solids,
+            )
+        )

@@ -44,9 +44,13 @@ def connect(link: str, **where: Any) -> Connection:
     install), ConnectionError if nobody is there.
     """
     if link not in LINKS:
-        raise ValueError(f"no link is called {link!r:.200}; {did_you_mean(link, LINKS)}there are {', '.join(LINKS)}")
+        raise ValueError(
+            f"no link is called {link!r:.200}; {did_you_mean(link, LINKS)}there are {', '.join(LINKS)}"
+        )
     module, name = LINKS[link].split(":")
-    kind: Callable[..., Connection] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
+    kind: Callable[..., Connection] = getattr(
+        importlib.import_module(f"{__package__}.{module}"), name
+    )
     for argument in where:
         known(argument, inspect.signature(kind).parameters, "argument", link)
     return kind(**where)

@@ -41,7 +41,10 @@ TOPIC = re.compile(r"/?[A-Za-z_]\w*(/[A-Za-z_]\w*)*/?", re.ASCII)
 _LATEST = (Policy.Durability.Volatile, Policy.History.KeepLast(10))
 # A reader that asks for no more than the best effort hears everybody; most lidars offer no more than that.
 HEARING = Qos(Policy.Reliability.BestEffort, *_LATEST)
-_SPEAKING = (*_LATEST, Policy.DataRepresentation(use_cdrv0_representation=True))  # the one that ROS 2 reads
+_SPEAKING = (
+    *_LATEST,
+    Policy.DataRepresentation(use_cdrv0_representation=True),
+)  # the one that ROS 2 reads
 SPEAKING = Qos(Policy.Reliability.Reliable(max_blocking_time=100_000_000), *_SPEAKING)
 SPEAKING_AS_LIDAR = Qos(Policy.Reliability.BestEffort, *_SPEAKING)
 
@@ -64,12 +67,19 @@ class Dds:
 
     complaints = ()  # nobody says any
 
-    def __init__(self, domain: int | None = None, interface: str = "127.0.0.1", peers: Sequence[str] = ()) -> None:
+    def __init__(
+        self,
+        domain: int | None = None,
+        interface: str = "127.0.0.1",
+        peers: Sequence[str] = (),
+    ) -> None:
         domain = _number_of(domain)
         number = next(_numbers)
         xml = _configuration(number, domain, interface, _addresses(peers))
         try:
-            self._domain = Domain(number, xml.encode("ascii", "xmlcharrefreplace").decode())
+            self._domain = Domain(
+                number, xml.encode("ascii", "xmlcharrefreplace").decode()
+            )
             self._participant = DomainParticipant(number)
         except core.DDSException as error:
             there = ", ".join(name for _, name in socket.if_nameindex())
@@ -81,9 +91,14 @@ class Dds:
         self._is_open, self._lock = True, threading.Lock()
         self._ears: list[tuple[DataReader[Any], Callable[[Any], None]]] = []
         self._mouths: list[DataWriter[Any]] = []
-        self._end, self._waitset = core.GuardCondition(self._participant), core.WaitSet(self._participant)
+        self._end, self._waitset = (
+            core.GuardCondition(self._participant),
+            core.WaitSet(self._participant),
+        )
         self._waitset.attach(self._end)
-        self._thread = threading.Thread(target=self._run, name=f"DDS domain {domain}", daemon=True)
+        self._thread = threading.Thread(
+            target=self._run, name=f"DDS domain {domain}", daemon=True
+        )
         self._thread.start()
 
     def make(self, kind: str, **fields: Any) -> Any:
@@ -96,10 +111,15 @@ class Dds:
         Raises ValueError for what is no topic or an unknown kind, ConnectionError after the end.
         """
         with self._lock:
-            reader = DataReader(self._participant_now(), self._topic(topic, kind), HEARING)
+            reader = DataReader(
+                self._participant_now(), self._topic(topic, kind), HEARING
+            )
             self._ears.append((reader, callback))
             # of any state, also that of a writer which has gone: what it said last may still be unread
-            condition = core.ReadCondition(reader, core.SampleState.Any | core.ViewState.Any | core.InstanceState.Any)
+            condition = core.ReadCondition(
+                reader,
+                core.SampleState.Any | core.ViewState.Any | core.InstanceState.Any,
+            )
             self._waitset.attach(condition)
 
     def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
@@ -110,7 +130,9 @@ class Dds:
         """
         with self._lock:
             qos = SPEAKING_AS_LIDAR if kind == LASER_SCAN else SPEAKING
-            self._mouths.append(DataWriter(self._participant_now(), self._topic(topic, kind), qos))
+            self._mouths.append(
+                DataWriter(self._participant_now(), self._topic(topic, kind), qos)
+            )
             number = len(self._mouths) - 1
 
         def send(message: Any) -> None:
@@ -119,7 +141,9 @@ class Dds:
                 try:
                     self._mouths[number].write(message)
                 except core.DDSException as error:  # who hears it takes nothing more
-                    raise ConnectionError(f"a message could not be sent over DDS ({in_words(error)})") from error
+                    raise ConnectionError(
+                        f"a message could not be sent over DDS ({in_words(error)})"
+                    ) from error
 
         return send
 
@@ -141,7 +165,9 @@ class Dds:
     def _topic(self, topic: str, kind: str) -> Topic[Any]:
         """The topic of DDS that is ROS's topic of this name."""
         if not TOPIC.fullmatch(topic):
-            raise ValueError(f"a topic is named as in 'odom' or '/robot1/odom', got {topic!r:.200}")
+            raise ValueError(
+                f"a topic is named as in 'odom' or '/robot1/odom', got {topic!r:.200}"
+            )
         return Topic(self._participant, f"rt/{topic.strip('/')}", _type(kind))
 
     def _run(self) -> None:
@@ -170,7 +196,11 @@ class Dds:
 def _taken(reader: DataReader[Any]) -> list[Any]:
     """The next message, if there is one. That a writer has gone is none, nor is one whose text is no UTF-8."""
     try:
-        return [message for message in reader.take() if not isinstance(message, InvalidSample)]
+        return [
+            message
+            for message in reader.take()
+            if not isinstance(message, InvalidSample)
+        ]
     except UnicodeDecodeError:
         return []
 
@@ -183,7 +213,9 @@ def _number_of(domain: int | None) -> int:
         given = int(said) if said.isdecimal() else None
     if not isinstance(given, int) or not 0 <= given <= LAST_DOMAIN:
         got = repr(domain) if domain is not None else os.environ["ROS_DOMAIN_ID"]
-        raise ValueError(f"{name} must be a whole number from 0 to {LAST_DOMAIN}, got {got:.200}")
+        raise ValueError(
+            f"{name} must be a whole number from 0 to {LAST_DOMAIN}, got {got:.200}"
+        )
     return given
 
 
@@ -198,13 +230,17 @@ def _type(kind: str) -> type[Any]:
 def _addresses(peers: Sequence[str]) -> list[str]:
     """The IPv4 addresses of these machines."""
     if isinstance(peers, str):
-        raise ValueError(f"peers must be a list of names or addresses, as in [{peers!r:.200}]")
+        raise ValueError(
+            f"peers must be a list of names or addresses, as in [{peers!r:.200}]"
+        )
     addresses = []
     for peer in peers:
         try:
             addresses.append(str(IPv4Address(socket.gethostbyname(peer or "?"))))
         except (OSError, UnicodeError, TypeError) as error:
-            raise ValueError(f"no computer is called {peer!r:.200}; give the robot's name or IPv4 address") from error
+            raise ValueError(
+                f"no computer is called {peer!r:.200}; give the robot's name or IPv4 address"
+            ) from error
     return addresses
 
 
@@ -216,7 +252,9 @@ def _configuration(number: int, domain: int, interface: str, peers: list[str]) -
         by, is_here = "name", False
     if is_here:
         if away := [peer for peer in peers if not IPv4Address(peer).is_loopback]:
-            raise ValueError(f"{away[0]} is not reached over {interface}; name the interface as well, such as 'wlan0'")
+            raise ValueError(
+                f"{away[0]} is not reached over {interface}; name the interface as well, such as 'wlan0'"
+            )
         peers = [*peers, "127.0.0.1"]
     addresses = "".join(f'<Peer address="{peer}"/>' for peer in peers)
     return f"""<CycloneDDS><Domain Id="{number}">

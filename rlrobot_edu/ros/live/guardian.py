@@ -19,7 +19,10 @@ from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.live.voice import Voice
 
 READY = "ready"
-STOPS, PAUSE = 3, 0.1  # how often, and how far apart [s]: what the dead process sent last may still be on its way
+STOPS, PAUSE = (
+    3,
+    0.1,
+)  # how often, and how far apart [s]: what the dead process sent last may still be on its way
 
 
 class Guardian:
@@ -30,19 +33,32 @@ class Guardian:
     Raises ConnectionError if the second process cannot reach the robot.
     """
 
-    def __init__(self, link: str, where: dict[str, Any], topic: str, stamped: bool) -> None:
+    def __init__(
+        self, link: str, where: dict[str, Any], topic: str, stamped: bool
+    ) -> None:
         command = [sys.executable, "-m", __name__]
         # in a session of its own: what ends the kernel and all that it started shall not end this
         self._process: Any = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8", start_new_session=True
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            encoding="utf-8",
+            start_new_session=True,
         )
         assert self._process.stdout is not None
         with contextlib.suppress(BrokenPipeError):
-            print(json.dumps([link, where, topic, stamped]), file=self._process.stdin, flush=True)
+            print(
+                json.dumps([link, where, topic, stamped]),
+                file=self._process.stdin,
+                flush=True,
+            )
         said = self._process.stdout.readline().strip()
         if said != READY:
             self.close()
-            raise ConnectionError(f"no second connection that would stop the robot if this process died: {said}")
+            raise ConnectionError(
+                f"no second connection that would stop the robot if this process died: {said}"
+            )
 
     def close(self) -> None:
         """Let it stop the robot and end."""
@@ -58,7 +74,9 @@ class Guardian:
 
 def watch() -> None:
     """The second process: wait for the end of the first one, and stop the robot."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the first process, which stops the robot itself
+    signal.signal(
+        signal.SIGINT, signal.SIG_IGN
+    )  # Ctrl-C is for the first process, which stops the robot itself
     link, where, topic, stamped = json.loads(sys.stdin.readline())
     try:
         connection = connect(link, **where)

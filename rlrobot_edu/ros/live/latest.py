@@ -32,9 +32,13 @@ class Latest(Generic[T]):
         if self.value is not None and 0 < stamp <= self.stamp:
             self.dropped += 1
             return
-        if stamp < self.stamp:  # after `forget`: the sender began anew, and so did its clock
+        if (
+            stamp < self.stamp
+        ):  # after `forget`: the sender began anew, and so did its clock
             self._quickest = math.inf
-        self._quickest = min(self._quickest + DRIFT * max(now - self._came, 0.0), now - stamp)
+        self._quickest = min(
+            self._quickest + DRIFT * max(now - self._came, 0.0), now - stamp
+        )
         self.value, self.stamp, self._came = value, stamp, now
 
     def age(self, now: float) -> float:

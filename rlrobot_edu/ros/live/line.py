@@ -45,13 +45,21 @@ class Line:
         self.connection = connect(settings.link, **settings.where)
         self.senses = Senses(chassis, settings.mounting, settings.odom, settings.scan)
         try:
-            self._voice = Voice(self.connection, settings.cmd_vel, settings.stamped, settings.dry_run)
+            self._voice = Voice(
+                self.connection, settings.cmd_vel, settings.stamped, settings.dry_run
+            )
             self.connection.hear(settings.odom, ODOMETRY, self.senses.hear_odometry)
             self.connection.hear(settings.scan, LASER_SCAN, self.senses.hear_scan)
         except BaseException:
             self.connection.close()
             raise
-        self._steering = Steering(self.connection, self.senses, self._voice, settings.limits, settings.simulated_time)
+        self._steering = Steering(
+            self.connection,
+            self.senses,
+            self._voice,
+            settings.limits,
+            settings.simulated_time,
+        )
         self._may_move = settings.dry_run
         self._guardian: Guardian | None = None
         self._idle = threading.Timer(0.0, self.stop)
@@ -83,7 +91,9 @@ class Line:
             if self.connection.lost is not None:
                 self.close()  # the guardian has a connection of its own and may still reach the robot
             raise
-        if not self._settings.simulated_time:  # there, nothing moves while nothing is said
+        if (
+            not self._settings.simulated_time
+        ):  # there, nothing moves while nothing is said
             self._idle = threading.Timer(PERIOD, self.stop)
             self._idle.daemon = True
             self._idle.start()
@@ -97,7 +107,9 @@ class Line:
                 "Is the floor around it free, and your hand at its emergency stop?"
             )
         if not settings.simulated_time:
-            self._guardian = Guardian(settings.link, settings.where, settings.cmd_vel, settings.stamped)
+            self._guardian = Guardian(
+                settings.link, settings.where, settings.cmd_vel, settings.stamped
+            )
         self._may_move = True
 
     def stop(self) -> None:

@@ -87,10 +87,16 @@ class RobotLink(Robot):
     ) -> None:
         limits = Limits(max_speed, max_turn, safety_distance)
         for name, limit in limits._asdict().items():
-            if not (isinstance(limit, int | float | np.number) and 0 < limit < math.inf):
-                raise ValueError(f"{name} must be a positive number, got {limit!r:.200}")
+            if not (
+                isinstance(limit, int | float | np.number) and 0 < limit < math.inf
+            ):
+                raise ValueError(
+                    f"{name} must be a positive number, got {limit!r:.200}"
+                )
         if dry_run and simulated_time:
-            raise ValueError("in a dry run no simulated time would pass: choose dry_run or simulated_time")
+            raise ValueError(
+                "in a dry run no simulated time would pass: choose dry_run or simulated_time"
+            )
         self._own_chassis = chassis
         self._task: Task | None = None
         self._line: Line | None = None
@@ -101,7 +107,9 @@ class RobotLink(Robot):
         )  # fmt: skip
 
     def __getstate__(self) -> NoReturn:
-        raise TypeError("a link to a robot can be neither copied nor sent to another process: there is one robot")
+        raise TypeError(
+            "a link to a robot can be neither copied nor sent to another process: there is one robot"
+        )
 
     def prepare(self, task: Task) -> None:
         """Get ready for a task; nothing is sent yet.
@@ -173,12 +181,16 @@ class RobotLink(Robot):
             If what the link needs is not installed; it says what to install.
         """
         if self._task is None:
-            raise ValueError("give the link to an environment: rl.make_env(task, link=…)")
+            raise ValueError(
+                "give the link to an environment: rl.make_env(task, link=…)"
+            )
         if self._line is not None and self._line.connection.lost is not None:
             self.close()
         if self._line is None:
             self._line, self._last_report = Line(self._settings, self._chassis), None
-            self._end = weakref.finalize(self, self._line.close)  # also when Python ends
+            self._end = weakref.finalize(
+                self, self._line.close
+            )  # also when Python ends
         self._line.begin(self._task)
         return self.readings
 
@@ -222,12 +234,22 @@ class RobotLink(Robot):
         ConnectionError
             Before the first `reset`.
         """
-        readings = dict.fromkeys(LASERS, 0.0) | self.readings  # a beam of which nothing is known shows nothing free
+        readings = (
+            dict.fromkeys(LASERS, 0.0) | self.readings
+        )  # a beam of which nothing is known shows nothing free
         x, y = readings["x"], readings["y"]
         here = pose(x, y, 0.0, readings["theta"])
         solids = (
-            Solid("robot/body", *self._chassis.body(), here @ pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), here @ pose(self._chassis.radius - 0.075, 0, 0.26), "robot"),
+            Solid(
+                "robot/body", *self._chassis.body(), here @ pose(0, 0, 0.16), "robot"
+            ),
+            Solid(
+                "robot/nose",
+                "box",
+                (0.14, 0.06, 0.04),
+                here @ pose(self._chassis.radius - 0.075, 0, 0.26),
+                "robot",
+            ),
         )
         bounds = (x - LASER_RANGE, y - LASER_RANGE, x + LASER_RANGE, y + LASER_RANGE)
         return Scene(solids, beams(readings, self._chassis), bounds)

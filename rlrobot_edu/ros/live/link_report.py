@@ -33,10 +33,26 @@ class LinkReport(Tabled):
         rows = [
             ("odometry heard", self.odometry, ""),
             ("scans heard", self.scans, ""),
-            ("messages that were not new", self.not_new, "they came twice, or after a newer one"),
+            (
+                "messages that were not new",
+                self.not_new,
+                "they came twice, or after a newer one",
+            ),
             ("messages that are unreadable", self.unreadable, self.complaint),
-            ("commands", self.said, "none was sent, this is a dry run" if self.is_dry else ""),
-            ("commands held back", self.held_back, "something was nearer ahead than the safety distance"),
+            (
+                "commands",
+                self.said,
+                "none was sent, this is a dry run" if self.is_dry else "",
+            ),
+            (
+                "commands held back",
+                self.held_back,
+                "something was nearer ahead than the safety distance",
+            ),
             ("pauses", self.pauses, self.why),
         ]
-        return Table(f"The link to the robot over {self.way}", ("what", "how many", "what they are"), rows)
+        return Table(
+            f"The link to the robot over {self.way}",
+            ("what", "how many", "what they are"),
+            rows,
+        )

@@ -30,13 +30,18 @@ except ImportError:
 OPEN_TIMEOUT = 5.0  # for somebody to answer [s]
 CLOSE_TIMEOUT = 1.0  # for the other side to say goodbye, too [s]
 SEND_TIMEOUT = 2  # for the other side to take anything of what is sent, once all buffers are full [s]
-PING_INTERVAL, PING_TIMEOUT = 5.0, 10.0  # a dead network is noticed within the sum of them [s]
+PING_INTERVAL, PING_TIMEOUT = (
+    5.0,
+    10.0,
+)  # a dead network is noticed within the sum of them [s]
 LARGEST_MESSAGE = 2**24  # [bytes]
 COMPLAINTS = 5  # so many are kept
 ENDED = "is lost; see whether rosbridge and the network are up, then connect again"
 
 log = logging.getLogger(__name__)
-log.addHandler(logging.NullHandler())  # what is the matter is said in `lost`, not on the screen
+log.addHandler(
+    logging.NullHandler()
+)  # what is the matter is said in `lost`, not on the screen
 OPTIONS: dict[str, Any] = {  # compression takes longer than it saves in a local network
     "proxy": None, "compression": None, "open_timeout": OPEN_TIMEOUT, "ping_interval": PING_INTERVAL,
     "ping_timeout": PING_TIMEOUT, "close_timeout": CLOSE_TIMEOUT, "max_size": LARGEST_MESSAGE, "logger": log,
@@ -71,16 +76,29 @@ class Rosbridge:
         try:
             # the way to open a connection for longer than a block that all versions of websockets have
             self._socket = ExitStack().enter_context(connect(address, **OPTIONS))
-        except (OSError, EOFError, ValueError, WebSocketException) as error:  # ValueError: a name that cannot be
+        except (
+            OSError,
+            EOFError,
+            ValueError,
+            WebSocketException,
+        ) as error:  # ValueError: a name that cannot be
             raise ConnectionError(
                 f"no rosbridge answers at {address} ({in_words(error)}); is it running on the robot? Start it with "
                 "roslaunch rosbridge_server rosbridge_websocket.launch (ROS 1) or "
                 "ros2 launch rosbridge_server rosbridge_websocket_launch.xml (ROS 2)"
             ) from None
         # a sender does not wait for ever for a robot that takes nothing any more
-        form, timeout = ("I", [SEND_TIMEOUT * 1000]) if sys.platform == "win32" else ("ll", [SEND_TIMEOUT, 0])
-        self._socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, struct.pack(form, *timeout))
-        self._thread = threading.Thread(target=self._listen, name=f"rosbridge {address}", daemon=True)
+        form, timeout = (
+            ("I", [SEND_TIMEOUT * 1000])
+            if sys.platform == "win32"
+            else ("ll", [SEND_TIMEOUT, 0])
+        )
+        self._socket.socket.setsockopt(
+            socket.SOL_SOCKET, socket.SO_SNDTIMEO, struct.pack(form, *timeout)
+        )
+        self._thread = threading.Thread(
+            target=self._listen, name=f"rosbridge {address}", daemon=True
+        )
         self._thread.start()
 
     def make(self, kind: str, **fields: Any) -> dict[str, Any]:
@@ -92,13 +110,19 @@ class Rosbridge:
         times, which give their age; only a served robot sends them, to our own router.
         """
         if kind == TWIST_STAMPED:
-            fields["header"] = {name: value for name, value in fields["header"].items() if name != "stamp"}
+            fields["header"] = {
+                name: value
+                for name, value in fields["header"].items()
+                if name != "stamp"
+            }
         return fields
 
     def hear(self, topic: str, kind: str, callback: Callable[[Any], None]) -> None:
         """From now on call `callback` with each message of this topic, in the connection's own thread."""
         self._callbacks.setdefault(topic, []).append(callback)
-        self._send(op="subscribe", topic=topic, type=kind, queue_length=1, throttle_rate=0)
+        self._send(
+            op="subscribe", topic=topic, type=kind, queue_length=1, throttle_rate=0
+        )
 
     def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
         """A function that sends a message to this topic. It raises ConnectionError if the connection is lost."""
@@ -129,7 +153,9 @@ class Rosbridge:
         """Hear until the end, in a thread of its own."""
         try:
             while self.lost is None:
-                text = self._socket.recv(decode=False)  # bytes: what is no UTF-8 shall not end the connection
+                text = self._socket.recv(
+                    decode=False
+                )  # bytes: what is no UTF-8 shall not end the connection
                 if self.lost is None:
                     self._understand(text)
         except ConnectionClosed as error:
@@ -138,7 +164,9 @@ class Rosbridge:
     def _understand(self, text: bytes) -> None:
         """Do what the other side says. It never raises, whatever the message is."""
         try:
-            said = vars(json.loads(text, object_hook=lambda fields: SimpleNamespace(**fields)))
+            said = vars(
+                json.loads(text, object_hook=lambda fields: SimpleNamespace(**fields))
+            )
             if said["op"] == "status":
                 if said.get("level") == "error":
                     self.complaints.append(f"{said.get('msg')!s:.500}")
@@ -146,7 +174,12 @@ class Rosbridge:
             callbacks, message = self._callbacks[said["topic"]], said["msg"]
             if said["op"] != "publish" or not isinstance(message, SimpleNamespace):
                 raise ValueError
-        except (ValueError, TypeError, KeyError, RecursionError):  # no JSON, no object, no topic, too deep
+        except (
+            ValueError,
+            TypeError,
+            KeyError,
+            RecursionError,
+        ):  # no JSON, no object, no topic, too deep
             self.unreadable += 1
             return
         for callback in list(callbacks):

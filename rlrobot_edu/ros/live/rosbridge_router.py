@@ -13,7 +13,11 @@ from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, log, to_json  # first: it says if websockets is missing
+from rlrobot_edu.ros.live.rosbridge import (
+    LARGEST_MESSAGE,
+    log,
+    to_json,
+)  # first: it says if websockets is missing
 
 # isort: split
 from websockets.exceptions import ConnectionClosed
@@ -22,14 +26,26 @@ from websockets.sync.server import ServerConnection, serve
 
 HOST = "127.0.0.1"  # every program that reaches this address may drive the robot, but no web page
 OPEN_TIMEOUT = 2.0  # in which who connects must have said what it wants [s]
-CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then say goodbye [s]
-OPS = ("publish", "subscribe", "unsubscribe", "advertise", "unadvertise")  # a method of the router's does each
-MOST_WAITING = 100  # messages of a topic for a client that names no queue_length, or a longer one
+CLOSE_TIMEOUT = (
+    1.0  # in which clients take what still waits for them, and then say goodbye [s]
+)
+OPS = (
+    "publish",
+    "subscribe",
+    "unsubscribe",
+    "advertise",
+    "unadvertise",
+)  # a method of the router's does each
+MOST_WAITING = (
+    100  # messages of a topic for a client that names no queue_length, or a longer one
+)
 
 Said = dict[str, Any]
 
 
-_Subscription = tuple[int, str, str]  # how many messages may wait, the topic as the client writes it, and its type
+_Subscription = tuple[
+    int, str, str
+]  # how many messages may wait, the topic as the client writes it, and its type
 
 
 class _Client:
@@ -51,7 +67,9 @@ class _Client:
     def types(self, topic: str) -> list[str]:
         """The types that this client gives the topic."""
         advertised = [self.advertised[topic]] if topic in self.advertised else []
-        return advertised + [kind for _, _, kind in self.subscribed.get(topic, {}).values()]
+        return advertised + [
+            kind for _, _, kind in self.subscribed.get(topic, {}).values()
+        ]
 
     def tell(self, level: str, text: str, said: Any) -> None:
         """Answer with a status what the client said, and with its id if it gave one."""
@@ -63,7 +81,9 @@ class _Client:
     def give(self, topic: str, text: str, most: int) -> None:
         """Let this be written next; if `most` of the topic wait already, the oldest of them is dropped."""
         with self._changed:
-            waiting = [i for i, (other, _) in enumerate(self._waiting) if other == topic]
+            waiting = [
+                i for i, (other, _) in enumerate(self._waiting) if other == topic
+            ]
             if len(waiting) >= most:
                 del self._waiting[waiting[0]]
             self._waiting.append((topic, text))
@@ -108,7 +128,9 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
 
     def __init__(self, port: int = 9090) -> None:
         if not (isinstance(port, int) and 0 <= port <= 65535):
-            raise ValueError(f"a port is a whole number from 0 to 65535, got {port!r:.200}")
+            raise ValueError(
+                f"a port is a whole number from 0 to 65535, got {port!r:.200}"
+            )
         self._clients: list[_Client] = []
         self._lock = threading.Lock()
         try:
@@ -124,7 +146,9 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
             ) from None
         self.port: int = self._server.socket.getsockname()[1]
         self.address = f"ws://{HOST}:{self.port}"
-        self._thread = threading.Thread(target=self._server.serve_forever, name=f"router {self.port}", daemon=True)
+        self._thread = threading.Thread(
+            target=self._server.serve_forever, name=f"router {self.port}", daemon=True
+        )
         self._thread.start()
 
     def __exit__(self, *_: object) -> None:
@@ -135,7 +159,9 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
         deadline = time.monotonic() + CLOSE_TIMEOUT
         with self._lock:
             clients = list(self._clients)
-        with ThreadPoolExecutor(max_workers=len(clients) + 1) as each:  # who takes nothing holds up nobody
+        with ThreadPoolExecutor(
+            max_workers=len(clients) + 1
+        ) as each:  # who takes nothing holds up nobody
             each.map(lambda client: client.end(deadline), clients)
         self._server.shutdown()
         self._thread.join()
@@ -162,7 +188,9 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
             if not (isinstance(said, dict) and isinstance(said.get("op"), str)):
                 raise ValueError("a message must be an object of JSON with an op")
             if said["op"] not in OPS:
-                raise ValueError(f"unknown op {said['op']!r:.100}; there are {', '.join(OPS)}")
+                raise ValueError(
+                    f"unknown op {said['op']!r:.100}; there are {', '.join(OPS)}"
+                )
             if not (isinstance(said.get("topic"), str) and said["topic"].strip("/")):
                 raise ValueError(f"{said['op']} needs a topic")
             with self._lock:
@@ -175,14 +203,22 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
 
     def _unadvertise(self, client: _Client, said: Said) -> None:
         if client.advertised.pop(_topic(said), None) is None:
-            client.tell("warning", f"{said['topic']} was not advertised by this client", said)
+            client.tell(
+                "warning", f"{said['topic']} was not advertised by this client", said
+            )
 
     def _subscribe(self, client: _Client, said: Said) -> None:
         kind, length = self._type(said), said.get("queue_length", 0)
         if not (isinstance(length, int) and length >= 0):
-            raise ValueError(f"queue_length must be a whole number of at least 0, got {length!r:.100}")
+            raise ValueError(
+                f"queue_length must be a whole number of at least 0, got {length!r:.100}"
+            )
         subscriptions = client.subscribed.setdefault(_topic(said), {})
-        subscriptions[str(said.get("id"))] = min(length or MOST_WAITING, MOST_WAITING), said["topic"], kind
+        subscriptions[str(said.get("id"))] = (
+            min(length or MOST_WAITING, MOST_WAITING),
+            said["topic"],
+            kind,
+        )
 
     def _unsubscribe(self, client: _Client, said: Said) -> None:
         subscriptions = client.subscribed.get(_topic(said), {})
@@ -201,17 +237,23 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
             if topic in listener.subscribed:
                 queue_length, name, _ = min(listener.subscribed[topic].values())
                 if name not in texts:
-                    texts[name] = to_json({"op": "publish", "topic": name, "msg": message})
+                    texts[name] = to_json(
+                        {"op": "publish", "topic": name, "msg": message}
+                    )
                 listener.give(topic, texts[name], queue_length)
 
     def _type(self, said: Said) -> str:
         """The type of a topic. Raises ValueError if it is unknown, or known to be another."""
         topic, kind = _topic(said), said.get("type")
-        known = next((kind for client in self._clients for kind in client.types(topic)), None)
+        known = next(
+            (kind for client in self._clients for kind in client.types(topic)), None
+        )
         if kind is None and known is not None:
             return known
         if not (isinstance(kind, str) and kind):
-            raise ValueError(f"the type of {topic} is unknown: nobody advertises it, and {said['op']} names none")
+            raise ValueError(
+                f"the type of {topic} is unknown: nobody advertises it, and {said['op']} names none"
+            )
         kind = kind.replace("/msg/", "/")
         if known not in (None, kind):
             raise ValueError(f"{topic} is of type {known}, not {kind}")

@@ -5,9 +5,19 @@ import math
 import numpy as np
 
 from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.ros.scan import GAP, LaserScan, Mounting, Rays, directions, measured, turned
+from rlrobot_edu.ros.scan import (
+    GAP,
+    LaserScan,
+    Mounting,
+    Rays,
+    directions,
+    measured,
+    turned,
+)
 
-AHEAD = math.radians(60)  # to each side of straight ahead: as far as forward motion can bring the robot near to a thing
+AHEAD = math.radians(
+    60
+)  # to each side of straight ahead: as far as forward motion can bring the robot near to a thing
 # Share of the rays ahead that must say something themselves. Now and then a ray is lost by chance; where most are, that
 # is dirt, the sun or a fault, and then it is not chance what the others miss.
 MOST_KNOWN = 0.5
@@ -30,9 +40,15 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     off = np.abs(turned(angles, 0.0))
     looks_ahead, met = off < AHEAD, np.isfinite(rays.ranges)
     if off.min() >= min(abs(rays.increment) / 2 + GAP, AHEAD):
-        return math.nan, f"no ray of the scan looks straight ahead, the nearest is {math.degrees(off.min()):.0f}° off"
+        return (
+            math.nan,
+            f"no ray of the scan looks straight ahead, the nearest is {math.degrees(off.min()):.0f}° off",
+        )
     if not met.any():
-        return math.nan, f"none of the {len(met)} rays of the scan met anything, as if it were covered"
+        return (
+            math.nan,
+            f"none of the {len(met)} rays of the scan met anything, as if it were covered",
+        )
     lost, hides = ~rays.known[looks_ahead], np.isnan(rays.ranges[looks_ahead])
     if hides.any() or lost.mean() > 1 - MOST_KNOWN:
         return math.nan, (
@@ -41,17 +57,23 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
         )
     x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
     y = mounting.y + rays.ranges[met] * np.sin(angles[met])
-    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | (looks_ahead & (rays.ranges == 0))[met]
+    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | (looks_ahead & (rays.ranges == 0))[
+        met
+    ]
     return float((np.hypot(x, y)[is_ahead] - chassis.radius).min(initial=math.inf)), ""
 
 
-def within(v: float, omega: float, max_speed: float, max_turn: float) -> tuple[float, float]:
+def within(
+    v: float, omega: float, max_speed: float, max_turn: float
+) -> tuple[float, float]:
     """A motion on the same curve that is nowhere above the limits [m/s], [rad/s].
 
     Raises ValueError for a motion that is no number.
     """
     if not (math.isfinite(v) and math.isfinite(omega)):
-        raise ValueError(f"a robot cannot be told to drive at {v} m/s and to turn at {omega} rad/s")
+        raise ValueError(
+            f"a robot cannot be told to drive at {v} m/s and to turn at {omega} rad/s"
+        )
     excess = max(abs(v) / max_speed, abs(omega) / max_turn, 1.0)
     return v / excess, omega / excess
 
@@ -60,9 +82,15 @@ def confirm(question: str) -> None:
     """Ask the person at the keyboard. Raises PermissionError if the answer is not yes, or if nobody can be asked."""
     try:
         answer = input(f"{question} Type yes: ")
-    except (EOFError, OSError, NotImplementedError):  # the last is Jupyter's, where a notebook runs by itself
+    except (
+        EOFError,
+        OSError,
+        NotImplementedError,
+    ):  # the last is Jupyter's, where a notebook runs by itself
         raise PermissionError(
             "nobody can be asked whether the robot may move: if that is safe, say rl.RobotLink(…, confirmed=True)"
         ) from None
     if answer.strip().lower() not in ("yes", "y"):
-        raise PermissionError(f"the robot was not moved, since the answer was {answer!r:.50}")
+        raise PermissionError(
+            f"the robot was not moved, since the answer was {answer!r:.50}"
+        )

@@ -37,7 +37,9 @@ class Senses:
     unreadable: how many messages say what cannot be, or too little; complaint: what is wrong with the last of them
     """
 
-    def __init__(self, chassis: Chassis, mounting: Mounting, odom: str, scan: str) -> None:
+    def __init__(
+        self, chassis: Chassis, mounting: Mounting, odom: str, scan: str
+    ) -> None:
         self._chassis, self._mounting, self._names = chassis, mounting, (odom, scan)
         self.pose, self.sight = Latest[dict[str, float]](), Latest[Sight]()
         self.unreadable, self.complaint = 0, ""
@@ -46,7 +48,11 @@ class Senses:
 
     def hear_odometry(self, message: Any) -> None:
         """Take in a message of type Odometry."""
-        self._take(self.pose, lambda odometry: pose_readings(*pose_of(odometry), self._chassis), message)
+        self._take(
+            self.pose,
+            lambda odometry: pose_readings(*pose_of(odometry), self._chassis),
+            message,
+        )
 
     def hear_scan(self, message: Any) -> None:
         """Take in a message of type LaserScan."""
@@ -57,11 +63,17 @@ class Senses:
         rays = measured(scan, self._mounting.far)
         lasers = beams_end(rays, rays.ranges, self._chassis, self._mounting)
         ahead, blind = look_ahead(rays, self._chassis, self._mounting)
-        if unknown := [laser for laser in LASERS if laser in self._needed and not lasers.get(laser, np.nan) >= 0]:
+        if unknown := [
+            laser
+            for laser in LASERS
+            if laser in self._needed and not lasers.get(laser, np.nan) >= 0
+        ]:
             if (before := self.sight.value) is not None:
                 ahead = float(np.minimum(ahead, before.ahead))
                 self.sight.value = Sight(before.lasers, ahead, blind or before.blind)
-            raise ValueError(f"a scan of {len(rays.ranges)} rays in which nothing is known of {', '.join(unknown)}")
+            raise ValueError(
+                f"a scan of {len(rays.ranges)} rays in which nothing is known of {', '.join(unknown)}"
+            )
         return Sight(lasers, ahead, blind)
 
     def _take(self, latest: Latest[Any], read: Any, message: Any) -> None:
@@ -94,7 +106,10 @@ class Senses:
         Raises ValueError if the task needs a laser that the scanner cannot stand for.
         """
         assert self.sight.value is not None
-        lasers, inputs = self.sight.value.lasers, [variable.name for variable in task.inputs]
+        lasers, inputs = (
+            self.sight.value.lasers,
+            [variable.name for variable in task.inputs],
+        )
         check_view(task, lasers)
         self._needed = {name for name in lasers if lasers[name] >= 0 or name in inputs}
         if np.isnan([lasers[name] for name in self._needed]).any():
@@ -105,7 +120,9 @@ class Senses:
         """What the robot's sensors say, by name. Both must have been heard."""
         assert self.sight.value is not None and self.pose.value is not None
         lasers = self.sight.value.lasers
-        return {name: lasers[name] for name in lasers if name in self._needed} | self.pose.value
+        return {
+            name: lasers[name] for name in lasers if name in self._needed
+        } | self.pose.value
 
     @property
     def ahead(self) -> float:
@@ -119,11 +136,17 @@ class Senses:
         for latest, name in zip(both, self._names, strict=True):
             age = latest.age(time.monotonic())
             if latest.value is None:
-                said.append(f"nothing readable comes from the topic {name!r} ({latest.heard} messages so far)")
+                said.append(
+                    f"nothing readable comes from the topic {name!r} ({latest.heard} messages so far)"
+                )
             elif age > max_age:
                 said.append(f"the last message of {name!r} is {age:.1f} s old")
         if self.sight.value is not None and self.sight.value.blind:
-            said.append(f"{self.sight.value.blind}: is the scanner on, uncovered, and its mounting said right?")
+            said.append(
+                f"{self.sight.value.blind}: is the scanner on, uncovered, and its mounting said right?"
+            )
         if self.unreadable:
-            said.append(f"the last of {self.unreadable} unreadable messages: {self.complaint}")
+            said.append(
+                f"the last of {self.unreadable} unreadable messages: {self.complaint}"
+            )
         return said

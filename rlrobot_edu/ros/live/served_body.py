@@ -26,7 +26,12 @@ class ServedBody:
     Raises ValueError for a task or weaknesses that the robot cannot have.
     """
 
-    def __init__(self, task: str | Path | Task, realism: Realism | None = None, seed: int | None = None) -> None:
+    def __init__(
+        self,
+        task: str | Path | Task,
+        realism: Realism | None = None,
+        seed: int | None = None,
+    ) -> None:
         self.task = task = load_task(task)
         self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
         realism = realism or Realism()
@@ -38,13 +43,22 @@ class ServedBody:
     def move(self, v: float, omega: float) -> None:
         """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
         wheels = self.chassis.wheel_speeds(v, omega)
-        self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in self._card.commands.items()})
+        self._robot.act(
+            {
+                wheel: min(max(wheels[wheel], c.low), c.high)
+                for wheel, c in self._card.commands.items()
+            }
+        )
 
     def pose(self) -> tuple[float, float, float]:
         """Where odometry says the point midway between its wheels is: x, y [m], theta [rad]."""
         readings, axle = self._robot.readings, self.chassis.axle
         theta = readings["theta"]
-        return readings["x"] + axle * math.cos(theta), readings["y"] + axle * math.sin(theta), theta
+        return (
+            readings["x"] + axle * math.cos(theta),
+            readings["y"] + axle * math.sin(theta),
+            theta,
+        )
 
     def look(self) -> list[float]:
         """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""

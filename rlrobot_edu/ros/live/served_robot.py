@@ -17,7 +17,9 @@ from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 
 WATCHDOG = 0.5  # a robot without a command for so long stops [s]
-REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
+REPEAT = (
+    0.2  # where simulated time stands still, what is so is said again after so long [s]
+)
 
 
 class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
@@ -73,8 +75,12 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         port: int = 9090,
         **where: Any,
     ) -> None:
-        self._body = body if isinstance(body, ServedBody) else ServedBody(body, realism, seed)
-        self._ranges = self._body.look()  # once where it stands: how often it is said must not cost random numbers
+        self._body = (
+            body if isinstance(body, ServedBody) else ServedBody(body, realism, seed)
+        )
+        self._ranges = (
+            self._body.look()
+        )  # once where it stands: how often it is said must not cost random numbers
         self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
         self._time = 1.0 if simulated_time else time.time()
         self._is_simulated, self._problem = simulated_time, ""
@@ -87,11 +93,17 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
             self._make = connection.make
             self._say_pose = connection.speak(odom, messages.ODOMETRY)
             self._say_scan = connection.speak(scan, messages.LASER_SCAN)
-            connection.hear(cmd_vel, messages.TWIST_STAMPED if stamped else messages.TWIST, self._hear)
+            connection.hear(
+                cmd_vel,
+                messages.TWIST_STAMPED if stamped else messages.TWIST,
+                self._hear,
+            )
             self._opened = opened.pop_all()
         self.where = where
         self.way = f"{link} at {where['address']}" if "address" in where else link
-        self._thread = threading.Thread(target=self._run, name="served robot", daemon=True)
+        self._thread = threading.Thread(
+            target=self._run, name="served robot", daemon=True
+        )
         self._thread.start()
 
     def __exit__(self, *error: object) -> None:
@@ -106,7 +118,9 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
             If it is cut off.
         """
         # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
-        while not self._has_ended.wait(1.0):  # on Windows, Ctrl-C is not heard in a longer wait
+        while not self._has_ended.wait(
+            1.0
+        ):  # on Windows, Ctrl-C is not heard in a longer wait
             pass
         if self._problem:
             raise ConnectionError(self._problem)
@@ -147,12 +161,16 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         told, said_at = (0.0, 0.0), -math.inf
         due = time.monotonic()
         while True:
-            due = max(due + TICK, time.monotonic())  # ticks that a busy computer has missed are not made up for
+            due = max(
+                due + TICK, time.monotonic()
+            )  # ticks that a busy computer has missed are not made up for
             if self._ends.wait(max(due - time.monotonic(), 0.0)):
                 return
             while not self._told.empty():
                 told, said_at = self._told.get(), time.monotonic()
-            self._move(*(told if time.monotonic() - said_at <= WATCHDOG else (0.0, 0.0)))
+            self._move(
+                *(told if time.monotonic() - said_at <= WATCHDOG else (0.0, 0.0))
+            )
             self._time = time.time()
             self._say()
 
@@ -162,5 +180,11 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
 
     def _say(self) -> None:
         """Tell where the robot is and what its scanner sees."""
-        self._say_pose(messages.make_odometry(self._make, self._time, *self._body.pose()))
-        self._say_scan(messages.make_laser_scan(self._make, self._time, self._ranges, 2 * LASER_RANGE))
+        self._say_pose(
+            messages.make_odometry(self._make, self._time, *self._body.pose())
+        )
+        self._say_scan(
+            messages.make_laser_scan(
+                self._make, self._time, self._ranges, 2 * LASER_RANGE
+            )
+        )

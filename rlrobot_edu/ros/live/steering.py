@@ -32,7 +32,14 @@ class Steering:
     pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
 
-    def __init__(self, connection: Connection, senses: Senses, voice: Voice, limits: Limits, simulated: bool) -> None:
+    def __init__(
+        self,
+        connection: Connection,
+        senses: Senses,
+        voice: Voice,
+        limits: Limits,
+        simulated: bool,
+    ) -> None:
         self._connection, self._senses, self._voice = connection, senses, voice
         self._limits, self._is_simulated = limits, simulated
         self.held_back = self.pauses = 0
@@ -51,13 +58,17 @@ class Steering:
                 self.why = self._what_is_wrong()
             self.wait()
             begin, stamp = time.monotonic(), self._senses.pose.stamp
-            is_near = v > 0 and not self._senses.ahead >= self._limits.safety_distance  # true for NaN, too
+            is_near = (
+                v > 0 and not self._senses.ahead >= self._limits.safety_distance
+            )  # true for NaN, too
             self.held_back += is_near
             self._voice.say(0.0 if is_near else v, omega)
             if self._is_simulated:
                 left -= self._wait_for_answer(stamp)
             else:
-                time.sleep(max(min(left, PERIOD, MAX_AGE - self._senses.age()), INSTANT))
+                time.sleep(
+                    max(min(left, PERIOD, MAX_AGE - self._senses.age()), INSTANT)
+                )
                 left -= time.monotonic() - begin
 
     def wait(self) -> None:
@@ -75,7 +86,11 @@ class Steering:
         if not in_time:
             raise TimeoutError(f"the robot was stopped, since {self._what_is_wrong()}")
         there = self._senses.pose.value
-        if here and there and math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > JUMP:
+        if (
+            here
+            and there
+            and math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > JUMP
+        ):
             raise ConnectionError(
                 "the robot was silent, and its odometry then reported another place: it was carried or restarted; "
                 "begin again with env.reset()"
@@ -85,15 +100,21 @@ class Steering:
         """Whether enough is known of the robot. Raises ConnectionError if the connection is lost."""
         self._check_connection()
         if self._is_simulated:
-            return self._senses.pose.value is not None and not math.isnan(self._senses.ahead)
+            return self._senses.pose.value is not None and not math.isnan(
+                self._senses.ahead
+            )
         return self._senses.age() <= MAX_AGE and not math.isnan(self._senses.ahead)
 
     def _wait_for_answer(self, before: float) -> float:
         """Wait until odometry and scan are newer than `before`; returns how much [s]."""
         with self._senses.news:
-            in_time = self._senses.news.wait_for(lambda: self._is_newer(before), PATIENCE)
+            in_time = self._senses.news.wait_for(
+                lambda: self._is_newer(before), PATIENCE
+            )
         if not in_time:
-            raise TimeoutError(f"simulated time stood still; --simulated-time left out? {self._what_is_wrong()}")
+            raise TimeoutError(
+                f"simulated time stood still; --simulated-time left out? {self._what_is_wrong()}"
+            )
         return self._senses.pose.stamp - before
 
     def _is_newer(self, before: float) -> bool:
@@ -102,7 +123,9 @@ class Steering:
 
     def _check_connection(self) -> None:
         if self._connection.lost is not None:
-            raise ConnectionError(f"{self._connection.lost}; env.reset() connects again")
+            raise ConnectionError(
+                f"{self._connection.lost}; env.reset() connects again"
+            )
 
     def _what_is_wrong(self) -> str:
         problems = [*self._senses.problems(MAX_AGE), *self._connection.complaints]

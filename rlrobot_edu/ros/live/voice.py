@@ -4,7 +4,12 @@ import contextlib
 import time
 
 from rlrobot_edu.ros.live.connection import Connection
-from rlrobot_edu.ros.messages import TWIST, TWIST_STAMPED, make_twist, make_twist_stamped
+from rlrobot_edu.ros.messages import (
+    TWIST,
+    TWIST_STAMPED,
+    make_twist,
+    make_twist_stamped,
+)
 
 
 class Voice:
@@ -13,8 +18,14 @@ class Voice:
     said: how many commands the robot was given, or would have been if it is dry
     """
 
-    def __init__(self, connection: Connection, topic: str, stamped: bool, is_dry: bool = False) -> None:
-        self._send = None if is_dry else connection.speak(topic, TWIST_STAMPED if stamped else TWIST)
+    def __init__(
+        self, connection: Connection, topic: str, stamped: bool, is_dry: bool = False
+    ) -> None:
+        self._send = (
+            None
+            if is_dry
+            else connection.speak(topic, TWIST_STAMPED if stamped else TWIST)
+        )
         self._make, self._stamped, self.said = connection.make, stamped, 0
 
     def say(self, v: float, omega: float) -> None:
@@ -33,7 +44,9 @@ class Voice:
 
     def _tell(self, v: float, omega: float) -> None:
         twist = (
-            make_twist_stamped(self._make, time.time(), v, omega) if self._stamped else make_twist(self._make, v, omega)
+            make_twist_stamped(self._make, time.time(), v, omega)
+            if self._stamped
+            else make_twist(self._make, v, omega)
         )
         if self._send is not None:
             self._send(twist)

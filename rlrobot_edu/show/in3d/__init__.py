@@ -15,8 +15,14 @@ from types import SimpleNamespace
 
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
-    raise ImportError("3D views need meshcat: run pip install meshcat; everything else works without it")
+    raise ImportError(
+        "3D views need meshcat: run pip install meshcat; everything else works without it"
+    )
 MESHCAT = Path(_spec.origin).parent
-if sys.platform == "emscripten":  # meshcat imports its server, for which a browser has no place; it is never started
+if (
+    sys.platform == "emscripten"
+):  # meshcat imports its server, for which a browser has no place; it is never started
     sys.modules["zmq"] = SimpleNamespace(Context=object)  # type: ignore[assignment]
-    sys.modules["meshcat.servers.zmqserver"] = SimpleNamespace(start_zmq_server_as_subprocess=None)  # type: ignore[assignment]
+    sys.modules["meshcat.servers.zmqserver"] = SimpleNamespace(
+        start_zmq_server_as_subprocess=None
+    )  # type: ignore[assignment]

@@ -34,7 +34,9 @@ class CarriedPage(anywidget.AnyWidget):
 
     def whole(self) -> dict[str, Any]:
         """The whole view."""
-        return self._message(all_of_it := self._window.commands()) | {"packed": [packed for _, packed in all_of_it]}
+        return self._message(all_of_it := self._window.commands()) | {
+            "packed": [packed for _, packed in all_of_it]
+        }
 
     def tell(self) -> None:
         """Send what is new."""
@@ -46,13 +48,19 @@ class CarriedPage(anywidget.AnyWidget):
 
     def _message(self, commands: list[tuple[Key, bytes]]) -> dict[str, Any]:
         rewards = self._window.rewards
-        return {"keys": [key for key, _ in commands], "rewards": rewards[-KEPT:], "count": len(rewards)}
+        return {
+            "keys": [key for key, _ in commands],
+            "rewards": rewards[-KEPT:],
+            "count": len(rewards),
+        }
 
     def _hear(self, key: Key, packed: bytes) -> None:
         """Note a command in the place of one that it replaces; send it now, or with the next message."""
         self._news.pop(key, None)
         self._news[key] = packed
-        if time.monotonic() - self._told >= PAUSE:  # at once: while a cell runs, the loop calls nothing
+        if (
+            time.monotonic() - self._told >= PAUSE
+        ):  # at once: while a cell runs, the loop calls nothing
             self.tell()
         elif self._later is None:
             try:  # where nothing comes after it, this does

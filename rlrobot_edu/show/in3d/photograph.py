@@ -17,14 +17,27 @@ def photograph(page: str, width: int = 585, height: int = 378) -> bytes:
     """
     chromium = next(filter(None, map(shutil.which, NAMES)), None)
     if chromium is None:
-        raise RuntimeError("a picture in 3D is made by Chromium, and there is none here: install chromium")
+        raise RuntimeError(
+            "a picture in 3D is made by Chromium, and there is none here: install chromium"
+        )
     with tempfile.TemporaryDirectory() as folder:
         file, picture = Path(folder, "page.html"), Path(folder, "page.png")
         file.write_text(page, encoding="utf-8")
         size = f"--window-size={width},{height}"
-        command = [chromium, *OPTIONS, size, f"--user-data-dir={folder}/profile", f"--screenshot={picture}"]
+        command = [
+            chromium,
+            *OPTIONS,
+            size,
+            f"--user-data-dir={folder}/profile",
+            f"--screenshot={picture}",
+        ]
         try:
-            subprocess.run([*command, file.as_uri() + "#still"], capture_output=True, timeout=120, check=True)
+            subprocess.run(
+                [*command, file.as_uri() + "#still"],
+                capture_output=True,
+                timeout=120,
+                check=True,
+            )
         except subprocess.SubprocessError as error:
             raise RuntimeError(f"Chromium made no picture: {error}") from error
         return picture.read_bytes()

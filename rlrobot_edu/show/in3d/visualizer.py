@@ -92,7 +92,10 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         reward : float, optional
             Of the step that led here; it colours the trail. Without one, the robot was put here.
         """
-        named = [(s.name, s.shape, s.size, s.pose.tobytes() * (s.role == "wall")) for s in scene.solids]
+        named = [
+            (s.name, s.shape, s.size, s.pose.tobytes() * (s.role == "wall"))
+            for s in scene.solids
+        ]
         if named != self._drawn:
             self._draw(scene)
             self._drawn = named
@@ -106,7 +109,12 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         if len(self._rewards) % PIECE == 0:
             self.lay_trail()
 
-    def play(self, scenes: Sequence[Scene], rewards: Sequence[float], seconds_per_frame: float) -> None:
+    def play(
+        self,
+        scenes: Sequence[Scene],
+        rewards: Sequence[float],
+        seconds_per_frame: float,
+    ) -> None:
         """Replay scenes, from the first to the last.
 
         rewards: one a scene, or none at all
@@ -114,15 +122,22 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         animation = Animation(default_framerate=1 / seconds_per_frame)
         before: Scene | None = None
         for i, scene in enumerate(scenes):
-            if before is not None and _jumps(before, scene):  # it was put there: no glide through the room
+            if before is not None and _jumps(
+                before, scene
+            ):  # it was put there: no glide through the room
                 self._key(animation, i - 0.01, before)
             self._key(animation, i, scene)
             before = scene
         self.set_animation(animation)
-        self._way, self._rewards = list(scenes), list(rewards or np.zeros(len(scenes)))[1:]
+        self._way, self._rewards = (
+            list(scenes),
+            list(rewards or np.zeros(len(scenes)))[1:],
+        )
         self.window.rewards = list(rewards)
         self._band("trail", self._way, self._rewards)
-        self.window.title = f"Replay of {len(scenes)} steps. At the end: {describe(scenes[-1])}"
+        self.window.title = (
+            f"Replay of {len(scenes)} steps. At the end: {describe(scenes[-1])}"
+        )
 
     def lay_trail(self) -> None:
         """Show where the robot has been since the last time."""
@@ -163,7 +178,12 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 
     def _draw(self, scene: Scene) -> None:
         """The room and all in it, the light and the camera."""
-        for path in ("floor", "trail", "beams", *{name.partition("/")[0] for name, *_ in self._drawn}):
+        for path in (
+            "floor",
+            "trail",
+            "beams",
+            *{name.partition("/")[0] for name, *_ in self._drawn},
+        ):
             self[path].delete()
         for name, geometry, material, place in looks.floor(scene):
             kind = g.LineSegments if name == "grid" else g.Mesh
@@ -177,14 +197,20 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         x0, y0, x1, y1 = scene.bounds
         self._span = max(x1 - x0, y1 - y0)
         for i in range(len(scene.beams)):
-            self["beams"][str(i)].set_object(g.Cylinder(1.0, self._span / 1000), looks.flat(ROLE["beam"]))
-            self["beams"][str(i)]["<object>"].set_property(looks.Name("castShadow"), False)
+            self["beams"][str(i)].set_object(
+                g.Cylinder(1.0, self._span / 1000), looks.flat(ROLE["beam"])
+            )
+            self["beams"][str(i)]["<object>"].set_property(
+                looks.Name("castShadow"), False
+            )
         for path, key, value in looks.surroundings(scene):
             self[path].set_property(key, value)
         camera, target, (x, y, z) = looks.camera(scene)
         self["/Cameras/default"].set_property("position", target.tolist())
         self["/Cameras/default/rotated"].set_object(camera)
-        self["/Cameras/default/rotated/<object>"].set_property("position", [x, z, -y])  # its y points upward
+        self["/Cameras/default/rotated/<object>"].set_property(
+            "position", [x, z, -y]
+        )  # its y points upward
 
     def _key(self, animation: Animation, frame: float, scene: Scene) -> None:
         """Where everything is at a frame of an animation."""
@@ -213,14 +239,18 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 def _places(scene: Scene) -> dict[str, np.ndarray]:
     """Where is what may move, and each beam."""
     places = {solid.name: solid.pose for solid in scene.solids if solid.role != "wall"}
-    return places | {f"beams/{i}": looks.beam(*ends) for i, ends in enumerate(scene.beams)}
+    return places | {
+        f"beams/{i}": looks.beam(*ends) for i, ends in enumerate(scene.beams)
+    }
 
 
 def _jumps(a: Scene, b: Scene) -> bool:
     """Whether the robot was put from a to b: it is too far for one step."""
     x0, y0, x1, y1 = b.bounds
     way = path_of((a, b))
-    return len(way) == 2 and float(np.linalg.norm(way[1] - way[0])) > 0.25 * max(x1 - x0, y1 - y0)
+    return len(way) == 2 and float(np.linalg.norm(way[1] - way[0])) > 0.25 * max(
+        x1 - x0, y1 - y0
+    )
 
 
 def meshcat(thing: Env | Scene | Film) -> Visualizer:
@@ -261,7 +291,9 @@ def meshcat(thing: Env | Scene | Film) -> Visualizer:
 
 
 def show_scene(
-    scenes: Scene | Sequence[Scene], rewards: Sequence[float] | None = None, seconds_per_frame: float = 0.15
+    scenes: Scene | Sequence[Scene],
+    rewards: Sequence[float] | None = None,
+    seconds_per_frame: float = 0.15,
 ) -> Visualizer:
     """One scene as a 3D picture, or several as a replay that starts to play at once.
 
@@ -288,7 +320,9 @@ def show_scene(
     """
     scenes = as_scenes(scenes)
     if rewards is not None and len(rewards) != len(scenes):
-        raise ValueError(f"one reward for each scene, please: {len(rewards)} rewards for {len(scenes)} scenes")
+        raise ValueError(
+            f"one reward for each scene, please: {len(rewards)} rewards for {len(scenes)} scenes"
+        )
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
         view.play(scenes, [] if rewards is None else rewards, seconds_per_frame)

@@ -18,8 +18,15 @@ from PIL import Image
 from rlrobot_edu.show.in3d import MESHCAT
 from rlrobot_edu.show.in3d.photograph import photograph
 
-Key = tuple[str, str, str]  # path, kind and property of a command; one that comes later takes its place
-ORDER = ("set_object", "set_transform", "set_property", "set_animation")  # what is said of an object comes after it
+Key = tuple[
+    str, str, str
+]  # path, kind and property of a command; one that comes later takes its place
+ORDER = (
+    "set_object",
+    "set_transform",
+    "set_property",
+    "set_animation",
+)  # what is said of an object comes after it
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 
 
@@ -41,7 +48,11 @@ class Window:
         key = told["path"], told["type"], told.get("property", "")
         packed = umsgpack.packb(told)
         if told["type"] == "delete":
-            self._kept = {k: v for k, v in self._kept.items() if not f"{k[0]}/".startswith(f"{told['path']}/")}
+            self._kept = {
+                k: v
+                for k, v in self._kept.items()
+                if not f"{k[0]}/".startswith(f"{told['path']}/")
+            }
         else:
             self._kept[key] = packed
         for tell in self.listeners:
@@ -53,12 +64,23 @@ class Window:
 
     def page(self, *, live: bool = False) -> str:
         """A stand-alone HTML page, whose bytes are packed; live: the page around it says what to show."""
-        template, script = (files(__package__).joinpath(name).read_text("utf-8") for name in ("page.html", "bar.js"))
+        template, script = (
+            files(__package__).joinpath(name).read_text("utf-8")
+            for name in ("page.html", "bar.js")
+        )
         library = (MESHCAT / "viewer/dist/main.min.js").read_text("utf-8")
-        commands = [] if live else [base64.b64encode(packed).decode() for _, packed in self.commands()]
-        packed = zlib.compress(json.dumps([library, commands, self.rewards]).encode(), 9)
+        commands = (
+            []
+            if live
+            else [base64.b64encode(packed).decode() for _, packed in self.commands()]
+        )
+        packed = zlib.compress(
+            json.dumps([library, commands, self.rewards]).encode(), 9
+        )
         return Template(template).substitute(
-            title=html.escape(self.title), packed=base64.b64encode(packed).decode(), script=script
+            title=html.escape(self.title),
+            packed=base64.b64encode(packed).decode(),
+            script=script,
         )
 
     get_scene = page  # by this name meshcat asks for a page

@@ -33,8 +33,13 @@ def save_page(
     Raises ValueError if there is no view.
     """
     if not views:
-        raise ValueError(f"{path}: there is nothing to show on a page; it needs at least one step")
-    template, script = (files(__package__).joinpath(name).read_text("utf-8") for name in ("page.html", "turning.js"))
+        raise ValueError(
+            f"{path}: there is nothing to show on a page; it needs at least one step"
+        )
+    template, script = (
+        files(__package__).joinpath(name).read_text("utf-8")
+        for name in ("page.html", "turning.js")
+    )
     last = first + len(views) - 1
     speeds = "".join(
         f'<option value="{each:g}"{" selected" * (each == speed)}>{each:.3g} a second</option>'
@@ -49,10 +54,19 @@ def save_page(
 def pack(views: Sequence[str], style: str = "") -> str:
     """Everything, compressed: the views in columns of like pieces, None for a piece that stays as it was before."""
     columns = []
-    for section in zip_longest(*(re.split("(?=<section)", view) for view in views), fillvalue=""):
-        pieces = (re.split("(?=<t[dh]|<[gpl])", each) for each in section)  # cells of tables, and what draws in SVG
+    for section in zip_longest(
+        *(re.split("(?=<section)", view) for view in views), fillvalue=""
+    ):
+        pieces = (
+            re.split("(?=<t[dh]|<[gpl])", each) for each in section
+        )  # cells of tables, and what draws in SVG
         for column in zip_longest(*pieces, fillvalue=""):
             before = (None, *column)
-            columns.append([None if new == old else new for old, new in zip(before, column, strict=False)])
+            columns.append(
+                [
+                    None if new == old else new
+                    for old, new in zip(before, column, strict=False)
+                ]
+            )
     text = json.dumps([style, columns], ensure_ascii=False, separators=(",", ":"))
     return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")

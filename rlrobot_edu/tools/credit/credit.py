@@ -112,8 +112,13 @@ class Credit:
             If there is no such step.
         """
         if t not in range(1, len(self.steps) + 1):
-            raise ValueError(f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}")
-        weights = [made.weights[t - 1] if isinstance(made, Linear) else 0.0 for made in self._made_of.flat]
+            raise ValueError(
+                f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}"
+            )
+        weights = [
+            made.weights[t - 1] if isinstance(made, Linear) else 0.0
+            for made in self._made_of.flat
+        ]
         return np.array(weights).reshape(self.q.shape) * float(self.rewards[t - 1])
 
     def why(self, s: int, a: int, rather_than: int) -> str:
@@ -130,8 +135,13 @@ class Credit:
             A sentence.
         """
         parted = self.shares(s, a) - self.shares(s, rather_than)
-        most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
-        told = "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
+        most = [
+            int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]
+        ]
+        told = (
+            "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most)
+            or "no reward yet"
+        )
         apart = f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}"
         return f"{apart}. Most of it: {told}."
 
@@ -174,7 +184,9 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     """
     check_count("steps", steps, least=1)
     if agent.method.planner:
-        raise ValueError("an agent that plans learns from imagined steps, too; credit is for those that do not plan")
+        raise ValueError(
+            "an agent that plans learns from imagined steps, too; credit is for those that do not plan"
+        )
     if agent.q.size * steps > MOST_NUMBERS:
         raise ValueError(
             f"{agent.q.size} values times {steps} steps are more numbers than {MOST_NUMBERS:,}; take fewer steps"
@@ -189,7 +201,15 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
         unit[len(taken)] = 1.0
         m.probabilities = agent.memory.probabilities
         a_next = NO_ACTION if step.a_next is None else step.a_next
-        update(m, step.s, step.a, Linear(step.r, unit), step.s_next, a_next, step.terminated)
+        update(
+            m,
+            step.s,
+            step.a,
+            Linear(step.r, unit),
+            step.s_next,
+            a_next,
+            step.terminated,
+        )
         taken.append(step)
     return Credit(taken, agent.q.copy(), m.q)
 
@@ -197,7 +217,9 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
 def _memory_of(agent: Agent) -> Any:
     """What an update needs of an agent's memory, copied; its values can become `Linear`."""
     memory = agent.memory
-    now = SimpleNamespace(q_old=float(memory.now.q_old), register_size=int(memory.now.register_size))
+    now = SimpleNamespace(
+        q_old=float(memory.now.q_old), register_size=int(memory.now.register_size)
+    )
     return SimpleNamespace(
         q=memory.q.astype(object), e=memory.e.copy(), register=memory.register.copy(), shape=memory.shape,
         parameters=memory.parameters, now=now, probabilities=memory.probabilities,

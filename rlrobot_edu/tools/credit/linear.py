@@ -33,7 +33,9 @@ class Linear:
 
     def __mul__(self, factor: float) -> Linear:
         if isinstance(factor, Linear):
-            raise TypeError("a value times a value is no sum of rewards: this algorithm has no exact credit")
+            raise TypeError(
+                "a value times a value is no sum of rewards: this algorithm has no exact credit"
+            )
         return Linear(self.value * factor, self.weights * factor)
 
     def __neg__(self) -> Linear:
@@ -61,8 +63,18 @@ def plain(kernel: Callable[..., Any]) -> Callable[..., Any]:
     function = getattr(kernel, "py_func", kernel)
     if not isinstance(function, FunctionType):
         return kernel
-    called = {name: function.__globals__.get(name) for name in function.__code__.co_names}
-    others = {name: plain(thing) for name, thing in called.items() if thing is not None and hasattr(thing, "py_func")}
+    called = {
+        name: function.__globals__.get(name) for name in function.__code__.co_names
+    }
+    others = {
+        name: plain(thing)
+        for name, thing in called.items()
+        if thing is not None and hasattr(thing, "py_func")
+    }
     return FunctionType(
-        function.__code__, function.__globals__ | others, function.__name__, function.__defaults__, function.__closure__
+        function.__code__,
+        function.__globals__ | others,
+        function.__name__,
+        function.__defaults__,
+        function.__closure__,
     )

@@ -35,18 +35,31 @@ def overlap(target: InputVariable, source: InputVariable) -> sparse.csr_array:
         rows.append(row)
         columns.append(column)
         lengths.append(length)
-    shares = np.array(lengths) / np.bincount(rows, lengths, target.n_bins)[rows] if rows else np.zeros(0)
-    return sparse.csr_array((shares, (rows, columns)), shape=(target.n_bins, source.n_bins))
+    shares = (
+        np.array(lengths) / np.bincount(rows, lengths, target.n_bins)[rows]
+        if rows
+        else np.zeros(0)
+    )
+    return sparse.csr_array(
+        (shares, (rows, columns)), shape=(target.n_bins, source.n_bins)
+    )
 
 
-def _pieces(target: InputVariable, source: InputVariable) -> Iterator[tuple[float, float]]:
+def _pieces(
+    target: InputVariable, source: InputVariable
+) -> Iterator[tuple[float, float]]:
     """A reading within each piece, and the piece's length."""
     for variable in (target, source):
         if variable.values is not None:
             yield from ((value, 1.0) for value in variable.values)
             return
     low, high = _ends(target, source)
-    limits = {limit for variable in (target, source) for limit in _limits(variable) if low < limit < high}
+    limits = {
+        limit
+        for variable in (target, source)
+        for limit in _limits(variable)
+        if low < limit < high
+    }
     for left, right in pairwise(sorted({low, high} | limits)):
         if right - left > SLIVER * (high - low):
             yield left + (right - left) / 2, right - left
@@ -65,4 +78,6 @@ def _ends(target: InputVariable, source: InputVariable) -> tuple[float, float]:
     low, high = max(target.low, source.low), min(target.high, source.high)
     limits = [limit for variable in (target, source) for limit in _limits(variable)]
     beyond = max(limits) - min(limits) or 1.0
-    return (min(limits) - beyond if math.isinf(low) else low), (max(limits) + beyond if math.isinf(high) else high)
+    return (min(limits) - beyond if math.isinf(low) else low), (
+        max(limits) + beyond if math.isinf(high) else high
+    )

@@ -10,7 +10,9 @@ from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 
-TOLERANCE = 0.25  # how far a command may be from what stands for it, as part of the largest
+TOLERANCE = (
+    0.25  # how far a command may be from what stands for it, as part of the largest
+)
 EQUAL, NEAREST, DETOUR = 1e-9, 12, 0.01
 
 
@@ -32,7 +34,8 @@ def label(task: Task, a: int) -> str:
     """Action `a` in short, without the outputs' names: ``(1, -1)``."""
     values = task.actions.decode(a)
     words = (
-        v.words[v.values.index(values[v.name])] if v.words else f"{values[v.name]:g}" for v in task.actions.outputs
+        v.words[v.values.index(values[v.name])] if v.words else f"{values[v.name]:g}"
+        for v in task.actions.outputs
     )
     return f"({', '.join(words)})"
 
@@ -41,7 +44,8 @@ def motion(task: Task, a: int) -> dict[str, float]:
     """What the command of action `a` does in one step: metres ahead and radians to the left, and radians of joints."""
     command, card = task.command_for(a), ROBOTS[task.robot]
     told = {
-        name: value * (task.step_time if card.commands[name].unit.endswith("/s") else 1.0)
+        name: value
+        * (task.step_time if card.commands[name].unit.endswith("/s") else 1.0)
         for name, value in command.items()
     }
     if task.robot in CHASSIS:
@@ -67,24 +71,41 @@ def match_actions(target: Task, source: Task) -> list[ActionMatch]:
             "one is like any of the other; choose tasks whose robots move alike"
         )
     parts = sorted(wanted[0].keys() | known[0].keys())
-    theirs, ours = (np.array([[told.get(part, 0.0) for part in parts] for told in all_]) for all_ in (known, wanted))
+    theirs, ours = (
+        np.array([[told.get(part, 0.0) for part in parts] for told in all_])
+        for all_ in (known, wanted)
+    )
     largest = np.abs(np.vstack([theirs, ours])).max(axis=0)
     largest[largest == 0] = 1.0
-    points, number = np.unique(np.round(theirs / largest, 12), axis=0, return_inverse=True)
+    points, number = np.unique(
+        np.round(theirs / largest, 12), axis=0, return_inverse=True
+    )
     alike = [np.flatnonzero(number.ravel() == i).tolist() for i in range(len(points))]
     matches = []
     for a, point in enumerate(ours / largest):
         miss, weights = _between(point, points)
-        sources = [(b, w / len(alike[i])) for i, w in weights for b in alike[i]] if miss <= TOLERANCE else []
-        same = [b for b, _ in sources if miss < EQUAL and source.actions.decode(b) == target.actions.decode(a)]
+        sources = (
+            [(b, w / len(alike[i])) for i, w in weights for b in alike[i]]
+            if miss <= TOLERANCE
+            else []
+        )
+        same = [
+            b
+            for b, _ in sources
+            if miss < EQUAL and source.actions.decode(b) == target.actions.decode(a)
+        ]
         taken = [(b, 1.0) for b in same] or sorted(sources)
         matches.append(ActionMatch(a, label(target, a), tuple(taken), miss))
     return matches
 
 
-def _between(point: np.ndarray, points: np.ndarray) -> tuple[float, list[tuple[int, float]]]:
+def _between(
+    point: np.ndarray, points: np.ndarray
+) -> tuple[float, list[tuple[int, float]]]:
     """How near `points` come to `point`, alone or two together, and which they are with their weights."""
-    near = np.argsort(np.linalg.norm(points - point, axis=1), kind="stable")[:NEAREST].tolist()
+    near = np.argsort(np.linalg.norm(points - point, axis=1), kind="stable")[
+        :NEAREST
+    ].tolist()
     return min(_segments(point, points, near))[1:]
 
 
@@ -95,8 +116,16 @@ def _segments(
     for i, j in combinations_with_replacement(near, 2):
         way = points[j] - points[i]
         length = float(np.linalg.norm(way))
-        part = float(np.clip((point - points[i]) @ way / length**2, 0, 1)) if length else 0.0
+        part = (
+            float(np.clip((point - points[i]) @ way / length**2, 0, 1))
+            if length
+            else 0.0
+        )
         part = float(round(part)) if abs(part - round(part)) < EQUAL else part
         miss = float(np.linalg.norm(points[i] + part * way - point))
-        weights = [(k, w) for k, w in ((i, 1 - part), (j, part)) if w] if i != j else [(i, 1.0)]
+        weights = (
+            [(k, w) for k, w in ((i, 1 - part), (j, part)) if w]
+            if i != j
+            else [(i, 1.0)]
+        )
         yield round(miss, 9) + DETOUR * length, miss, weights

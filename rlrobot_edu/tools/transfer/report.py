@@ -51,9 +51,14 @@ class Report(Tabled):
 
     def table(self) -> Table:
         """One line for each input and each action."""
-        rows = [("input " + match.name, self._input(match), "") for match in self.inputs]
+        rows = [
+            ("input " + match.name, self._input(match), "") for match in self.inputs
+        ]
         shares = self.known.mean(axis=0)
-        rows += [("action " + m.label, self._action(m), f"{shares[m.action]:.0%}") for m in self.actions]
+        rows += [
+            ("action " + m.label, self._action(m), f"{shares[m.action]:.0%}")
+            for m in self.actions
+        ]
         caption = (
             f"From {self.source} to {self.target}: {self.share:.0%} of the pairs (s, a) rest on visited pairs of the "
             f"source, the others begin with 0; Q was multiplied by {self.scale:.4g}; an action is ({self.outputs})"
@@ -67,10 +72,16 @@ class Report(Tabled):
             return f"the source lacks it: copied to all {n_target} bins"
         if match.how == "averaged":
             return f"the target lacks it: mean over its {n_source} bins"
-        if n_target == n_source == match.weights.nnz and (match.weights.diagonal() == 1).all():
+        if (
+            n_target == n_source == match.weights.nnz
+            and (match.weights.diagonal() == 1).all()
+        ):
             return f"the same {n_target} bins"
         uncovered = int((match.weights.sum(axis=1) == 0).sum())
-        return f"{n_target} bins from {n_source} by overlap" + f", {uncovered} unknown" * bool(uncovered)
+        return (
+            f"{n_target} bins from {n_source} by overlap"
+            + f", {uncovered} unknown" * bool(uncovered)
+        )
 
     def _action(self, match: ActionMatch) -> str:
         if not match.sources:
@@ -78,7 +89,10 @@ class Report(Tabled):
         alike: dict[float, list[str]] = {}
         for b, weight in match.sources:
             alike.setdefault(weight, []).append(self.source_actions[b])
-        parts = [(f"{weight * len(names):.0%} ", names) for weight, names in sorted(alike.items(), reverse=True)]
+        parts = [
+            (f"{weight * len(names):.0%} ", names)
+            for weight, names in sorted(alike.items(), reverse=True)
+        ]
         if len(parts) == 1:
             parts = [("mean of " if len(match.sources) > 1 else "", parts[0][1])]
         said = " + ".join(share + ", ".join(names) for share, names in parts)

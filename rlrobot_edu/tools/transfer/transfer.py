@@ -88,16 +88,28 @@ def transfer(
     inputs, matrices = _match_inputs(goal, source)
     actions = match_actions(goal, source)
     if not any(match.sources for match in actions):
-        raise ValueError(f"no action of {source.name} is like any of {goal.name}, so there is nothing to carry over")
-    kept = dataclasses.asdict(source_agent.parameters) | {"r_max": None, "planner": source_agent.method.planner}
+        raise ValueError(
+            f"no action of {source.name} is like any of {goal.name}, so there is nothing to carry over"
+        )
+    kept = dataclasses.asdict(source_agent.parameters) | {
+        "r_max": None,
+        "planner": source_agent.method.planner,
+    }
     if method is not None:
         del kept["accumulating"]  # a variant of one algorithm
-    learner = method or dataclasses.replace(source_agent.method, planner=None)  # the planner is one of the settings
+    learner = method or dataclasses.replace(
+        source_agent.method, planner=None
+    )  # the planner is one of the settings
     agent = TransferredAgent(goal, learner, seed=seed, **{**kept, **settings})
     scale = source_agent.parameters.q_scale / agent.parameters.q_scale
-    tried = (source_agent.visits > 0) | (source_agent.q != 0)  # a transferred agent has values without visits
+    tried = (source_agent.visits > 0) | (
+        source_agent.q != 0
+    )  # a transferred agent has values without visits
     matrices.append(_action_weights(actions, source.actions.n))
-    names, shape = [v.name for v in source.inputs], (*source.states.shape, source.actions.n)
+    names, shape = (
+        [v.name for v in source.inputs],
+        (*source.states.shape, source.actions.n),
+    )
     order = [names.index(match.name) for match in inputs if match.name in names]
     values, weights = (
         _spread(x.reshape(shape).transpose(*order, -1), matrices).reshape(agent.q.shape)
@@ -107,21 +119,37 @@ def transfer(
     with np.errstate(over="ignore", invalid="ignore"):
         q = scale * np.divide(values, weights, out=np.zeros_like(values), where=known)
     if not np.isfinite(q).all():
-        raise ValueError(f"Q of {source.name} times {scale:g} is more than a number can hold; give smaller rewards")
+        raise ValueError(
+            f"Q of {source.name} times {scale:g} is more than a number can hold; give smaller rewards"
+        )
     agent.q[:] = q
-    labels, outputs = tuple(label(source, a) for a in range(source.actions.n)), [v.name for v in goal.outputs]
+    labels, outputs = (
+        tuple(label(source, a) for a in range(source.actions.n)),
+        [v.name for v in goal.outputs],
+    )
     agent.report = Report(
-        source.name, goal.name, tuple(inputs), tuple(actions), known, scale, labels, ", ".join(outputs)
+        source.name,
+        goal.name,
+        tuple(inputs),
+        tuple(actions),
+        known,
+        scale,
+        labels,
+        ", ".join(outputs),
     )
     return agent
 
 
 def _source_task(agent: Agent, given: Task | str | Path | None) -> Task:
     if not isinstance(agent, Agent):
-        raise ValueError(f"rl.transfer carries over what an rl.Agent has learned, not {agent!r:.200}")
+        raise ValueError(
+            f"rl.transfer carries over what an rl.Agent has learned, not {agent!r:.200}"
+        )
     task = agent.task if given is None else load_task(given)
     if task is None:
-        raise ValueError("this agent does not know which task it has learned; say it with source_task=")
+        raise ValueError(
+            "this agent does not know which task it has learned; say it with source_task="
+        )
     if (task.states.shape, task.actions.n) != (agent.shape, agent.q.shape[1]):
         raise ValueError(
             f"the agent has learned in {agent.shape} bins and {agent.q.shape[1]} actions, but {task.name} has "
@@ -134,11 +162,15 @@ def _target_task(target: Task | str | Path | Env) -> Task:
     task = load_task(target) if isinstance(target, str | Path) else task_of(target)
     if task is None:
         kind = type(target).__name__
-        raise ValueError(f"a {kind} does not say what its bins and actions mean; give rl.transfer the task itself")
+        raise ValueError(
+            f"a {kind} does not say what its bins and actions mean; give rl.transfer the task itself"
+        )
     return task
 
 
-def _match_inputs(target: Task, source: Task) -> tuple[list[InputMatch], list[sparse.csr_array]]:
+def _match_inputs(
+    target: Task, source: Task
+) -> tuple[list[InputMatch], list[sparse.csr_array]]:
     """What is done about each input: the target's in their order, then those of the source alone."""
     theirs, ours = ({v.name: v for v in task.inputs} for task in (source, target))
     if not theirs.keys() & ours.keys():
@@ -151,7 +183,9 @@ def _match_inputs(target: Task, source: Task) -> tuple[list[InputMatch], list[sp
         if name in theirs:
             ways.append((name, "matched", overlap(variable, theirs[name])))
         else:
-            ways.append((name, "copied", sparse.csr_array(np.ones((variable.n_bins, 1)))))
+            ways.append(
+                (name, "copied", sparse.csr_array(np.ones((variable.n_bins, 1))))
+            )
     for name in [name for name in theirs if name not in ours]:
         n = theirs[name].n_bins
         ways.append((name, "averaged", sparse.csr_array(np.full((1, n), 1 / n))))
@@ -160,7 +194,9 @@ def _match_inputs(target: Task, source: Task) -> tuple[list[InputMatch], list[sp
 
 def _action_weights(actions: Sequence[ActionMatch], n_source: int) -> sparse.csr_array:
     """The actions' matches as an array (actions of the target, actions of the source)."""
-    entries = [(match.action, b, weight) for match in actions for b, weight in match.sources]
+    entries = [
+        (match.action, b, weight) for match in actions for b, weight in match.sources
+    ]
     rows, columns, weights = zip(*entries, strict=True)
     return sparse.csr_array((weights, (rows, columns)), shape=(len(actions), n_source))
 
@@ -169,8 +205,14 @@ def _spread(array: np.ndarray, matrices: Sequence[sparse.csr_array]) -> np.ndarr
     """Sum `array` along each axis with the weights of its matrix (new, old); an axis that it lacks has length 1."""
     array = array.reshape([matrix.shape[1] for matrix in matrices])
     growth = [matrix.shape[0] / matrix.shape[1] for matrix in matrices]
-    for axis in np.argsort(growth).tolist():  # what shrinks first, so that nothing on the way is larger than both ends
+    for axis in (
+        np.argsort(growth).tolist()
+    ):  # what shrinks first, so that nothing on the way is larger than both ends
         array = np.moveaxis(array, axis, 0)
         rest = array.shape[1:]
-        array = np.moveaxis((matrices[axis] @ array.reshape(array.shape[0], -1)).reshape(-1, *rest), 0, axis)
+        array = np.moveaxis(
+            (matrices[axis] @ array.reshape(array.shape[0], -1)).reshape(-1, *rest),
+            0,
+            axis,
+        )
     return array

@@ -26,7 +26,9 @@ class BiasNumbers(NamedTuple):
     qbiassr: np.ndarray
 
 
-def bias_numbers(task: Task, q: np.ndarray, s: int, scale: float, temperature: float) -> BiasNumbers:
+def bias_numbers(
+    task: Task, q: np.ndarray, s: int, scale: float, temperature: float
+) -> BiasNumbers:
     """Choose in state `s` with and without the bias, and keep what was computed on the way.
 
     q: array (n_states, n_actions); scale: normalises both softmaxes alike, see `Parameters.q_scale`

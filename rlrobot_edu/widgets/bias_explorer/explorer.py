@@ -16,7 +16,12 @@ from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.bias_explorer.bias import BiasNumbers, bias_numbers
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.still import draw_bias
-from rlrobot_edu.widgets.bias_explorer.widget import ExplorerWidget, about, script, style
+from rlrobot_edu.widgets.bias_explorer.widget import (
+    ExplorerWidget,
+    about,
+    script,
+    style,
+)
 from rlrobot_edu.widgets.bias_explorer.words import state_words, vector
 from rlrobot_edu.widgets.page_file import page_html
 
@@ -52,16 +57,24 @@ class BiasExplorer(Displayed):
     """
 
     def __init__(
-        self, task: Task | str, tables: Mapping[str, np.ndarray | Agent], state: int = 0, temperature: float = 1.0
+        self,
+        task: Task | str,
+        tables: Mapping[str, np.ndarray | Agent],
+        state: int = 0,
+        temperature: float = 1.0,
     ) -> None:
         self.task = load_task(task)
         marks_of(self.task)  # names a task that is too large
         values, self._scales = _read_tables(self.task, tables)
         if not 0 < temperature < np.inf:
-            raise ValueError(f"temperature must be a finite number above 0, got {temperature!r}")
+            raise ValueError(
+                f"temperature must be a finite number above 0, got {temperature!r}"
+            )
         self.task.states.bins(state)  # names a state that does not exist
         self.temperature = float(temperature)  # JSON knows no numbers of numpy's
-        self.widget = ExplorerWidget(about(self.task, values, self._scales, self.temperature), int(state))
+        self.widget = ExplorerWidget(
+            about(self.task, values, self._scales, self.temperature), int(state)
+        )
 
     @property
     def state(self) -> int:
@@ -76,12 +89,16 @@ class BiasExplorer(Displayed):
     @property
     def q(self) -> np.ndarray:
         """The Q-table shown, edits included: a copy, array (n_states, n_actions)."""
-        return np.array(self.widget.tables[self.widget.table], dtype=float)  # a browser writes 5.0 as 5
+        return np.array(
+            self.widget.tables[self.widget.table], dtype=float
+        )  # a browser writes 5.0 as 5
 
     @property
     def numbers(self) -> BiasNumbers:
         """Everything that is shown about the state."""
-        return bias_numbers(self.task, self.q, self.state, self._scales[self.table], self.temperature)
+        return bias_numbers(
+            self.task, self.q, self.state, self._scales[self.table], self.temperature
+        )
 
     def save(self, path: str | Path) -> None:
         """Write the explorer to one HTML page, which works without a kernel and without a network.
@@ -103,7 +120,10 @@ class BiasExplorer(Displayed):
         -----
         The page begins with all tables as they are now, edits included. *Reset Q* undoes them there as well.
         """
-        feed = {name: getattr(self.widget, name) for name in ("about", "state", "table", "tables", "stage")}
+        feed = {
+            name: getattr(self.widget, name)
+            for name in ("about", "state", "table", "tables", "stage")
+        }
         title = f"Which states bias the choice in {self.task.name}"
         write_whole(path, page_html(title, feed, script(), style()))
 
@@ -150,11 +170,15 @@ def _read_tables(
 ) -> tuple[dict[str, np.ndarray], dict[str, float]]:
     """By name, a copy of each table's values and the factor that normalises it. Raises ValueError if one is wrong."""
     if not isinstance(tables, Mapping) or not tables:
-        raise ValueError("the bias explorer needs at least one Q-table, such as tables={'my agent': agent}")
+        raise ValueError(
+            "the bias explorer needs at least one Q-table, such as tables={'my agent': agent}"
+        )
     values, scales = {}, {}
     size = (task.states.n, task.actions.n)
     for name, table in tables.items():
-        agent = table if isinstance(table, Agent) else Agent(task)  # an array is normalised with an agent's defaults
+        agent = (
+            table if isinstance(table, Agent) else Agent(task)
+        )  # an array is normalised with an agent's defaults
         q = np.array(table.q if table is agent else table, dtype=float)
         if q.shape != size or not np.isfinite(q).all():
             raise ValueError(

@@ -14,17 +14,29 @@ from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
 from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
-from rlrobot_edu.widgets.bias_explorer.words import name_text, state_text, state_words, value_text, value_words
+from rlrobot_edu.widgets.bias_explorer.words import (
+    name_text,
+    state_text,
+    state_words,
+    value_text,
+    value_words,
+)
 from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.page_file import read_text
 
-SCRIPTS = "stepper/page/numerals.js", "bias_explorer/page/bias.js", "bias_explorer/page/explorer.js"
+SCRIPTS = (
+    "stepper/page/numerals.js",
+    "bias_explorer/page/bias.js",
+    "bias_explorer/page/explorer.js",
+)
 
 
 @cache
 def script() -> str:
     """The program, with the library's kernels."""
-    kernels = program({"sr": SR.weigh, "qbiassr": QBIASSR.weigh, "compute_bias": compute_bias})
+    kernels = program(
+        {"sr": SR.weigh, "qbiassr": QBIASSR.weigh, "compute_bias": compute_bias}
+    )
     return "\n".join([*map(read_text, SCRIPTS), f"const kernels = {kernels};"])
 
 
@@ -34,7 +46,10 @@ def style() -> str:
 
 
 def about(
-    task: Task, tables: Mapping[str, np.ndarray], scales: Mapping[str, float], temperature: float
+    task: Task,
+    tables: Mapping[str, np.ndarray],
+    scales: Mapping[str, float],
+    temperature: float,
 ) -> dict[str, Any]:
     """The page's data that do not change. Raises ValueError if the task is too large for a page."""
     inputs = [
@@ -68,4 +83,8 @@ class ExplorerWidget(anywidget.AnyWidget):
 
     def __init__(self, about: dict[str, Any], state: int) -> None:
         self._esm, self._css = script() + "\nexport default { render };", style()
-        super().__init__(about=about, state=state, tables=[table["q"] for table in about["originals"]])
+        super().__init__(
+            about=about,
+            state=state,
+            tables=[table["q"] for table in about["originals"]],
+        )

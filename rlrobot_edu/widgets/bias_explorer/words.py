@@ -20,17 +20,26 @@ def value_words(value: Bin) -> str:
 
 def value_text(value: Bin) -> str:
     """A bin in as few signs as will do: its value without the unit where it has one, else its limits."""
-    return f"{value.reading:g}".replace("-", "−") if value.low == value.high else str(value)
+    return (
+        f"{value.reading:g}".replace("-", "−")
+        if value.low == value.high
+        else str(value)
+    )
 
 
 def state_text(task: Task, s: int) -> str:
     """State `s` as the paper writes it: ``(1,1,90,0)``."""
-    return f"({','.join(value_text(value) for value in task.states.decode(s).values())})"
+    return (
+        f"({','.join(value_text(value) for value in task.states.decode(s).values())})"
+    )
 
 
 def state_words(task: Task, s: int) -> str:
     """State `s` in words: ``X 1, Y 1, θ 90°, d 0``."""
-    return ", ".join(f"{name_text(name)} {value_words(value)}" for name, value in task.states.decode(s).items())
+    return ", ".join(
+        f"{name_text(name)} {value_words(value)}"
+        for name, value in task.states.decode(s).items()
+    )
 
 
 def two_decimals(x: float) -> str:

@@ -11,7 +11,12 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.wheel_icons import motion, wheel_icon
 
 KEYS = string.digits[1:] + string.ascii_lowercase  # of the buttons, in their order
-ARROWS = {"ArrowUp": (1, 1), "ArrowLeft": (-1, 1), "ArrowRight": (1, -1), "ArrowDown": (0, 0)}  # of full speed
+ARROWS = {
+    "ArrowUp": (1, 1),
+    "ArrowLeft": (-1, 1),
+    "ArrowRight": (1, -1),
+    "ArrowDown": (0, 0),
+}  # of full speed
 
 
 @dataclass(frozen=True)
@@ -37,17 +42,28 @@ def buttons_of(task: Task) -> list[Button]:
     """
     commands = [task.command_for(a) for a in range(task.actions.n)]
     distinct = [a for a, command in enumerate(commands) if command not in commands[:a]]
-    icons = [wheel_icon(*commands[a].values()) for a in distinct] if has_wheels(task) else []
+    icons = (
+        [wheel_icon(*commands[a].values()) for a in distinct]
+        if has_wheels(task)
+        else []
+    )
     faces = []
     for i, a in enumerate(distinct):
         text, place = task.actions.label(a), divmod(a, task.actions.shape[-1])
         if icons:
             ahead, turn = motion(*commands[a].values())
-            speeds = " {:g}, {:g}".format(*commands[a].values()) if icons.count(icons[i]) > 1 else ""
+            speeds = (
+                " {:g}, {:g}".format(*commands[a].values())
+                if icons.count(icons[i]) > 1
+                else ""
+            )
             text, place = icons[i] + speeds, (1 - ahead, 1 - turn)
         words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
         faces.append((place, a, text.replace("-", "−"), words.replace("-", "−")))
-    return [Button(a, KEYS[i : i + 1], text, words, at) for i, (at, a, text, words) in enumerate(sorted(faces))]
+    return [
+        Button(a, KEYS[i : i + 1], text, words, at)
+        for i, (at, a, text, words) in enumerate(sorted(faces))
+    ]
 
 
 def keys_of(task: Task) -> dict[str, int]:
@@ -56,9 +72,13 @@ def keys_of(task: Task) -> dict[str, int]:
     keys = {button.key: button.a for button in buttons if button.key}
     if has_wheels(task):
         full = max(max(output.values) for output in task.outputs)
-        speeds = {button.a: tuple(task.command_for(button.a).values()) for button in buttons}
+        speeds = {
+            button.a: tuple(task.command_for(button.a).values()) for button in buttons
+        }
         for key, (left, right) in ARROWS.items():
-            keys[key] = min(speeds, key=lambda a: dist(speeds[a], (full * left, full * right)))
+            keys[key] = min(
+                speeds, key=lambda a: dist(speeds[a], (full * left, full * right))
+            )
     return keys
 
 

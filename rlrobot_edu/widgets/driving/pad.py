@@ -103,7 +103,9 @@ class Pad(Displayed):
     def start_again(self) -> None:
         """Put the robot back to its start; the episode so far is kept."""
         if self._rows:
-            self._rows[-1][5] = self._rows[-1][5] or not self._rows[-1][4]  # cut off, unless it had ended for good
+            self._rows[-1][5] = (
+                self._rows[-1][5] or not self._rows[-1][4]
+            )  # cut off, unless it had ended for good
         self._begin()
 
     @property
@@ -112,7 +114,11 @@ class Pad(Displayed):
         if not self._rows:
             raise ValueError("nothing has been driven yet: press a button first")
         transitions = Transitions(*map(np.array, zip(*self._rows, strict=True)))
-        return Recording(transitions, Source.of_task(self._task, method="by hand", **THIS_COMPUTER), self._task)
+        return Recording(
+            transitions,
+            Source.of_task(self._task, method="by hand", **THIS_COMPUTER),
+            self._task,
+        )
 
     @property
     def film(self) -> Film:
@@ -126,15 +132,31 @@ class Pad(Displayed):
         """Buttons, keys and picture."""
         buttons = buttons_of(self._task)
         keys = keys_of(self._task)
-        told = "those in brackets" + (", and the arrows" if ARROWS.keys() <= keys.keys() else "")
-        self._said, self._camera = ipywidgets.HTML(), Camera(self._robot.scene(), PIXELS)
+        told = "those in brackets" + (
+            ", and the arrows" if ARROWS.keys() <= keys.keys() else ""
+        )
+        self._said, self._camera = (
+            ipywidgets.HTML(),
+            Camera(self._robot.scene(), PIXELS),
+        )
         self._picture = ipywidgets.HTML()
-        again = ipywidgets.Button(description="start again", icon="undo", tooltip="Put the robot back to its start")
+        again = ipywidgets.Button(
+            description="start again",
+            icon="undo",
+            tooltip="Put the robot back to its start",
+        )
         again.on_click(lambda _: (self.start_again(), self._show("back at the start")))
         columns = sorted({b.place[1] for b in buttons})
         pad = ipywidgets.GridBox(
-            [self._cell(buttons, row, column) for row in sorted({b.place[0] for b in buttons}) for column in columns],
-            layout={"grid_template_columns": f"repeat({len(columns)}, max-content)", "grid_gap": "4px"},
+            [
+                self._cell(buttons, row, column)
+                for row in sorted({b.place[0] for b in buttons})
+                for column in columns
+            ],
+            layout={
+                "grid_template_columns": f"repeat({len(columns)}, max-content)",
+                "grid_gap": "4px",
+            },
         )
         seen = self._picture if self._live is None else self._live.widget
         if self._live is not None:
@@ -142,20 +164,29 @@ class Pad(Displayed):
         self._keyboard = Keyboard(actions=keys, told=told)
         # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
         side = ipywidgets.VBox(
-            [pad, again, self._keyboard, self._said], layout={"flex": "1 1 190px", "max_width": "22em"}
+            [pad, again, self._keyboard, self._said],
+            layout={"flex": "1 1 190px", "max_width": "22em"},
         )
         side.layout.min_width = "min-content"
-        widget = ipywidgets.HBox([side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"})
+        widget = ipywidgets.HBox(
+            [side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"}
+        )
         self._show("nothing driven yet")
         widget.add_class("rl-drive")
         return widget
 
     def still(self) -> Still:
         """What was driven as a film, or the robot at its start."""
-        return self.film.still() if self._driven else plot_scene(self._robot.scene()).still()
+        return (
+            self.film.still()
+            if self._driven
+            else plot_scene(self._robot.scene()).still()
+        )
 
     def _in_3d(self) -> Visualizer:
-        from rlrobot_edu.show.in3d.visualizer import meshcat  # here, because all else does without meshcat
+        from rlrobot_edu.show.in3d.visualizer import (
+            meshcat,
+        )  # here, because all else does without meshcat
 
         return meshcat(self._env)
 
@@ -168,7 +199,10 @@ class Pad(Displayed):
         widgets = []
         for button in (b for b in buttons if b.place == (row, column)):
             widget = ipywidgets.Button(
-                description=f"{button.text} [{button.key}]" if button.key else button.text, tooltip=button.words
+                description=f"{button.text} [{button.key}]"
+                if button.key
+                else button.text,
+                tooltip=button.words,
             )
             widget.layout.width = "max-content"
             widget.add_class(f"rl-action-{button.a}")
@@ -179,9 +213,18 @@ class Pad(Displayed):
     def _pressed(self, button: Button, _: Any) -> None:
         r = self.press(button.a)
         mean = np.mean([row[2] for row in self._rows])
-        ended = " The episode has ended; the next press begins a new one." if self._ended else ""
+        ended = (
+            " The episode has ended; the next press begins a new one."
+            if self._ended
+            else ""
+        )
         steps = "1 step" if len(self._rows) == 1 else f"{len(self._rows)} steps"
-        self._show(f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace("-", "−"), r)
+        self._show(
+            f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace(
+                "-", "−"
+            ),
+            r,
+        )
 
     def _show(self, text: str, r: float | None = None) -> None:
         """Say and show how the robot is; r: of the step that led here, None if it was put here."""
@@ -190,9 +233,9 @@ class Pad(Displayed):
             self._live.update(scene, r)
         else:
             buffer = io.BytesIO()
-            Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(
-                buffer, "PNG"
-            )
+            Image.fromarray(
+                self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))
+            ).save(buffer, "PNG")
             self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
         self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
         self._keyboard.answered = len(self._rows)

@@ -32,7 +32,9 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     itself where the recording leaves an episode unfinished.
     """
     if not isinstance(agent, Agent) or not isinstance(recording, Recording):
-        raise ValueError(f"this takes an Agent and a Recording, in this order; got {agent!r:.40} and {recording!r:.40}")
+        raise ValueError(
+            f"this takes an Agent and a Recording, in this order; got {agent!r:.40} and {recording!r:.40}"
+        )
     check_count("passes", passes)
     source = recording.source
     if (source.states.shape, source.actions.n) != (agent.shape, agent.q.shape[1]):
@@ -41,7 +43,9 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             f"{source.states.shape} and {source.actions.n} actions; make the agent from its task, {source.task_name}"
         )
     agent.pending, select = None, make_step(agent.method).select
-    rows = list(zip(*(column.tolist() for column in recording.transitions[:5]), strict=True))
+    rows = list(
+        zip(*(column.tolist() for column in recording.transitions[:5]), strict=True)
+    )
     begins = {*np.flatnonzero(recording.step == 0).tolist(), len(rows)}
     for i, (s, a, r, s_next, terminated) in [*enumerate(rows)] * passes:
         if i in begins:
@@ -50,5 +54,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             agent.learn_step(s, a, r, s_next, terminated)
         else:
             agent.visits[s, a] += 1
-            select(agent.memory, s_next, agent.rng.random())  # expected SARSA averages over its probabilities
+            select(
+                agent.memory, s_next, agent.rng.random()
+            )  # expected SARSA averages over its probabilities
             agent.update(s, a, r, s_next, rows[i + 1][1], terminated)

@@ -35,7 +35,10 @@ return at;
 """.strip()
 
 
-def program(kernels: Mapping[str, Callable[..., Any]], arithmetic: Mapping[type[ast.AST], str] | None = None) -> str:
+def program(
+    kernels: Mapping[str, Callable[..., Any]],
+    arithmetic: Mapping[type[ast.AST], str] | None = None,
+) -> str:
     """An expression whose value is an object with these kernels, by their names.
 
     An array of two dimensions is to be given as an array of rows, a record as an object, a generator of random numbers
@@ -61,13 +64,19 @@ def program(kernels: Mapping[str, Callable[..., Any]], arithmetic: Mapping[type[
         if not hasattr(function, "__code__"):
             return None
         if function not in names:
-            alike = (f"{function.__name__}{i or ''}" for i in count())  # each algorithm's file has an update
+            alike = (
+                f"{function.__name__}{i or ''}" for i in count()
+            )  # each algorithm's file has an update
             names[function] = next(name for name in alike if name not in names.values())
-            texts.append(Translator(function, name_of, arithmetic).translate(names[function]))
+            texts.append(
+                Translator(function, name_of, arithmetic).translate(names[function])
+            )
         return names[function]
 
     given = ", ".join(f"{name}: {name_of(kernel)}" for name, kernel in kernels.items())
-    return "\n".join(["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"])
+    return "\n".join(
+        ["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"]
+    )
 
 
 def program_of(method: str | Method) -> str:

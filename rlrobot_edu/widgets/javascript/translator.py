@@ -15,22 +15,43 @@ import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-TABLES = {"q", "e", "visits"}  # the arrays of two dimensions, by the names that kernels give them
-OF_AN_ARRAY = {"max", "min", "argmax"}  # its methods, functions of the prelude in JavaScript
+TABLES = {
+    "q",
+    "e",
+    "visits",
+}  # the arrays of two dimensions, by the names that kernels give them
+OF_AN_ARRAY = {
+    "max",
+    "min",
+    "argmax",
+}  # its methods, functions of the prelude in JavaScript
 OPERATORS: dict[type[ast.AST], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
     ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
     ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
 }  # fmt: skip
-WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min", "float": "Number"}
+WORDS = {
+    "int": "Math.trunc",
+    "abs": "Math.abs",
+    "max": "Math.max",
+    "min": "Math.min",
+    "float": "Number",
+}
 WORDS |= {"round": "to_even"}
-OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "floor", "hypot", "log", "sin", "sqrt")}
+OF_MATH = {
+    name: f"Math.{name}"
+    for name in ("ceil", "cos", "exp", "floor", "hypot", "log", "sin", "sqrt")
+}
 OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
 
 
 def literal(value: bool | float | str | None) -> str:
     """A number, a text, True, False or None in JavaScript."""
-    return repr(value) if isinstance(value, int | float) and not isinstance(value, bool) else json.dumps(value)
+    return (
+        repr(value)
+        if isinstance(value, int | float) and not isinstance(value, bool)
+        else json.dumps(value)
+    )
 
 
 class Translator:
@@ -55,14 +76,32 @@ class Translator:
         self.definition, self.name_of = definition, name_of
         nodes = list(ast.walk(definition))
         self.parameters = [argument.arg for argument in definition.args.args]
-        stored = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+        stored = {
+            node.id
+            for node in nodes
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+        }
         self.variables = sorted(stored - set(self.parameters))
-        names = inspect.getclosurevars(self.function)  # a field's name may be that of something around, too
+        names = inspect.getclosurevars(
+            self.function
+        )  # a field's name may be that of something around, too
         around = {**names.builtins, **names.globals, **names.nonlocals}
-        self.around = {name: thing for name, thing in around.items() if name not in stored.union(self.parameters)}
-        fields = [node for node in nodes if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)]
-        self.fixed: dict[str, str] = {}  # what a name is at present that goes over constants
-        self.records = {node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}}  # type: ignore[attr-defined]
+        self.around = {
+            name: thing
+            for name, thing in around.items()
+            if name not in stored.union(self.parameters)
+        }
+        fields = [
+            node
+            for node in nodes
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+        ]
+        self.fixed: dict[
+            str, str
+        ] = {}  # what a name is at present that goes over constants
+        self.records = {
+            node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}
+        }  # type: ignore[attr-defined]
 
     def translate(self, name: str) -> str:
         """The text of the function, under this name. Raises ValueError that tells file and line of what it refuses."""
@@ -86,28 +125,48 @@ class Translator:
                 return ""
             case ast.Expr(value):
                 return f"{self._value(value)};"
-            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(values):
-                held = ", ".join(f"${i} = {self._value(value)}" for i, value in enumerate(values))
-                given = "\n".join(self._assign(target, f"${i}") for i, target in enumerate(targets))
+            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(
+                targets
+            ) == len(values):
+                held = ", ".join(
+                    f"${i} = {self._value(value)}" for i, value in enumerate(values)
+                )
+                given = "\n".join(
+                    self._assign(target, f"${i}") for i, target in enumerate(targets)
+                )
                 return f"{{\nconst {held};\n{given}\n}}"  # a browser would make an array of [a, b] = [x, y]
             case ast.Assign(targets, value):
                 first, *others = targets
-                return self._assign(first, self._value(value)) if not others else self._assign_all(targets, value)
+                return (
+                    self._assign(first, self._value(value))
+                    if not others
+                    else self._assign_all(targets, value)
+                )
             case ast.AugAssign(target, operator, value):
                 if isinstance(target, ast.Subscript) and self._is_row(target):
                     self._refuse(node, f"“{ast.unparse(node)}”, of a whole row,")
                 place = self._value(target)
                 if type(operator) in (ast.FloorDiv, ast.Mod, *self.arithmetic):
                     return f"{place} = {self._operation(place, operator, self._value(value), node)};"
-                return f"{place} {self._operator(operator, node)}= {self._value(value)};"
-            case ast.If(ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest) if x in self.around:
-                return self._block(body if self.around[x] is None else rest)  # decided when the kernel was made
+                return (
+                    f"{place} {self._operator(operator, node)}= {self._value(value)};"
+                )
+            case ast.If(
+                ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest
+            ) if x in self.around:
+                return self._block(
+                    body if self.around[x] is None else rest
+                )  # decided when the kernel was made
             case ast.If(test, body, rest):
                 otherwise = f" else {{\n{self._block(rest)}\n}}" if rest else ""
-                return f"if ({self._value(test)}) {{\n{self._block(body)}\n}}{otherwise}"
+                return (
+                    f"if ({self._value(test)}) {{\n{self._block(body)}\n}}{otherwise}"
+                )
             case ast.While(test, body, []):
                 return f"while ({self._value(test)}) {{\n{self._block(body)}\n}}"
-            case ast.For(ast.Name(i), ast.Call(ast.Name("range"), [*bounds], []), body, []) if 1 <= len(bounds) <= 2:
+            case ast.For(
+                ast.Name(i), ast.Call(ast.Name("range"), [*bounds], []), body, []
+            ) if 1 <= len(bounds) <= 2:
                 low, high = ["0", *map(self._value, bounds)][-2:]
                 self._stays_inside(i, node)
                 head = f"for (let $end = {high}, $at = {low}; $at < $end; $at++)"  # a range is made once
@@ -121,7 +180,11 @@ class Translator:
     def _stays_inside(self, name: str, loop: ast.For) -> None:
         """Refuse a loop whose variable is changed in it; after it, it has its last value in both languages."""
         for node in (inner for statement in loop.body for inner in ast.walk(statement)):
-            if isinstance(node, ast.Name) and node.id == name and isinstance(node.ctx, ast.Store):
+            if (
+                isinstance(node, ast.Name)
+                and node.id == name
+                and isinstance(node.ctx, ast.Store)
+            ):
                 self._refuse(node, f"a loop that changes its own {name}")
 
     def _assign(self, target: ast.expr, value: str) -> str:
@@ -147,7 +210,9 @@ class Translator:
             self._refuse(node, f"the operator of “{ast.unparse(node)}”")
         return OPERATORS[type(operator)]
 
-    def _operation(self, left: str, operator: ast.operator, right: str, node: ast.AST) -> str:
+    def _operation(
+        self, left: str, operator: ast.operator, right: str, node: ast.AST
+    ) -> str:
         if type(operator) in self.arithmetic:
             return f"{self.arithmetic[type(operator)]}({left}, {right})"
         if isinstance(operator, ast.FloorDiv):
@@ -165,16 +230,25 @@ class Translator:
             case ast.Tuple(parts):
                 return f"[{', '.join(map(self._value, parts))}]"
             case ast.BinOp(left, operator, right):
-                return self._operation(self._value(left), operator, self._value(right), node)
-            case ast.UnaryOp(ast.USub() as operator, operand) if ast.USub in self.arithmetic:
+                return self._operation(
+                    self._value(left), operator, self._value(right), node
+                )
+            case ast.UnaryOp(ast.USub() as operator, operand) if (
+                ast.USub in self.arithmetic
+            ):
                 return f"{self.arithmetic[ast.USub]}({self._value(operand)})"
             case ast.UnaryOp(operator, operand):
                 return f"({self._operator(operator, node)}{self._value(operand)})"
             case ast.BoolOp(operator, values):
                 return f"({f' {self._operator(operator, node)} '.join(map(self._value, values))})"
-            case ast.Compare(left, operators, others) if not any(isinstance(n, ast.Tuple) for n in [left, *others]):
+            case ast.Compare(left, operators, others) if not any(
+                isinstance(n, ast.Tuple) for n in [left, *others]
+            ):
                 pairs = zip([left, *others], operators, others, strict=False)
-                said = [f"{self._value(a)} {self._operator(by, node)} {self._value(b)}" for a, by, b in pairs]
+                said = [
+                    f"{self._value(a)} {self._operator(by, node)} {self._value(b)}"
+                    for a, by, b in pairs
+                ]
                 return f"({' && '.join(said)})"
             case ast.IfExp(test, body, otherwise):
                 return f"({self._value(test)} ? {self._value(body)} : {self._value(otherwise)})"
@@ -182,31 +256,57 @@ class Translator:
                 return OF_MATH[word]
             case ast.Attribute(record, field):
                 return f"{self._value(record)}.{field}"
-            case ast.Subscript(ast.Attribute(array, "shape"), ast.Constant(int(axis))) if not self._is_record(array):
+            case ast.Subscript(
+                ast.Attribute(array, "shape"), ast.Constant(int(axis))
+            ) if not self._is_record(array):
                 return f"{self._value(array)}{'[0]' * axis}.length"
             case ast.Subscript(array, ast.Tuple([row, column])):
-                return f"{self._value(array)}[{self._value(row)}][{self._value(column)}]"
+                return (
+                    f"{self._value(array)}[{self._value(row)}][{self._value(column)}]"
+                )
             case ast.Subscript(array, index) if not isinstance(index, ast.Slice):
                 return f"{self._value(array)}[{self._value(index)}]"
-            case ast.Call(ast.Attribute(array, method), [], []) if method in OF_AN_ARRAY:
+            case ast.Call(ast.Attribute(array, method), [], []) if (
+                method in OF_AN_ARRAY
+            ):
                 return f"{method}_of({self._value(array)})"
             case ast.Call(
-                ast.Name("sum"), [ast.GeneratorExp(each, [ast.comprehension(ast.Name(x), ast.Name(over), [])])]
+                ast.Name("sum"),
+                [
+                    ast.GeneratorExp(
+                        each, [ast.comprehension(ast.Name(x), ast.Name(over), [])]
+                    )
+                ],
             ):
                 return self._sum(each, x, self.around.get(over), node)
             case ast.Call(function, arguments, []):
-                return f"{self._value(function)}({', '.join(map(self._value, arguments))})"
-            case ast.Call(ast.Name(name) as function, arguments, keywords) if name in self.around:
+                return (
+                    f"{self._value(function)}({', '.join(map(self._value, arguments))})"
+                )
+            case ast.Call(ast.Name(name) as function, arguments, keywords) if (
+                name in self.around
+            ):
                 by_name = {str(keyword.arg): keyword.value for keyword in keywords}
-                rest = list(inspect.signature(self.around[name]).parameters)[len(arguments) :]
+                rest = list(inspect.signature(self.around[name]).parameters)[
+                    len(arguments) :
+                ]
                 if sorted(by_name) == sorted(rest):
-                    return self._value(ast.Call(function, [*arguments, *(by_name[each] for each in rest)], []))
+                    return self._value(
+                        ast.Call(
+                            function,
+                            [*arguments, *(by_name[each] for each in rest)],
+                            [],
+                        )
+                    )
         self._refuse(node, f"“{ast.unparse(node)}”")
 
     def _sum(self, each: ast.expr, x: str, over: Any, node: ast.AST) -> str:
         """A sum over constants, written out."""
         if not isinstance(over, tuple):
-            self._refuse(node, f"“{ast.unparse(node)}”, a sum over what is no tuple of constants,")
+            self._refuse(
+                node,
+                f"“{ast.unparse(node)}”, a sum over what is no tuple of constants,",
+            )
         terms = []
         for value in over:
             self.fixed[x] = literal(value)

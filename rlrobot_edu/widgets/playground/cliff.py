@@ -23,10 +23,16 @@ def cliff_model(episode_steps: int = 500) -> SampleModel:
     episode_steps: steps after which an episode is cut off; the original has no such limit
     """
     env = gymnasium.make("CliffWalking-v1")
-    pairs = [(s, a) for s in range(env.observation_space.n) for a in range(env.action_space.n)]
+    pairs = [
+        (s, a)
+        for s in range(env.observation_space.n)
+        for a in range(env.action_space.n)
+    ]
     # without slipping every pair has one outcome: probability 1, s', r, terminated
     outcomes = [env.unwrapped.P[s][a][0] for s, a in pairs]
-    _, s_next, r, terminated = (np.array(column) for column in zip(*outcomes, strict=True))
+    _, s_next, r, terminated = (
+        np.array(column) for column in zip(*outcomes, strict=True)
+    )
     return SampleModel(
         shape=SHAPE,
         n_actions=len(MOVES),

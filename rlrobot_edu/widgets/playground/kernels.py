@@ -24,5 +24,7 @@ def kernels(methods: Sequence[str], tasks: Mapping[str, Task]) -> str:
         step = make_step(parse_method(method))
         given |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
     for name, task in tasks.items():
-        given |= {f"reward_{name}": task.reward} | ({f"goal_{name}": task.goal} if task.goal else {})
+        given |= {f"reward_{name}": task.reward} | (
+            {f"goal_{name}": task.goal} if task.goal else {}
+        )
     return program(given)

@@ -32,7 +32,8 @@ TASKS = {  # of the base, as they are called on the page
 WANDERER = "Nobody tells this robot how to drive. It earns points for driving on and loses some when it bumps. "
 STORIES = {  # what a visitor reads first
     "wander_1k": WANDERER + "The rest it learns by trying.",
-    "wander_simple": WANDERER + "It sees only whether something is near on its left and on its right.",
+    "wander_simple": WANDERER
+    + "It sees only whether something is near on its left and on its right.",
     "navigation_1k": "Nobody tells this robot the way. It earns points when it comes nearer to the goal, and loses "
     "some when it bumps. The rest it learns by trying.",
     "worked_example": "The robot, a disc that looks one way, earns points for each cell that it drives on, and loses "
@@ -43,7 +44,10 @@ BUMPS = {"called": "bumps", "atMost": -2}  # a step counts that pays so little
 SCORES: dict[str, dict[str, Any]] = {
     "wander_1k": BUMPS,
     "wander_simple": BUMPS,
-    "navigation_1k": {"called": "arrivals at the goal", "atMost": None},  # the end of an episode counts
+    "navigation_1k": {
+        "called": "arrivals at the goal",
+        "atMost": None,
+    },  # the end of an episode counts
     "worked_example": BUMPS,
     "cliff": {"called": "falls", "atMost": -100},
 }
@@ -58,7 +62,17 @@ METHODS = {
 }
 SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
 LUCKS = 10  # seeds to choose from
-SCRIPTS = ("look.js", "room.js", "cells.js", "curve.js", "run.js", "page.js", "settings.js", "hands.js", "begin.js")
+SCRIPTS = (
+    "look.js",
+    "room.js",
+    "cells.js",
+    "curve.js",
+    "run.js",
+    "page.js",
+    "settings.js",
+    "hands.js",
+    "begin.js",
+)
 TITLE = "A robot learns, while you watch"
 
 
@@ -73,8 +87,16 @@ class Playground(Displayed):
 
     def __init__(self, begin: Mapping[str, str]) -> None:
         self._task = begin["task"]
-        script = [life_script(), f"const beginning = {json.dumps(begin)};", *map(_text, SCRIPTS)]
-        parts = {"style": _text("style.css"), "script": "\n".join(script), "description": escape(STORIES[self._task])}
+        script = [
+            life_script(),
+            f"const beginning = {json.dumps(begin)};",
+            *map(_text, SCRIPTS),
+        ]
+        parts = {
+            "style": _text("style.css"),
+            "script": "\n".join(script),
+            "description": escape(STORIES[self._task]),
+        }
         self.html = Template(_text("page.html")).substitute(parts)
 
     def __repr__(self) -> str:
@@ -104,7 +126,12 @@ class Playground(Displayed):
         return Framed(page=self.html, title=TITLE)
 
 
-def playground(path: str | Path | None = None, *, task: str = "wander_1k", method: str = "TOSL+QBIASSR") -> Playground:
+def playground(
+    path: str | Path | None = None,
+    *,
+    task: str = "wander_1k",
+    method: str = "TOSL+QBIASSR",
+) -> Playground:
     """A page in which a robot learns while you watch, with the library's own kernels.
 
     Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
@@ -143,15 +170,26 @@ def playground(path: str | Path | None = None, *, task: str = "wander_1k", metho
 def life_script() -> str:
     """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
     tasks = {name: load_task(name) for name in TASKS}
-    worlds = {name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()}
-    worlds["worked_example"] = cells_world(load_task("worked_example")) | {"called": "the worked example (24 states)"}
+    worlds = {
+        name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()
+    }
+    worlds["worked_example"] = cells_world(load_task("worked_example")) | {
+        "called": "the worked example (24 states)"
+    }
     worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
     about = {
-        "worlds": {name: {**world, "story": STORIES[name], "score": SCORES[name]} for name, world in worlds.items()},
-        "methods": [{"name": name, "called": called} for name, called in METHODS.items()],
+        "worlds": {
+            name: {**world, "story": STORIES[name], "score": SCORES[name]}
+            for name, world in worlds.items()
+        },
+        "methods": [
+            {"name": name, "called": called} for name, called in METHODS.items()
+        ],
         "lucks": [_luck(seed) for seed in range(LUCKS)],
         "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
-        "defaults": {name: getattr(Parameters(), name) for name in SETTINGS.names or ()},
+        "defaults": {
+            name: getattr(Parameters(), name) for name in SETTINGS.names or ()
+        },
     }
     parts = [
         files("rlrobot_edu.widgets.javascript").joinpath("life.js").read_text("utf-8"),
@@ -173,4 +211,7 @@ def _luck(seed: int) -> dict[str, dict[str, str]]:
         name: generator(seed, role).bit_generator.state["state"]
         for name, role in {"agent": (), "world": ENVIRONMENT}.items()
     }
-    return {name: {part: hex(state[part]) for part in ("state", "inc")} for name, state in states.items()}
+    return {
+        name: {part: hex(state[part]) for part in ("state", "inc")}
+        for name, state in states.items()
+    }

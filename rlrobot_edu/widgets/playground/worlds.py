@@ -27,15 +27,26 @@ def base_world(task: Task) -> World:
     """What `BaseWorld` needs of a task of the mobile base."""
     chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
-    twists, words = [chassis.twist(task.command_for(a)) for a in range(task.actions.n)], _actions(task)
-    return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
+    twists, words = (
+        [chassis.twist(task.command_for(a)) for a in range(task.actions.n)],
+        _actions(task),
+    )
+    return _in_common(
+        task.states.shape, task.actions.n, max(task.rewards), task.episode_steps
+    ) | {
         "kind": "BaseWorld",
         "words": _words(task),
         "actions": [_motion(*twist) for twist in twists],
         "commands": words["actions"],
         "twists": twists,
-        "inputs": [{"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs],
-        "start": [x + chassis.axle * math.cos(theta), y + chassis.axle * math.sin(theta), theta],
+        "inputs": [
+            {"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs
+        ],
+        "start": [
+            x + chassis.axle * math.cos(theta),
+            y + chassis.axle * math.sin(theta),
+            theta,
+        ],
         "bounds": arena.bounds,
         "goal": arena.goal,
         "goalSteps": task.goal_steps,
@@ -56,11 +67,20 @@ def base_world(task: Task) -> World:
 def cliff_world() -> World:
     """What `ModelWorld` needs of the cliff of lesson 06."""
     rows, columns = SHAPE
-    cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
-    return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
+    cells = [
+        [column, rows - 1 - row] for row in range(rows) for column in range(columns)
+    ]
+    return model_world(
+        cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0
+    ) | {
         "actions": MOVES,
-        "arrows": [{"up": "↑", "right": "→", "down": "↓", "left": "←"}[move] for move in MOVES],
-        "words": [["row", list("0123")], ["column", [str(column) for column in range(columns)]]],
+        "arrows": [
+            {"up": "↑", "right": "→", "down": "↓", "left": "←"}[move] for move in MOVES
+        ],
+        "words": [
+            ["row", list("0123")],
+            ["column", [str(column) for column in range(columns)]],
+        ],
         "cliff": [cells[s] for s in CLIFF],
         "goal": cells[GOAL],
     }
@@ -74,16 +94,28 @@ def cells_world(task: Task) -> World:
     """
     robot = CellRobot(task.scene, task.step_time)
     headings = (0, 90, -90)
-    places = [(cell, heading, box) for cell in CELLS for heading in headings for box in CELLS if box != cell]
+    places = [
+        (cell, heading, box)
+        for cell in CELLS
+        for heading in headings
+        for box in CELLS
+        if box != cell
+    ]
     n_actions, moves = task.actions.n, round(1 / BOX_MOVES)
     offsets, s_next, r, cumulative = [0], [], [], []
     for place in places:
         for a in range(n_actions):
-            outcomes = [_moved(robot, task, place, a, box) for box in (None, 0, 1)]  # it stays, or goes to one of two
-            for (after, reward), times in zip(outcomes, (2 * (moves - 1), 1, 1), strict=True):
+            outcomes = [
+                _moved(robot, task, place, a, box) for box in (None, 0, 1)
+            ]  # it stays, or goes to one of two
+            for (after, reward), times in zip(
+                outcomes, (2 * (moves - 1), 1, 1), strict=True
+            ):
                 s_next.append(places.index(after))
                 r.append(reward)
-                cumulative.append((cumulative[-1] if len(s_next) > offsets[-1] + 1 else 0) + times)
+                cumulative.append(
+                    (cumulative[-1] if len(s_next) > offsets[-1] + 1 else 0) + times
+                )
             offsets.append(len(s_next))
     model = SampleModel(
         shape=(len(places),), n_actions=n_actions, offsets=np.array(offsets), s_next=np.array(s_next),
@@ -91,14 +123,23 @@ def cells_world(task: Task) -> World:
         starts=np.array([places.index(((0, 0), 0, (1, 1)))]), rewards=np.array(sorted(set(r))),
         episode_steps=task.episode_steps,
     )  # fmt: skip
-    drawn = [{"cell": cell, "heading": heading, "box": box} for cell, heading, box in places]
+    drawn = [
+        {"cell": cell, "heading": heading, "box": box} for cell, heading, box in places
+    ]
     seen = [_seen(robot, task, place) for place in places]
-    told = {"kind": "CellWorld", "boxMoves": BOX_MOVES, "shape": task.states.shape, "seen": seen}
+    told = {
+        "kind": "CellWorld",
+        "boxMoves": BOX_MOVES,
+        "shape": task.states.shape,
+        "seen": seen,
+    }
     told |= {"words": _words(task), "actions": _actions(task)["actions"]}
     return model_world(model, drawn, r_max=max(task.rewards)) | told
 
 
-def model_world(model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: float) -> World:
+def model_world(
+    model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: float
+) -> World:
     """What `ModelWorld` needs of a sample model in which each place is a state; drawn: how each is drawn."""
     tables = SampleModelEnv(model)._tables._asdict()
     return _in_common(model.shape, model.n_actions, r_max, model.episode_steps) | {
@@ -113,7 +154,9 @@ def chance_world(grid: Any, episode_steps: int | None) -> World:
     """What `ChanceWorld` needs of one of Gymnasium's grids, from its table P of (chance, s', r, terminated)."""
     n_actions = int(grid.action_space.n)
     pairs = [grid.P[s][a] for s in range(len(grid.P)) for a in range(n_actions)]
-    outcomes = [[(int(s2), float(r), bool(end)) for _, s2, r, end in pair] for pair in pairs]
+    outcomes = [
+        [(int(s2), float(r), bool(end)) for _, s2, r, end in pair] for pair in pairs
+    ]
     chances = [np.cumsum([chance for chance, *_ in pair]).tolist() for pair in pairs]
     r_max = max(abs(r) for pair in outcomes for _, r, _ in pair)
     return _in_common((len(grid.P),), n_actions, r_max, episode_steps) | {
@@ -125,7 +168,9 @@ def chance_world(grid: Any, episode_steps: int | None) -> World:
     }
 
 
-def _in_common(shape: Sequence[int], n_actions: int, r_max: float, episode_steps: int | None) -> World:
+def _in_common(
+    shape: Sequence[int], n_actions: int, r_max: float, episode_steps: int | None
+) -> World:
     return {
         "shape": list(shape), "nActions": n_actions, "rMax": r_max, "episodeSteps": episode_steps or WITHOUT_END,
     }  # fmt: skip
@@ -133,7 +178,10 @@ def _in_common(shape: Sequence[int], n_actions: int, r_max: float, episode_steps
 
 def _words(task: Task) -> list[Any]:
     """Name of each input, and its bins in words."""
-    return [[_plain(v.name), [_in_words(v.decode(i)) for i in range(v.n_bins)]] for v in task.inputs]
+    return [
+        [_plain(v.name), [_in_words(v.decode(i)) for i in range(v.n_bins)]]
+        for v in task.inputs
+    ]
 
 
 def _in_words(one: Bin) -> str:
@@ -149,7 +197,10 @@ def _actions(task: Task) -> World:
         words = [label.replace(f"{v.name} ", "") for label in words]
     units = ", ".join(dict.fromkeys(v.unit for v in task.outputs if v.unit))
     called = ", ".join(v.name for v in task.outputs) + (f" [{units}]" if units else "")
-    return {"actions": [_plain(label) for label in words], "actionsCalled": _plain(called)}
+    return {
+        "actions": [_plain(label) for label in words],
+        "actionsCalled": _plain(called),
+    }
 
 
 def _motion(v: float, omega: float) -> str:
@@ -179,7 +230,9 @@ class _Luck:
 
 
 def _put(robot: CellRobot, place: Any) -> None:
-    vars(robot).update(zip(("_cell", "_heading", "_box", "_bumped"), (*place, False), strict=True))
+    vars(robot).update(
+        zip(("_cell", "_heading", "_box", "_bumped"), (*place, False), strict=True)
+    )
 
 
 def _seen(robot: CellRobot, task: Task, place: Any) -> int:
@@ -187,10 +240,14 @@ def _seen(robot: CellRobot, task: Task, place: Any) -> int:
     return task.states.encode(robot._sense())
 
 
-def _moved(robot: CellRobot, task: Task, place: Any, a: int, box: int | None) -> tuple[Any, float]:
+def _moved(
+    robot: CellRobot, task: Task, place: Any, a: int, box: int | None
+) -> tuple[Any, float]:
     """Where an action leads, and its reward, if the box moves so."""
     _put(robot, place)
     before = robot._sense()
     vars(robot)["_rng"] = _Luck(box)
     robot._move(task.command_for(a))
-    return (robot._cell, robot._heading, robot._box), task.reward_for(before, robot._sense())
+    return (robot._cell, robot._heading, robot._box), task.reward_for(
+        before, robot._sense()
+    )

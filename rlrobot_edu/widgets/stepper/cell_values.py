@@ -48,14 +48,21 @@ class CellValues:
                 if (x, y) == box:
                     continue
                 free = (x + dx, y + dy) in CELLS and (x + dx, y + dy) != box
-                s = task.states.encode({"X": x, "Y": y, "theta": heading, "d": int(not free)})
-                icons = [_HEADING[heading] if c["advance"] else _SPIN.get(c["spin"], "·") for c in commands]
+                s = task.states.encode(
+                    {"X": x, "Y": y, "theta": heading, "d": int(not free)}
+                )
+                icons = [
+                    _HEADING[heading] if c["advance"] else _SPIN.get(c["spin"], "·")
+                    for c in commands
+                ]
                 found.append(Place(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, s, icons))
         return found
 
     def of(self, tape: Tape, scene: Scene) -> list[Mark]:
         """The marks of the places that were visited, where the box is in this scene."""
-        at = next(solid.pose[:2, 3] + 0.5 for solid in scene.solids if solid.name == "box")
+        at = next(
+            solid.pose[:2, 3] + 0.5 for solid in scene.solids if solid.name == "box"
+        )
         found = []
         for x, y, s, icons in self._places[round(at[0]), round(at[1])]:
             if tape.visits[s].any():
@@ -67,6 +74,9 @@ class CellValues:
     def tell_all(self) -> dict[str, list[dict[str, Any]]]:
         """The places of each cell of the box, for worlds.js."""
         return {
-            f"{box[0]},{box[1]}": [{"at": [round(p.x, 3), round(p.y, 3)], "s": p.s, "icons": p.icons} for p in places]
+            f"{box[0]},{box[1]}": [
+                {"at": [round(p.x, 3), round(p.y, 3)], "s": p.s, "icons": p.icons}
+                for p in places
+            ]
             for box, places in self._places.items()
         }

@@ -40,5 +40,7 @@ def _rows(kernel: Any) -> tuple[str, list[str]]:
         if line.strip():
             mark = "▶" if changes_q else ""
             text = html.escape(line.removeprefix("    ").rstrip())
-            rows.append(f'<div class="{"hot" if changes_q else ""}"><b>{mark}</b><s>{i:>3}</s> {text}</div>')
+            rows.append(
+                f'<div class="{"hot" if changes_q else ""}"><b>{mark}</b><s>{i:>3}</s> {text}</div>'
+            )
     return f"{kernel.__module__.replace('.', '/')}.py, line {first + skip}", rows

@@ -9,7 +9,10 @@ import numpy as np
 
 from rlrobot_edu.show.palette import BLUE, ORANGE, VERMILION
 
-FAINTEST, STRONGEST = 0.10, 0.68  # opacities; black on a white page and white on a black one stand out on all of them
+FAINTEST, STRONGEST = (
+    0.10,
+    0.68,
+)  # opacities; black on a white page and white on a black one stand out on all of them
 
 
 def largest(q: np.ndarray, r_max: float) -> float:
@@ -28,7 +31,9 @@ def tint(x: float, most: float) -> tuple[str, float]:
     if x == 0:
         return BLUE, 0.0
     strength = math.sqrt(min(abs(x) / most, 1.0))
-    return (BLUE if x > 0 else VERMILION), round(FAINTEST + (STRONGEST - FAINTEST) * strength, 2)
+    return (BLUE if x > 0 else VERMILION), round(
+        FAINTEST + (STRONGEST - FAINTEST) * strength, 2
+    )
 
 
 def trace_tint(e: float) -> tuple[str, float]:

@@ -17,7 +17,11 @@ def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
     """The robot from above, or else the grid, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
     if hasattr(robot, "scene"):
-        lives_in_cells = isinstance(robot, CellRobot) and names.task is not None and set(names.inputs) <= INPUTS
+        lives_in_cells = (
+            isinstance(robot, CellRobot)
+            and names.task is not None
+            and set(names.inputs) <= INPUTS
+        )
         return RobotView(robot, CellValues(names.task) if lives_in_cells else None)
     letters = letters_of(env)
     return GridView(letters, names) if letters is not None else StateView(names)

@@ -11,7 +11,13 @@ from rlrobot_edu.widgets.stepper.numerals import given, number
 from rlrobot_edu.widgets.stepper.symbols import VISITED, in_symbols
 from rlrobot_edu.widgets.stepper.tape import Frame
 
-GIVEN = ("α", "γ", "(1 − α)", "1", "r")  # numbers that somebody set; all others are computed
+GIVEN = (
+    "α",
+    "γ",
+    "(1 − α)",
+    "1",
+    "r",
+)  # numbers that somebody set; all others are computed
 
 
 class Term(NamedTuple):
@@ -24,14 +30,21 @@ class Term(NamedTuple):
 
 def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
     """The update that `agent` made in the step of `frame`, as its algorithm says it, line by line."""
-    algorithm, parameters, step = in_symbols(agent.method.algorithm.name), agent.parameters, frame.step
+    algorithm, parameters, step = (
+        in_symbols(agent.method.algorithm.name),
+        agent.parameters,
+        frame.step,
+    )
     equation = algorithm.equation(parameters)
     alpha = parameters.alpha
     numbers = {
         "α": alpha, "(1 − α)": 1 - alpha, "γ": parameters.gamma, "1": 1.0, "r": step.r, "δ": step.delta,
         "Q(s, a)": frame.q_sa, "e(s, a)": frame.e_sa, "Q_old": frame.q_old, "change": frame.q_sa_new - frame.q_sa,
     }  # fmt: skip
-    numbers |= {symbol: frame.q_next for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))}
+    numbers |= {
+        symbol: frame.q_next
+        for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))
+    }
     results = {"δ": step.delta, "Q(s, a)": frame.q_sa_new}
     if trace := algorithm.trace(parameters):
         results["e(s, a)"] = VISITED[trace](frame.e_sa, alpha)
@@ -39,7 +52,11 @@ def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
     for line in equation:
         left, sign, right = re.split(" ([←=]) ", line, maxsplit=1)
         terms = _terms(right, numbers)
-        result = [Term("", "="), Term("", number(results[left]), results[left])] if len(terms) > 1 else []
+        result = (
+            [Term("", "="), Term("", number(results[left]), results[left])]
+            if len(terms) > 1
+            else []
+        )
         left_side = Term(left, left.replace("(s, a)", f"({step.s}, {step.a})"))
         lines.append([left_side, Term(sign, sign), *terms, *result])
         numbers[left] = results[left]  # what a line has set, the next one takes

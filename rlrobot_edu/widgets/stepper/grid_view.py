@@ -32,10 +32,16 @@ def letters_of(env: gymnasium.Env) -> np.ndarray | None:
     desc, shape = getattr(grid, "desc", None), getattr(grid, "shape", None)
     if isinstance(desc, np.ndarray) and desc.size == env.observation_space.n:
         return desc.astype(str)
-    if isinstance(shape, tuple) and len(shape) == 2 and np.prod(shape) == env.observation_space.n:
+    if (
+        isinstance(shape, tuple)
+        and len(shape) == 2
+        and np.prod(shape) == env.observation_space.n
+    ):
         letters = np.full(shape, " ")
         letters[getattr(grid, "_cliff", np.zeros(shape, dtype=bool))] = "C"
-        if hasattr(grid, "start_state_index"):  # CliffWalking, whose goal is the last cell
+        if hasattr(
+            grid, "start_state_index"
+        ):  # CliffWalking, whose goal is the last cell
             letters.flat[[grid.start_state_index, -1]] = ["S", "G"]
         return letters
     return None
@@ -49,7 +55,9 @@ class GridView:
 
     def __init__(self, letters: np.ndarray, names: Names) -> None:
         self._letters, self._names, self.wide = letters, names, letters.shape[1] > WIDE
-        self.heading = "The world: value of each cell" + (", ▴ its best action" if names.arrows else "")
+        self.heading = "The world: value of each cell" + (
+            ", ▴ its best action" if names.arrows else ""
+        )
 
     def look(self, s: int) -> int:
         """The agent's cell."""
@@ -57,7 +65,11 @@ class GridView:
 
     def tell_all(self) -> dict[str, Any]:
         """The letters of the cells, row by row."""
-        return {"kind": "grid", "letters": "".join(self._letters.ravel()), "shape": self._letters.shape}
+        return {
+            "kind": "grid",
+            "letters": "".join(self._letters.ravel()),
+            "shape": self._letters.shape,
+        }
 
     def tell(self, look: int) -> None:
         """Nothing: the cell is the state."""
@@ -65,22 +77,54 @@ class GridView:
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The grid, the agent and the way it came, on matplotlib axes."""
         looks, (rows, columns) = tape.looks(), self._letters.shape
-        most, size = largest(tape.q, tape.agent.parameters.r_max), 8.5 if not self.wide else 8
+        most, size = (
+            largest(tape.q, tape.agent.parameters.r_max),
+            8.5 if not self.wide else 8,
+        )
         for (row, column), letter in np.ndenumerate(self._letters):
             s = row * columns + column
             value, best = self._best(tape, s)
-            colour, opacity = (_FILL[letter], 0.45) if letter in _FILL else tint(value or 0.0, most)
-            ax.add_patch(Rectangle((column, row), 1, 1, facecolor=colour, alpha=opacity))
-            ax.add_patch(Rectangle((column, row), 1, 1, fill=False, edgecolor="black", linewidth=0.6))
+            colour, opacity = (
+                (_FILL[letter], 0.45) if letter in _FILL else tint(value or 0.0, most)
+            )
+            ax.add_patch(
+                Rectangle((column, row), 1, 1, facecolor=colour, alpha=opacity)
+            )
+            ax.add_patch(
+                Rectangle(
+                    (column, row), 1, 1, fill=False, edgecolor="black", linewidth=0.6
+                )
+            )
             name = f"{s} {letter if letter in _WORDS else ''}"
-            ax.text(column + 0.05, row + 0.05, name, ha="left", va="top", fontsize=size - 1.5, color="#444")
+            ax.text(
+                column + 0.05,
+                row + 0.05,
+                name,
+                ha="left",
+                va="top",
+                fontsize=size - 1.5,
+                color="#444",
+            )
             if value is not None:
-                ax.text(column + 0.5, row + 0.72, short(value), ha="center", va="center", fontsize=size)
+                ax.text(
+                    column + 0.5,
+                    row + 0.72,
+                    short(value),
+                    ha="center",
+                    va="center",
+                    fontsize=size,
+                )
             for step in self._steps(best):
-                ax.add_patch(Polygon(_triangle(row, column, *step), color="black", linewidth=0))
+                ax.add_patch(
+                    Polygon(_triangle(row, column, *step), color="black", linewidth=0)
+                )
         centres = self._centres(looks)
         ax.plot(*centres.T, color=PURPLE, linewidth=1.2, zorder=0.5)
-        ax.add_patch(Circle(centres[-1] - [0, 0.1], 0.22, fill=False, edgecolor=BLUE, linewidth=2.5))
+        ax.add_patch(
+            Circle(
+                centres[-1] - [0, 0.1], 0.22, fill=False, edgecolor=BLUE, linewidth=2.5
+            )
+        )
         ax.set(xlim=(-0.05, columns + 0.05), ylim=(rows + 0.05, -0.05), aspect="equal")
         ax.set_axis_off()
 
@@ -92,7 +136,11 @@ class GridView:
         return float(value), np.flatnonzero(tape.q[s] == value).tolist()
 
     def _steps(self, actions: list[int]) -> list[tuple[int, int]]:
-        return [_AHEAD[self._names.arrows[a]] for a in actions] if self._names.arrows else []
+        return (
+            [_AHEAD[self._names.arrows[a]] for a in actions]
+            if self._names.arrows
+            else []
+        )
 
     def _centres(self, looks: list[int]) -> np.ndarray:
         row, column = np.divmod(np.array(looks), self._letters.shape[1])
@@ -102,4 +150,8 @@ class GridView:
 def _triangle(row: int, column: int, dx: int, dy: int) -> np.ndarray:
     """Corners of a triangle in a cell that points over its edge; array (3, 2)."""
     tip, side = np.array([dx, dy]), np.array([-dy, dx])
-    return np.array([column + 0.5, row + 0.5]) + [0.48 * tip, 0.37 * tip + 0.11 * side, 0.37 * tip - 0.11 * side]
+    return np.array([column + 0.5, row + 0.5]) + [
+        0.48 * tip,
+        0.37 * tip + 0.11 * side,
+        0.37 * tip - 0.11 * side,
+    ]

@@ -22,7 +22,13 @@ from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.widgets.javascript.program import program
-from rlrobot_edu.widgets.playground.worlds import World, base_world, cells_world, chance_world, model_world
+from rlrobot_edu.widgets.playground.worlds import (
+    World,
+    base_world,
+    cells_world,
+    chance_world,
+    model_world,
+)
 from rlrobot_edu.widgets.stepper.cell_values import INPUTS
 from rlrobot_edu.widgets.stepper.grid_view import letters_of
 from rlrobot_edu.widgets.stepper.tape import Tape
@@ -39,14 +45,20 @@ class Beginning:
 
     def __init__(self, agent: Agent, env: gymnasium.Env) -> None:
         self._agent, self._env, memory = agent, env, agent.memory
-        self.parameters = {name: getattr(memory.parameters, name).item() for name in SETTINGS.names or ()}
+        self.parameters = {
+            name: getattr(memory.parameters, name).item()
+            for name in SETTINGS.names or ()
+        }
         self._memory = {
             "q": sparse(memory.q), "visits": sparse(memory.visits),
             "now": {name: np.asarray(getattr(memory.now, name)).item() for name in NOW.names or ()},
             "parameters": self.parameters,
             **{name: getattr(memory, name).tolist() for name in ("queue_states", "queue_rewards", "queue_count")},
         }  # fmt: skip
-        self._random = {"agent": _random(agent.rng), "world": _random(env.unwrapped.np_random)}
+        self._random = {
+            "agent": _random(agent.rng),
+            "world": _random(env.unwrapped.np_random),
+        }
 
     def script(self, tape: Tape) -> str:
         """A JavaScript expression for stepper.js: all that a life needs, or the reason why there is none."""
@@ -55,7 +67,8 @@ class Beginning:
             program_text = program(kernels | self._kernels())
         except ValueError as error:
             return json.dumps(
-                {"reason": f"“What if α were another?” cannot be tried here: {error}"}, ensure_ascii=False
+                {"reason": f"“What if α were another?” cannot be tried here: {error}"},
+                ensure_ascii=False,
             )
         told = {
             "world": world, "memory": self._memory, "random": self._random, "settings": self._settings(),
@@ -66,13 +79,24 @@ class Beginning:
 
     def _kernels(self) -> Kernels:
         agent = self._agent
-        if agent.method.planner or agent.parameters.traces == "full" or None in self._random.values():
-            raise ValueError("a page knows no planner, no full traces, and only NumPy's usual random numbers.")
-        kernels: Kernels = {kernel.__name__: kernel for kernel in (begin_episode, trace_steps)}
+        if (
+            agent.method.planner
+            or agent.parameters.traces == "full"
+            or None in self._random.values()
+        ):
+            raise ValueError(
+                "a page knows no planner, no full traces, and only NumPy's usual random numbers."
+            )
+        kernels: Kernels = {
+            kernel.__name__: kernel for kernel in (begin_episode, trace_steps)
+        }
         for i, algorithm in enumerate(algorithms_for(agent)):
             step = make_step(Method(algorithm, agent.method.selection))
             kernels |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
-        return kernels | {"select": kernels["select_0"], "learn_step": kernels["learn_step_0"]}
+        return kernels | {
+            "select": kernels["select_0"],
+            "learn_step": kernels["learn_step_0"],
+        }
 
     def _settings(self) -> list[str]:
         """The parameters that matter to the method."""
@@ -95,11 +119,22 @@ def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
     """What life.js needs of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
     if isinstance(env, SampleModelEnv):
         model = env.model
-        return model_world(model, [], model.r_max), {"draw_outcome": draw_outcome, "draw_start": draw_start}
+        return model_world(model, [], model.r_max), {
+            "draw_outcome": draw_outcome,
+            "draw_start": draw_start,
+        }
     robot, task = getattr(env, "robot", None), getattr(env, "task", None)
-    if isinstance(env, RobotEnv) and isinstance(robot, CellRobot) and {v.name for v in task.inputs} <= INPUTS:
+    if (
+        isinstance(env, RobotEnv)
+        and isinstance(robot, CellRobot)
+        and {v.name for v in task.inputs} <= INPUTS
+    ):
         return cells_world(task), {}
-    if isinstance(env, RobotEnv) and isinstance(robot, KinematicBase) and robot.chassis == CHASSIS[task.robot]:
+    if (
+        isinstance(env, RobotEnv)
+        and isinstance(robot, KinematicBase)
+        and robot.chassis == CHASSIS[task.robot]
+    ):
         kernels = {"drive": drive, "look": look, "reward": task.reward}
         return base_world(task), kernels | ({"goal": task.goal} if task.goal else {})
     if letters_of(env) is not None and hasattr(env.unwrapped, "P"):
@@ -117,7 +152,9 @@ def _episode_steps(env: gymnasium.Env) -> int | None:
         if isinstance(env, TimeLimit):
             steps = env._max_episode_steps
         elif not isinstance(env, OrderEnforcing | PassiveEnvChecker):
-            raise ValueError(f"a page does not know what {type(env).__name__} does to its world.")
+            raise ValueError(
+                f"a page does not know what {type(env).__name__} does to its world."
+            )
         env = env.env
     return steps
 

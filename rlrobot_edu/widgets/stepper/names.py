@@ -29,7 +29,10 @@ class Names:
         own = getattr(env.unwrapped, "task", None)
         task = own if task is None and isinstance(own, Task) else task
         n_actions = agent.q.shape[1]
-        if task is not None and (task.states.shape, task.actions.n) != (agent.shape, n_actions):
+        if task is not None and (task.states.shape, task.actions.n) != (
+            agent.shape,
+            n_actions,
+        ):
             raise ValueError(
                 f"task {task.name!r} has states {task.states.shape} and {task.actions.n} actions, the agent has states "
                 f"{agent.shape} and {n_actions} actions; give the Stepper the task that the agent was made for"
@@ -39,13 +42,31 @@ class Names:
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)
         else:
-            self.inputs = ("state",) if len(self.shape) == 1 else tuple(f"input {i}" for i in range(len(self.shape)))
-        self.outputs = ", ".join(variable.name for variable in task.actions.outputs) if task is not None else ""
-        drives = task is not None and [v.name for v in task.actions.outputs] == ["left_wheel", "right_wheel"]
+            self.inputs = (
+                ("state",)
+                if len(self.shape) == 1
+                else tuple(f"input {i}" for i in range(len(self.shape)))
+            )
+        self.outputs = (
+            ", ".join(variable.name for variable in task.actions.outputs)
+            if task is not None
+            else ""
+        )
+        drives = task is not None and [v.name for v in task.actions.outputs] == [
+            "left_wheel",
+            "right_wheel",
+        ]
         # by the wheels' commands, which some tasks make of other outputs
-        self._icons = [wheel_icon(*task.command_for(a).values()) for a in range(n_actions)] if drives else []
+        self._icons = (
+            [wheel_icon(*task.command_for(a).values()) for a in range(n_actions)]
+            if drives
+            else []
+        )
         self._all_differ = len(set(self._icons)) == n_actions
-        self.state, self.action = lru_cache(4096)(self._state), lru_cache(4096)(self._action)
+        self.state, self.action = (
+            lru_cache(4096)(self._state),
+            lru_cache(4096)(self._action),
+        )
 
     def bins(self, s: int) -> tuple[int, ...]:
         """Bin of each input in state `s`."""
@@ -55,7 +76,10 @@ class Names:
         """What each input reads in state `s`: its interval, or the number of its bin."""
         if self.task is None:
             return [str(i) for i in self.bins(s)]
-        return [str(value).replace("-", "−") for value in self.task.states.decode(s).values()]
+        return [
+            str(value).replace("-", "−")
+            for value in self.task.states.decode(s).values()
+        ]
 
     def column(self, a: int) -> str:
         """Heading of the column of action `a`: its icon or its name, or its number where that is too long."""
@@ -71,7 +95,10 @@ class Names:
 
     def _state(self, s: int) -> str:
         """State `s` in words: ``X = 0, Y = 1, theta = 90 deg, d = 0``."""
-        return ", ".join(f"{name} = {value}" for name, value in zip(self.inputs, self.readings(s), strict=True))
+        return ", ".join(
+            f"{name} = {value}"
+            for name, value in zip(self.inputs, self.readings(s), strict=True)
+        )
 
     def _action(self, a: int) -> str:
         """Action `a` in as few signs as possible: the value of each output, or the task's word for it."""
@@ -81,6 +108,9 @@ class Names:
             return str(a)
         values = self.task.actions.decode(a)
         text = ", ".join(
-            v.words[v.values.index(values[v.name])] if v.words else given(values[v.name]) for v in self.task.outputs
+            v.words[v.values.index(values[v.name])]
+            if v.words
+            else given(values[v.name])
+            for v in self.task.outputs
         )
         return f"{self._icons[a]} {text}" if self._icons else text

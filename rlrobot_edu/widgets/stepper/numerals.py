@@ -22,7 +22,11 @@ def short(x: float) -> str:
     size = abs(x)
     if size >= 1e5 or 0 < size < 0.0005:
         return _tidy(f"{x:.0e}")
-    return _tidy(f"{x:.{0 if size >= 100 else 1 if size >= 10 else 2 if size >= 0.1 else 3}f}" if x else "0")
+    return _tidy(
+        f"{x:.{0 if size >= 100 else 1 if size >= 10 else 2 if size >= 0.1 else 3}f}"
+        if x
+        else "0"
+    )
 
 
 def given(x: float) -> str:

@@ -15,7 +15,12 @@ from rlrobot_edu.tools.credit.linear import Linear, plain
 from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.stepper.told import algorithms_for
 
-ARITHMETIC = {ast.Add: "$plus", ast.Sub: "$minus", ast.Mult: "$times", ast.USub: "$negative"}
+ARITHMETIC = {
+    ast.Add: "$plus",
+    ast.Sub: "$minus",
+    ast.Mult: "$times",
+    ast.USub: "$negative",
+}
 
 
 def updates(agent: Agent, parameters: dict[str, Any]) -> str:
@@ -27,9 +32,16 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
         if agent.method.planner:
             raise ValueError("an agent that plans learns from imagined steps, too")
         _check_sums(agent)
-        algorithms = {f"update_{i}": algorithm.update for i, algorithm in enumerate(algorithms_for(agent))}
+        algorithms = {
+            f"update_{i}": algorithm.update
+            for i, algorithm in enumerate(algorithms_for(agent))
+        }
         text = program(algorithms, ARITHMETIC)
-    except (AttributeError, TypeError, ValueError) as error:  # what an algorithm of one's own may meet
+    except (
+        AttributeError,
+        TypeError,
+        ValueError,
+    ) as error:  # what an algorithm of one's own may meet
         return json.dumps({"reason": f"No answer here: {error}."}, ensure_ascii=False)
     return f"{{parameters: {json.dumps(parameters)}, kernels: {text}}}"
 
@@ -48,10 +60,21 @@ def choice(agent: Agent) -> str:
 def _check_sums(agent: Agent) -> None:
     """Raise TypeError if the update of `agent` is no sum of rewards; all in it must be known to `Linear`."""
     memory = agent.memory
-    m = SimpleNamespace(**{**memory._asdict(), "q": memory.q.astype(object), "e": memory.e.copy()})
-    m.register, m.now = memory.register.copy(), SimpleNamespace(q_old=0.0, register_size=0)
+    m = SimpleNamespace(
+        **{**memory._asdict(), "q": memory.q.astype(object), "e": memory.e.copy()}
+    )
+    m.register, m.now = (
+        memory.register.copy(),
+        SimpleNamespace(q_old=0.0, register_size=0),
+    )
     m.q[:] = Linear(0.0, np.zeros(1))
     for terminated in (False, True):
         plain(agent.method.algorithm.update)(
-            m, 0, 0, Linear(1.0, np.ones(1)), 0, NO_ACTION if terminated else 0, terminated
+            m,
+            0,
+            0,
+            Linear(1.0, np.ones(1)),
+            0,
+            NO_ACTION if terminated else 0,
+            terminated,
         )

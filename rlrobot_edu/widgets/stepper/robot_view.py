@@ -32,7 +32,11 @@ class RobotView:
     wide = False
 
     def __init__(self, robot: Any, marks: CellValues | None) -> None:
-        self.heading = "From above, and the value of each heading" if marks else "The world from above"
+        self.heading = (
+            "From above, and the value of each heading"
+            if marks
+            else "The world from above"
+        )
         self._robot, self._marks = robot, marks
         self._walls: tuple[Solid, ...] = ()
 
@@ -42,7 +46,9 @@ class RobotView:
         if not self._walls:
             self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
             self._bounds = scene.bounds
-        return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))
+        return scene._replace(
+            solids=tuple(solid for solid in scene.solids if solid.role != "wall")
+        )
 
     def tell_all(self) -> dict[str, Any]:
         """Walls, bounds and colours; and, where there are marks, for each cell of the box the places that have one."""
@@ -53,12 +59,21 @@ class RobotView:
     def tell(self, look: Scene) -> dict[str, Any]:
         """Where everything is that may move [m], the robot's x, y and heading [rad], and its nose."""
         solids = sorted(look.solids, key=lambda solid: _ORDER.index(solid.role))
-        body = next((solid for solid in look.solids if solid.name == "robot/body"), None)
-        box = next((solid.pose[:2, 3] + 0.5 for solid in look.solids if solid.name == "box"), None)
+        body = next(
+            (solid for solid in look.solids if solid.name == "robot/body"), None
+        )
+        box = next(
+            (solid.pose[:2, 3] + 0.5 for solid in look.solids if solid.name == "box"),
+            None,
+        )
         return {
             "moving": [[solid.role, _points(footprint(solid))] for solid in solids],
             "beams": np.round(look.beams[:, :, :2].reshape(-1, 4), 3).tolist(),
-            "place": body and [*body.pose[:2, 3].tolist(), math.atan2(body.pose[1, 0], body.pose[0, 0])],
+            "place": body
+            and [
+                *body.pose[:2, 3].tolist(),
+                math.atan2(body.pose[1, 0], body.pose[0, 0]),
+            ],
             "nose": body and nose(body)[1].tolist(),
             "box": None if box is None else [round(x) for x in box.tolist()],
         }
@@ -70,7 +85,9 @@ class RobotView:
         view = TopDown(ax, scene)
         view.update(scene, path_of(looks))
         marks = self._marks.of(tape, scene) if self._marks else []
-        if marks or len(looks) >= PATH:  # there is no room, or the trail no longer reaches back to the start
+        if (
+            marks or len(looks) >= PATH
+        ):  # there is no room, or the trail no longer reaches back to the start
             view.words["start"].set_text("")
         ax.set_axis_off()
         if marks:
@@ -82,7 +99,17 @@ class RobotView:
             colour, opacity = tint(mark.value, most)
             for ink, alpha in (("white", 1), (colour, opacity)):
                 corner = mark.x - WIDE / 2, mark.y - HIGH / 2
-                ax.add_patch(Rectangle(corner, WIDE, HIGH, color=ink, alpha=alpha, linewidth=0, zorder=20))
+                ax.add_patch(
+                    Rectangle(
+                        corner,
+                        WIDE,
+                        HIGH,
+                        color=ink,
+                        alpha=alpha,
+                        linewidth=0,
+                        zorder=20,
+                    )
+                )
             ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=8.5,
                     linespacing=0.9, zorder=21)  # fmt: skip
 

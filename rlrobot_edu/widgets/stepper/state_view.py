@@ -39,12 +39,27 @@ class StateView:
         names, s = self._names, tape.looks()[-1]
         for row, (n, i) in enumerate(zip(names.shape, names.bins(s), strict=True)):
             if n <= MOST_BINS:
-                ax.barh(row, [1] * n, left=range(n), height=0.6, color="white", edgecolor="black", linewidth=0.6)
+                ax.barh(
+                    row,
+                    [1] * n,
+                    left=range(n),
+                    height=0.6,
+                    color="white",
+                    edgecolor="black",
+                    linewidth=0.6,
+                )
                 ax.barh(row, 1, left=i, height=0.6, color=BLUE)
             else:
                 ax.text(0, row, f"{i} of {n}", va="center")
-        labels = [plain(f"{name}\n{reading}") for name, reading in zip(names.inputs, names.readings(s), strict=True)]
+        labels = [
+            plain(f"{name}\n{reading}")
+            for name, reading in zip(names.inputs, names.readings(s), strict=True)
+        ]
         ax.set_yticks(range(len(labels)), labels, fontsize=8)
-        ax.set(xlim=(-0.1, min(max(names.shape), MOST_BINS) + 0.1), ylim=(len(labels) - 0.4, -0.6), xticks=[])
+        ax.set(
+            xlim=(-0.1, min(max(names.shape), MOST_BINS) + 0.1),
+            ylim=(len(labels) - 0.4, -0.6),
+            xticks=[],
+        )
         ax.set_xlabel("bin")
         ax.spines[:].set_visible(False)

@@ -79,7 +79,9 @@ class Stepper(Displayed):
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
         self._hide = (hide,) if isinstance(hide, str) else tuple(hide)
         if unknown := set(self._hide).difference(HIDDEN):
-            raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
+            raise ValueError(
+                f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}"
+            )
         self._names = Names(agent, env, task)
         self._beginning = Beginning(agent, env)
         self._tape = Tape(agent, env, view_of(env, self._names), keep)
@@ -172,7 +174,9 @@ class Stepper(Displayed):
             self._tape.go(last)
             write_whole(path, self._page(min(shown, last), last))
         finally:
-            self._tape.go(max(shown, self._tape.first))  # new steps may have taken the place of the one shown
+            self._tape.go(
+                max(shown, self._tape.first)
+            )  # new steps may have taken the place of the one shown
             self._tell(end)
 
     def picture(self) -> Picture:
@@ -208,15 +212,28 @@ class Stepper(Displayed):
     def _page(self, at: int, last: int | None = None) -> str:
         """The page with the steps up to `last`, which shows step `at` first."""
         told = feed(self._tape, self._names, self._hide, at)
-        frames = [frame for frame in told["frames"] if last is None or frame["t"] < last]
-        told["frames"] = {name: [frame[name] for frame in frames] for name in (frames or [()])[0]}  # packs better
+        frames = [
+            frame for frame in told["frames"] if last is None or frame["t"] < last
+        ]
+        told["frames"] = {
+            name: [frame[name] for frame in frames] for name in (frames or [()])[0]
+        }  # packs better
         world = f" in {self._names.task.name}" if self._names.task else ""
-        return page_html(f"{self._tape.agent.method.name}{world}, step by step", told, self._script(), style())
+        return page_html(
+            f"{self._tape.agent.method.name}{world}, step by step",
+            told,
+            self._script(),
+            style(),
+        )
 
     def _script(self) -> str:
         """The page's program."""
         agent = self._tape.agent
-        return script(self._beginning.script(self._tape), updates(agent, self._beginning.parameters), choice(agent))
+        return script(
+            self._beginning.script(self._tape),
+            updates(agent, self._beginning.parameters),
+            choice(agent),
+        )
 
     def _hear(self, question: dict[str, Any]) -> None:
         """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""
@@ -236,4 +253,10 @@ class Stepper(Displayed):
         """Send the pages, if there are any, the steps after `end`, and what else there is to say."""
         if "widget" in vars(self):
             frames = [tell_frame(frame, self._tape) for frame in self._tape.since(end)]
-            self.widget.send({"frames": frames, "parameters": asdict(self._tape.agent.parameters), **more})
+            self.widget.send(
+                {
+                    "frames": frames,
+                    "parameters": asdict(self._tape.agent.parameters),
+                    **more,
+                }
+            )

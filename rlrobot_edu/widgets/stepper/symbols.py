@@ -38,9 +38,20 @@ class Symbols(NamedTuple):
 
 
 ALGORITHMS = {
-    "Q": Symbols("best", lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{max Q(s′, ·)} − {Q(s, a)})",)),
-    "SARSA": Symbols("taken", lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Q(s′, a′)} − {Q(s, a)})",)),
-    "ESARSA": Symbols("mean", lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Σ π(a′|s′) Q(s′, a′)} − {Q(s, a)})",)),
+    "Q": Symbols(
+        "best",
+        lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{max Q(s′, ·)} − {Q(s, a)})",),
+    ),
+    "SARSA": Symbols(
+        "taken",
+        lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Q(s′, a′)} − {Q(s, a)})",),
+    ),
+    "ESARSA": Symbols(
+        "mean",
+        lambda p: (
+            "Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Σ π(a′|s′) Q(s′, a′)} − {Q(s, a)})",
+        ),
+    ),
     "SL": Symbols(
         "taken",
         equation=lambda p: (

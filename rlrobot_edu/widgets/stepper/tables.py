@@ -6,7 +6,10 @@ from typing import NamedTuple
 
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
-MOST_STATES, MOST_ACTIONS = 48, 9  # with more of them, the most recent BLOCK states and MOST_ACTIONS actions are shown
+MOST_STATES, MOST_ACTIONS = (
+    48,
+    9,
+)  # with more of them, the most recent BLOCK states and MOST_ACTIONS actions are shown
 BLOCK = 12  # rows in one block; the next block stands beside it
 
 
@@ -32,7 +35,11 @@ class Window(NamedTuple):
         if n_actions > MOST_ACTIONS:
             # what the update took for the value of s′ is always shown
             step, best = (tape.frame.step, tape.frame.best) if tape.frame else (None, 0)
-            follows = [step.a, best if step.a_next is None else step.a_next, best] if step else []
+            follows = (
+                [step.a, best if step.a_next is None else step.a_next, best]
+                if step
+                else []
+            )
             latest = list(dict.fromkeys([*follows, *recent_actions, *actions]))
             actions = sorted(latest[:MOST_ACTIONS])
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
@@ -41,4 +48,8 @@ class Window(NamedTuple):
 
 def traces_of(frame: Frame | None) -> dict[int, float]:
     """The traces of a step by their flat positions."""
-    return {} if frame is None else dict(zip(*(values.tolist() for values in frame.traces), strict=True))
+    return (
+        {}
+        if frame is None
+        else dict(zip(*(values.tolist() for values in frame.traces), strict=True))
+    )

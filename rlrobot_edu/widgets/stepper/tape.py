@@ -106,11 +106,22 @@ class Tape:
     Raises ValueError if agent and environment do not fit.
     """
 
-    def __init__(self, agent: Agent, env: gymnasium.Env, view: EnvironmentView, length: int) -> None:
-        self.agent, self.view, self.keep, self._env = agent, view, length, _Watched(env, view)
+    def __init__(
+        self, agent: Agent, env: gymnasium.Env, view: EnvironmentView, length: int
+    ) -> None:
+        self.agent, self.view, self.keep, self._env = (
+            agent,
+            view,
+            length,
+            _Watched(env, view),
+        )
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
-        self.q, self.e, self.visits = agent.q.copy(), agent.e.copy(), agent.visits.copy()
+        self.q, self.e, self.visits = (
+            agent.q.copy(),
+            agent.e.copy(),
+            agent.visits.copy(),
+        )
         self.t = self.end = 0
         self._stands = self._standing()
         self._take()
@@ -133,13 +144,19 @@ class Tape:
             self._take()
         self.t += 1
         frame = self._at(self.t)
-        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.new, frame.e_change.new
+        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = (
+            frame.q_change.new,
+            frame.e_change.new,
+        )
         self.visits[frame.step.s, frame.step.a] += 1
 
     def back(self) -> None:
         """Show the position one step earlier. The agent does not forget what it has learned."""
         frame = self._at(self.t)
-        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.old, frame.e_change.old
+        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = (
+            frame.q_change.old,
+            frame.e_change.old,
+        )
         self.visits[frame.step.s, frame.step.a] -= 1
         self.t -= 1
 
@@ -183,7 +200,10 @@ class Tape:
 
     def since(self, t: int) -> list[Frame]:
         """The frames of the steps after position `t`, as far as they are kept."""
-        return [self._at(t) for t in range(max(t, self.end - len(self._frames)) + 1, self.end + 1)]
+        return [
+            self._at(t)
+            for t in range(max(t, self.end - len(self._frames)) + 1, self.end + 1)
+        ]
 
     def _at(self, t: int) -> Frame:
         return self._frames[t - 1 - self.end + len(self._frames)]
@@ -199,11 +219,16 @@ class Tape:
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
         agent, begins = self.agent, self.agent.pending is None
-        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
+        q_old, last = (
+            float(agent.memory.now.q_old),
+            self._at(self.end) if self.end else None,
+        )
         before = np.zeros(0, dtype=np.intp) if begins else self._remembered()
         step = next(self._walk, None)
         if step is None:
-            raise RuntimeError("the world stopped with an error before; make a new rl.Stepper(agent, env)")
+            raise RuntimeError(
+                "the world stopped with an error before; make a new rl.Stepper(agent, env)"
+            )
         s, a = step.s, step.a
         frame = Frame(
             step,
@@ -229,12 +254,23 @@ class Tape:
     def _remembered(self) -> np.ndarray:
         """Flat positions of the pairs whose traces are still there once the agent has visited its next pair."""
         where, memory = np.flatnonzero(self.e), self.agent.memory
-        register, pending = memory.register[: memory.now.register_size], self.agent.pending
-        if pending is None or len(register) < len(memory.register) or pending[0] in register:
+        register, pending = (
+            memory.register[: memory.now.register_size],
+            self.agent.pending,
+        )
+        if (
+            pending is None
+            or len(register) < len(memory.register)
+            or pending[0] in register
+        ):
             return where
-        return where[where // self.e.shape[1] != register[-1]]  # a new state takes the place of the oldest one
+        return where[
+            where // self.e.shape[1] != register[-1]
+        ]  # a new state takes the place of the oldest one
 
-    def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
+    def _traces(
+        self, before: np.ndarray, s: int, a: int, begins: bool
+    ) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
         parameters = self.agent.parameters
         trace = in_symbols(self.agent.method.algorithm.name).trace(parameters)
@@ -250,4 +286,6 @@ class Tape:
         if step.terminated:
             return 0.0
         next_value = NEXT[in_symbols(self.agent.method.algorithm.name).next]
-        return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))
+        return float(
+            next_value(self.q[step.s_next], step.a_next, self.agent.probabilities)
+        )

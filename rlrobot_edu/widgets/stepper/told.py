@@ -33,7 +33,9 @@ def start_of(tape: Tape) -> Told:
     shown, dropped = tape.t, max(tape.first - 1, 0)
     tape.go(tape.first)
     q, visits = tape.q.copy(), tape.visits.copy()
-    if dropped and tape.frame:  # the first that can be shown is what a step has made of them
+    if (
+        dropped and tape.frame
+    ):  # the first that can be shown is what a step has made of them
         change, step = tape.frame.q_change, tape.frame.step
         q.flat[change.where] = change.old
         visits[step.s, step.a] -= 1
@@ -69,7 +71,12 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
     n_states, n_actions = agent.q.shape
     actions = range(n_actions)
     bins = (
-        [[str(v.decode(i)).replace("-", "−") for i in range(v.n_bins)] for v in names.task.inputs] if names.task else []
+        [
+            [str(v.decode(i)).replace("-", "−") for i in range(v.n_bins)]
+            for v in names.task.inputs
+        ]
+        if names.task
+        else []
     )
     where, code = code_html(agent)
     summary = f"<summary>Code of the update (▶ changes Q): {where}</summary>"

@@ -46,7 +46,9 @@ class StepperWidget(anywidget.AnyWidget):
 
     feed = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]) -> None:
+    def __init__(
+        self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]
+    ) -> None:
         self._esm, self._css = script + _SHOW, style()
         super().__init__(feed=feed)
         self.on_msg(lambda _, question, buffers: hear(question))

@@ -19,12 +19,22 @@ GRIP = 6.0  # coefficient of friction of the tyres, so high that the base keeps 
 class Wheels:
     """The wheels of the base that is part of `body`, and the lasers of `level`, which neither rolls nor pitches."""
 
-    def __init__(self, simulation: BulletSimulation, body: int, level: KinematicBase) -> None:
-        self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
+    def __init__(
+        self, simulation: BulletSimulation, body: int, level: KinematicBase
+    ) -> None:
+        self._simulation, self._body, self._motors = (
+            simulation,
+            body,
+            Motors(simulation, body, WHEELS),
+        )
         self._level = level
         wheels = self._motors.numbers.values()
-        for part in range(-1, simulation.getNumJoints(body)):  # what touches floor or wall glides, but for the wheels
-            simulation.changeDynamics(body, part, lateralFriction=GRIP if part in wheels else 0.0)
+        for part in range(
+            -1, simulation.getNumJoints(body)
+        ):  # what touches floor or wall glides, but for the wheels
+            simulation.changeDynamics(
+                body, part, lateralFriction=GRIP if part in wheels else 0.0
+            )
         for wheel in wheels:  # as spheres they stick out of the body
             simulation.floor_only(body, wheel)
 
@@ -35,7 +45,11 @@ class Wheels:
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
-        self._level.parts.place[:] = here[0, 3], here[1, 3], math.atan2(here[1, 0], here[0, 0])
+        self._level.parts.place[:] = (
+            here[0, 3],
+            here[1, 3],
+            math.atan2(here[1, 0], here[0, 0]),
+        )
         return self._level.look()
 
 
@@ -50,7 +64,11 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
     """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
     x, y, theta = arena.start
-    place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), PIONEER.wheel_radius)
+    place = (
+        x + PIONEER.axle * math.cos(theta),
+        y + PIONEER.axle * math.sin(theta),
+        PIONEER.wheel_radius,
+    )
     return simulation.load(urdf, place, theta)
 
 
@@ -62,7 +80,17 @@ class BulletBase(BulletRobot):
     """
 
     def __init__(self, scene: Place, step_time: float) -> None:
-        simulation, level = BulletSimulation(PHYSICS_HZ), KinematicBase(scene, step_time)
+        simulation, level = (
+            BulletSimulation(PHYSICS_HZ),
+            KinematicBase(scene, step_time),
+        )
         add_arena(simulation, level.arena)
         body = load(simulation, URDF, level.arena)
-        super().__init__("mobile_base", simulation, body, [Wheels(simulation, body, level)], step_time, level)
+        super().__init__(
+            "mobile_base",
+            simulation,
+            body,
+            [Wheels(simulation, body, level)],
+            step_time,
+            level,
+        )

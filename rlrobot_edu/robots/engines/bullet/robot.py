@@ -19,18 +19,24 @@ class Motors:
         can give [N m], in their order
     """
 
-    def __init__(self, simulation: BulletSimulation, body: int, names: Sequence[str]) -> None:
+    def __init__(
+        self, simulation: BulletSimulation, body: int, names: Sequence[str]
+    ) -> None:
         self._simulation, self._body = simulation, body
         joints = simulation.joints(body)
         self.numbers = {name: joints[name] for name in names}
-        about = {name: simulation.getJointInfo(body, i) for name, i in self.numbers.items()}
+        about = {
+            name: simulation.getJointInfo(body, i) for name, i in self.numbers.items()
+        }
         self.limits = {name: facts[8:10] for name, facts in about.items()}
         self.torques = [facts[10] for facts in about.values()]
 
     def angles(self) -> dict[str, float]:
         """Angle of each joint [rad]."""
         states = self._simulation.getJointStates(self._body, [*self.numbers.values()])
-        return {name: state[0] for name, state in zip(self.numbers, states, strict=True)}
+        return {
+            name: state[0] for name, state in zip(self.numbers, states, strict=True)
+        }
 
     def drive(self, speeds: Mapping[str, float]) -> None:
         """Turn the joints at `speeds` [rad/s] from now on."""
@@ -107,7 +113,11 @@ class BulletRobot(SimulatedRobot):
         self._simulation.run(self._step_time)
 
     def _sense(self) -> dict[str, float]:
-        return {name: reading for part in self._parts for name, reading in part.readings().items()}
+        return {
+            name: reading
+            for part in self._parts
+            for name, reading in part.readings().items()
+        }
 
     def scene(self) -> Scene:
         """What there is to see, drawn level, as the readings say."""

@@ -92,12 +92,18 @@ class BulletSimulation:
             self.restoreState(fileName=str(file))
 
     def load(
-        self, urdf: str | Path, position: tuple[float, float, float], yaw: float = 0.0, fixed: bool = False
+        self,
+        urdf: str | Path,
+        position: tuple[float, float, float],
+        yaw: float = 0.0,
+        fixed: bool = False,
     ) -> int:
         """Put the robot that a URDF file describes at a place [m, rad]; returns the number of its body."""
         turned = self.getQuaternionFromEuler((0, 0, yaw))
         inertia = self.URDF_USE_INERTIA_FROM_FILE
-        body: int = self.loadURDF(str(urdf), position, turned, useFixedBase=fixed, flags=inertia)
+        body: int = self.loadURDF(
+            str(urdf), position, turned, useFixedBase=fixed, flags=inertia
+        )
         for link in range(-1, self.getNumJoints(body)):
             self.setCollisionFilterGroupMask(body, link, _ROBOT, _FIXED | _FLOOR)
         return body
@@ -105,12 +111,20 @@ class BulletSimulation:
     def add(self, solid: Solid) -> int:
         """Put a solid that nothing can move, a box or a cylinder, to its place; returns the number of its body."""
         if solid.shape == "box":
-            shape = self.createCollisionShape(self.GEOM_BOX, halfExtents=[v / 2 for v in solid.size])
+            shape = self.createCollisionShape(
+                self.GEOM_BOX, halfExtents=[v / 2 for v in solid.size]
+            )
         else:
-            shape = self.createCollisionShape(self.GEOM_CYLINDER, radius=solid.size[0], height=solid.size[1])
-        turn = self.getQuaternionFromEuler((0, 0, float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0]))))
+            shape = self.createCollisionShape(
+                self.GEOM_CYLINDER, radius=solid.size[0], height=solid.size[1]
+            )
+        turn = self.getQuaternionFromEuler(
+            (0, 0, float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0])))
+        )
         # "maximal coordinates": a plain rigid body; the other kind would be solved like a robot in every step
-        body: int = self.createMultiBody(0, shape, -1, solid.pose[:3, 3].tolist(), turn, useMaximalCoordinates=1)
+        body: int = self.createMultiBody(
+            0, shape, -1, solid.pose[:3, 3].tolist(), turn, useMaximalCoordinates=1
+        )
         self.setCollisionFilterGroupMask(body, -1, _FIXED, _ROBOT)
         return body
 
@@ -126,13 +140,18 @@ class BulletSimulation:
 
     def joints(self, body: int) -> dict[str, int]:
         """Number of each joint, and so of the link it carries, by the joint's name."""
-        return {self.getJointInfo(body, i)[1].decode(): i for i in range(self.getNumJoints(body))}
+        return {
+            self.getJointInfo(body, i)[1].decode(): i
+            for i in range(self.getNumJoints(body))
+        }
 
     def link_pose(self, body: int, link: int) -> np.ndarray:
         """Homogeneous transform of a link's frame, −1 for the base; array (4, 4) [m]."""
         if link == -1:
             return transform(*self.getBasePositionAndOrientation(body))
-        return transform(*self.getLinkState(body, link, computeForwardKinematics=True)[4:6])
+        return transform(
+            *self.getLinkState(body, link, computeForwardKinematics=True)[4:6]
+        )
 
 
 def transform(position: tuple[float, ...], quaternion: tuple[float, ...]) -> np.ndarray:

@@ -31,23 +31,38 @@ class Body(NamedTuple):
     def of(cls, chassis: Chassis) -> "Body":
         """The body of this chassis. Raises ValueError if it is a disc."""
         if not chassis.hull:
-            raise ValueError("a kinematic base needs a hull with corners; this chassis is a disc: use engine='pymunk'")
+            raise ValueError(
+                "a kinematic base needs a hull with corners; this chassis is a disc: use engine='pymunk'"
+            )
         corners = np.array(chassis.hull) - (chassis.axle, 0.0)
         along = np.roll(corners, -1, axis=0) - corners
-        normals = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]
+        normals = (
+            np.stack([along[:, 1], -along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]
+        )
         x, y, angles = np.array(chassis.lasers).T
         cos, sin = np.cos(angles), np.sin(angles)
         return cls(
             hull=np.concatenate([corners, normals], axis=1),
             radius=float(np.hypot(*corners.T).max()),
             moment=float(pymunk.moment_for_poly(1.0, corners.tolist())),
-            rays=np.stack([x - chassis.axle - chassis.inset * cos, y - chassis.inset * sin, cos, sin], axis=1),
+            rays=np.stack(
+                [
+                    x - chassis.axle - chassis.inset * cos,
+                    y - chassis.inset * sin,
+                    cos,
+                    sin,
+                ],
+                axis=1,
+            ),
         )
 
 
 def walls_of(arena: Arena) -> Array:
     """The walls as motion.py describes them; array (n, 6)."""
-    boxes = [(w.x, w.y, w.length / 2, w.thickness / 2, math.cos(w.angle), math.sin(w.angle)) for w in arena.walls]
+    boxes = [
+        (w.x, w.y, w.length / 2, w.thickness / 2, math.cos(w.angle), math.sin(w.angle))
+        for w in arena.walls
+    ]
     return np.array(boxes).reshape(-1, 6)  # also without any wall
 
 
@@ -60,7 +75,18 @@ Parts = namedtuple("Parts", "place body walls near touch step_time axle inset re
 def move(base, command):
     """Drive for one control step; command: array (2,), v [m/s] and omega [rad/s]."""
     body, v, omega = base.body, command[0], command[1]
-    drive(base.place, v, omega, base.step_time, body.hull, body.radius, body.moment, base.walls, base.near, base.touch)
+    drive(
+        base.place,
+        v,
+        omega,
+        base.step_time,
+        body.hull,
+        body.radius,
+        body.moment,
+        base.walls,
+        base.near,
+        base.touch,
+    )
 
 
 @compiled
@@ -87,12 +113,20 @@ class KinematicBase(KinematicRobot, MobileBase):
 
     kernels = move, sense
 
-    def __init__(self, scene: Place, step_time: float, chassis: Chassis | None = None) -> None:
+    def __init__(
+        self, scene: Place, step_time: float, chassis: Chassis | None = None
+    ) -> None:
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
         chassis, (x, y, theta) = self.chassis, self.arena.start
-        self._start = np.array([x + chassis.axle * math.cos(theta), y + chassis.axle * math.sin(theta), theta])
+        self._start = np.array(
+            [
+                x + chassis.axle * math.cos(theta),
+                y + chassis.axle * math.sin(theta),
+                theta,
+            ]
+        )
         walls, self._built = walls_of(self.arena), self.arena
         self.parts = Parts(
             self._start.copy(), Body.of(chassis), walls, np.empty(len(walls), np.int64), np.empty(7), self._step_time,
@@ -113,7 +147,14 @@ class KinematicBase(KinematicRobot, MobileBase):
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
         others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
-        angles, axle, reach = 2 * math.pi / rays * np.arange(rays), np.zeros(rays), 2 * LASER_RANGE
-        lengths, around = np.empty(rays), np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1)
+        angles, axle, reach = (
+            2 * math.pi / rays * np.arange(rays),
+            np.zeros(rays),
+            2 * LASER_RANGE,
+        )
+        lengths, around = (
+            np.empty(rays),
+            np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1),
+        )
         look(self.parts.place, around, reach, self.parts.walls, lengths)
         return [length if length < reach else math.inf for length in lengths.tolist()]

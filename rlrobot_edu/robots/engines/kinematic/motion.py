@@ -22,10 +22,14 @@ def sine(x):
 
     The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
     """
-    turns = math.floor(x * (1 / math.pi) + 0.5)  # here and below products, for quotients take several times as long
+    turns = math.floor(
+        x * (1 / math.pi) + 0.5
+    )  # here and below products, for quotients take several times as long
     x -= turns * math.pi
     y = x * x
-    end = 1 / 6227020800 - y * (1 / 1307674368000 - y * (1 / 355687428096000 - y * (1 / 121645100408832000)))
+    end = 1 / 6227020800 - y * (
+        1 / 1307674368000 - y * (1 / 355687428096000 - y * (1 / 121645100408832000))
+    )
     end = 1 / 5040 - y * (1 / 362880 - y * (1 / 39916800 - y * end))
     x *= 1 - y * (1 / 6 - y * (1 / 120 - y * end))
     return x if turns % 2 == 0 else -x
@@ -80,23 +84,45 @@ def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
     is nearest, x, y; the one next to it, x, y, and its gap. cos, sin: of the robot's heading
     """
     dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
-    x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
-    ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
+    x, y = (
+        dx * cos + dy * sin,
+        dy * cos - dx * sin,
+    )  # the wall as the robot sees it: its centre, its length's direction
+    ux, uy = (
+        walls[i, 4] * cos + walls[i, 5] * sin,
+        walls[i, 5] * cos - walls[i, 4] * sin,
+    )
     length, thickness = walls[i, 2], walls[i, 3]
-    left, right, low, high = math.inf, -math.inf, math.inf, -math.inf  # how far the hull reaches, as the wall sees it
+    left, right, low, high = (
+        math.inf,
+        -math.inf,
+        math.inf,
+        -math.inf,
+    )  # how far the hull reaches, as the wall sees it
     for k in range(hull.shape[0]):
         dx, dy = hull[k, 0] - x, hull[k, 1] - y
         along, across = dx * ux + dy * uy, dy * ux - dx * uy
-        left, right, low, high = min(left, along), max(right, along), min(low, across), max(high, across)
+        left, right, low, high = (
+            min(left, along),
+            max(right, along),
+            min(low, across),
+            max(high, across),
+        )
     off_end, off_face = max(left, -right) - length, max(low, -high) - thickness
     widest, side = max(off_end, off_face), -1
     if widest >= enough:
         return widest
-    for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
+    for k in range(
+        hull.shape[0]
+    ):  # the sides of the hull: how far ahead of each the wall begins
         nx, ny = hull[k, 2], hull[k, 3]
         gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1])  # to the centre of the wall
         if gap >= widest:
-            gap = gap - abs(nx * ux + ny * uy) * length - abs(ny * ux - nx * uy) * thickness
+            gap = (
+                gap
+                - abs(nx * ux + ny * uy) * length
+                - abs(ny * ux - nx * uy) * thickness
+            )
             if gap > widest or (gap == widest and side < 0):
                 if gap >= enough:
                     return gap
@@ -118,7 +144,10 @@ def touch_side(hull, k, gap, x, y, ux, uy, length, thickness, touch):
     nx, ny = hull[k, 2], hull[k, 3]
     along, across = nx * ux + ny * uy, ny * ux - nx * uy
     touch[0], touch[1] = -nx, -ny
-    a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
+    a, b = (
+        (-length if along > 0.0 else length),
+        (-thickness if across > 0.0 else thickness),
+    )
     touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
     if abs(along) * length < abs(across) * thickness:
         a, touch[6] = -a, gap + 2 * abs(along) * length
@@ -139,7 +168,11 @@ def touch_corner(hull, x, y, nx, ny, half, touch):
             next_gap, next_nearest = outside, k
     touch[0], touch[1] = nx, ny
     touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
-    touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+    touch[4], touch[5], touch[6] = (
+        hull[next_nearest, 0],
+        hull[next_nearest, 1],
+        next_gap,
+    )
 
 
 @compiled
@@ -150,13 +183,25 @@ def push(place, cos, sin, gap, moment, touch):
     whose lever is k, moves out by p (1 + k l / moment). Two points that shall end on the wall: two such equations.
     """
     nx, ny = touch[0], touch[1]
-    first, second = touch[2] * ny - touch[3] * nx, touch[4] * ny - touch[5] * nx  # levers
+    first, second = (
+        touch[2] * ny - touch[3] * nx,
+        touch[4] * ny - touch[5] * nx,
+    )  # levers
     depth, next_depth = CLEARANCE - gap, CLEARANCE - touch[6]
-    one, both, two = 1.0 + first * first / moment, 1.0 + first * second / moment, 1.0 + second * second / moment
+    one, both, two = (
+        1.0 + first * first / moment,
+        1.0 + first * second / moment,
+        1.0 + second * second / moment,
+    )
     p, q = depth / one, 0.0
-    if next_depth > p * both:  # pushed there alone, it would turn its next corner into the wall
+    if (
+        next_depth > p * both
+    ):  # pushed there alone, it would turn its next corner into the wall
         determinant = one * two - both * both
-        p, q = (two * depth - both * next_depth) / determinant, (one * next_depth - both * depth) / determinant
+        p, q = (
+            (two * depth - both * next_depth) / determinant,
+            (one * next_depth - both * depth) / determinant,
+        )
         if p < 0.0:  # walls do not pull
             p, q = 0.0, next_depth / two
     place[0] += (p + q) * (nx * cos - ny * sin)
@@ -198,17 +243,30 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
             free, cos, sin = speed * seconds, cosine(place[2]), sine(place[2])
             for k in range(n):
                 if is_near(place, radius + free, walls, near[k]):
-                    free = min(free, gap_to_wall(place, cos, sin, hull, walls, near[k], free, touch))
+                    free = min(
+                        free,
+                        gap_to_wall(place, cos, sin, hull, walls, near[k], free, touch),
+                    )
         piece = min(seconds, max(SUBSTEP, free / speed))
         x, y, theta = place[0], place[1], place[2]
         follow_arc(place, v, omega, piece)
         seconds -= piece
-        pushes = push_out(place, hull, radius, moment, walls, near, n, touch) if piece * speed > free else 0
+        pushes = (
+            push_out(place, hull, radius, moment, walls, near, n, touch)
+            if piece * speed > free
+            else 0
+        )
         if pushes == ROUNDS:  # wedged between walls
             place[0], place[1], place[2] = x, y, theta
-        if pushes > 0 and abs(place[0] - x) + abs(place[1] - y) + abs(place[2] - theta) < CLEARANCE:
+        if (
+            pushes > 0
+            and abs(place[0] - x) + abs(place[1] - y) + abs(place[2] - theta)
+            < CLEARANCE
+        ):
             seconds = 0.0  # it stands still, and would for the rest of the time
-    place[2] = min(math.pi, place[2] - 2 * math.pi * math.ceil(place[2] / (2 * math.pi) - 0.5))  # to (−π, π]
+    place[2] = min(
+        math.pi, place[2] - 2 * math.pi * math.ceil(place[2] / (2 * math.pi) - 0.5)
+    )  # to (−π, π]
 
 
 @compiled
@@ -239,10 +297,20 @@ def look(place, rays, reach, walls, lengths):
     """
     cos, sin = cosine(place[2]), sine(place[2])
     for k in range(rays.shape[0]):
-        x, y = place[0] + rays[k, 0] * cos - rays[k, 1] * sin, place[1] + rays[k, 0] * sin + rays[k, 1] * cos
-        dx, dy = rays[k, 2] * cos - rays[k, 3] * sin, rays[k, 2] * sin + rays[k, 3] * cos
+        x, y = (
+            place[0] + rays[k, 0] * cos - rays[k, 1] * sin,
+            place[1] + rays[k, 0] * sin + rays[k, 1] * cos,
+        )
+        dx, dy = (
+            rays[k, 2] * cos - rays[k, 3] * sin,
+            rays[k, 2] * sin + rays[k, 3] * cos,
+        )
         lengths[k] = reach
         for i in range(walls.shape[0]):
-            to_x, to_y, size = walls[i, 0] - x, walls[i, 1] - y, walls[i, 2] + walls[i, 3] + CLEARANCE
+            to_x, to_y, size = (
+                walls[i, 0] - x,
+                walls[i, 1] - y,
+                walls[i, 2] + walls[i, 3] + CLEARANCE,
+            )
             if abs(to_x * dy - to_y * dx) < size:  # it may meet it
                 lengths[k] = min(lengths[k], ray_to_wall(x, y, dx, dy, walls, i))
