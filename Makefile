@@ -6,18 +6,18 @@
 # make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
-# make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes benchmarks/README.md
+# make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes studies/benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
 #                 writes the tables and figures: the text between them is written by hand)
-# make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
+# make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
-# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
+# make homework   assignments for nbgrader, in notebooks/homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
-# make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+# make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
 # make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
@@ -77,7 +77,7 @@ test: $(TOOLS)/tools.done
 	$(DEV) -m rlrobot_course compile & \
 	$(DEV) -m ruff check . && $(DEV) -m ruff format --check . && \
 	$(TOOLS)/bin/lint-imports --no-cache && $(TOOLS)/bin/mypy && wait $$!
-	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks homework
+	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks
 endif
 
 # LONG=1: with what takes ten minutes more
@@ -106,7 +106,7 @@ coverage: $(TOOLS)/tools.done
 	rm -f .coverage.*
 
 bench: $(TOOLS)/tools.done
-	$(DEV) benchmarks/bench.py
+	$(DEV) studies/benchmarks/bench.py
 
 soak: $(TOOLS)/tools.done
 	$(DEV) tests/soak.py
@@ -142,10 +142,10 @@ tools: $(TOOLS)/tools.done
 
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done
-	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
+	$(RUN) notebooks/homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(TOOLS)/tools.done
-	$(DEV) lite/make_lite.py $(PYODIDE:%=--pyodide %)
+	$(DEV) docs/lite/make_lite.py $(PYODIDE:%=--pyodide %)
 
 release: $(TOOLS)/tools.done
 	rm -rf dist
@@ -163,7 +163,7 @@ platforms: $(TOOLS)/tools.done
 	$(DEV) docs/site/platforms.py
 
 clean:
-	rm -rf .venv .venv-* build dist docs/_build homework/build lite/_build .coverage .coverage.*
+	rm -rf .venv .venv-* build dist docs/_build notebooks/homework/build docs/lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails

@@ -13,7 +13,7 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 from hatchling.metadata.plugin.interface import MetadataHookInterface
 
-FOLDERS = ("notebooks", "notebooks/more", "homework")
+FOLDERS = ("notebooks", "notebooks/more", "notebooks/homework")
 OF_README = re.compile(r"(!?)\[([^]]+)\]\((?!https?:|#)([^)]+)\)")
 OF_A_NOTEBOOK = re.compile(r"\[([^]]+)\]\((?:\.\./)+([\w/]+\.(?:md|py))(#[\w-]*)?\)")
 

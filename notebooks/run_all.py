@@ -66,7 +66,7 @@ if __name__ == "__main__":
     given = [Path(name).resolve() for name in sys.argv[1:]]
     for path in given or [
         *lessons(ROOT).values(),
-        *sorted(ROOT.glob("homework/*.ipynb")),
+        *sorted(ROOT.glob("notebooks/homework/*.ipynb")),
     ]:
         run(path)
         print(path.name)

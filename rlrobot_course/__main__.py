@@ -5,8 +5,8 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rlrobot_course.homework.options import add_options
 from rlrobot_edu.__main__ import Commands, library_commands, run_command
+from rlrobot_grading.marking.options import add_options
 
 ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
 FIRST = """begin with:
@@ -27,7 +27,7 @@ SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to se
 
 def open_lab(more: list[str]) -> None:
     """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
-    from rlrobot_course.my_course import open_lab
+    from rlrobot_course.learner.my_course import open_lab
 
     compiling = [
         sys.executable,
@@ -46,14 +46,14 @@ def open_lab(more: list[str]) -> None:
 
 def freshen(lesson: list[str]) -> None:
     """Set your copy of one lesson back, or of an assignment; the old one is kept in my_course/old/."""
-    from rlrobot_course.my_course import set_back
+    from rlrobot_course.learner.my_course import set_back
 
     print(set_back(" ".join(lesson)))
 
 
 def show_progress(folder: str) -> None:
     """Say how far you are: which functions in my_functions.py are right, and what is next."""
-    from rlrobot_course.progress import show
+    from rlrobot_course.learner.progress import show
 
     show(folder)
 
@@ -74,7 +74,7 @@ def tell_score(log: str, secret: str) -> None:
 
 def grade_notebooks(**arguments: object) -> None:
     """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
-    from rlrobot_course.homework.grade import run
+    from rlrobot_grading.marking.grade import run
 
     run(arguments)
 

@@ -1,4 +1,4 @@
-"""Tables and neural networks compared: writes studies/baselines.json (the numbers), docs/baselines.md and its figure.
+"""Tables and neural networks compared: writes baselines.json (the numbers), docs/studies/baselines.md and its figure.
 
 ``python studies/baselines.py`` measures for half an hour on two cores and needs ``pip install --group baselines``.
 ``--quick`` prints the page of two short repetitions and writes nothing; ``--page`` writes the page from the numbers.
@@ -19,7 +19,7 @@ import numpy as np
 from joblib import delayed
 
 import rlrobot_edu as rl
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_edu.experiments.statistics import Tukey, mean_band
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import BLACK, CURVES
@@ -321,11 +321,11 @@ def main() -> None:
             json.dumps(measure(REPETITIONS, STEPS)) + "\n", encoding="utf-8"
         )
     measured = json.loads(numbers.read_text(encoding="utf-8"))
-    (DOCS / "baselines.md").write_text(page(measured), encoding="utf-8")
+    (DOCS / "studies" / "baselines.md").write_text(page(measured), encoding="utf-8")
     curves(measured["runs"]).savefig(
         DOCS / "pictures" / "baselines.png", dpi=90, metadata={"Software": None}
     )
-    print(DOCS / "baselines.md")
+    print(DOCS / "studies" / "baselines.md")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A better bias, or a circle? Runs what bias_registered.json says, and writes docs/a_better_bias.md and its figures.
+"""A better bias, or a circle? Runs bias_registered.json; writes docs/studies/a_better_bias.md and its figures.
 
 ``make bias-study`` does all of it, from nothing. Every finished part is kept in results/better_bias; the same call goes
 on from there. ``power`` prints how many robots are needed; ``page`` writes the page anew from better_bias.json.

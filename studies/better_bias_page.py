@@ -1,4 +1,4 @@
-"""The tables, figures and verdicts of docs/a_better_bias.md; better_bias.py calls this module."""
+"""The tables, figures and verdicts of docs/studies/a_better_bias.md; better_bias.py calls this module."""
 
 from __future__ import annotations
 
@@ -286,8 +286,8 @@ def page(found: Found) -> str:
         parts[f"tests_{key}"] = tests(rows, names)
     return PAGE.format(
         **parts, **numbers(found), checks=checks(found), relatives=relatives_table(found), rule_says=rule_says(found),
-        rules=rules_table(found), forest=f"![{forest(found).alt}](pictures/better_bias.png)",
-        by_temperature=f"![{by_temperature(found).alt}](pictures/better_bias_temperature.png)",
+        rules=rules_table(found), forest=f"![{forest(found).alt}](../pictures/better_bias.png)",
+        by_temperature=f"![{by_temperature(found).alt}](../pictures/better_bias_temperature.png)",
         seed=REGISTERED["seed"], zeros=in_words(difference(found, "wander_1k", "NZBIASSR", "QBIASSR")),
         blind_there=blind_there(found), giraff_blind=in_words(difference(found, "giraff_wander_1k", OURS, "blind")),
     )  # fmt: skip
@@ -299,5 +299,5 @@ def write_page(found: Found) -> Path:
     write_whole(
         DOCS / "pictures" / "better_bias_temperature.png", by_temperature(found).png()
     )
-    write_whole(DOCS / "a_better_bias.md", page(found))
-    return DOCS / "a_better_bias.md"
+    write_whole(DOCS / "studies" / "a_better_bias.md", page(found))
+    return DOCS / "studies" / "a_better_bias.md"

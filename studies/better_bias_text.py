@@ -1,13 +1,14 @@
-"""The text of docs/a_better_bias.md. What judges was written after looking at the numbers; tables are computed."""
+"""The text of docs/studies/a_better_bias.md. Verdicts were written after looking at the numbers; tables are
+computed."""
 
 PAGE = """# A better bias, or a circle?
 
 A [first study](#how-the-question-arose) found VBIASSR, the paper's bias weighed by visits, far ahead of the paper's
 QBIASSR. Then [an agent that sees nothing](blind.md) earned as much in `wander_4k`: there one action, repeated, drives a
 circle that pays in every step. So here we ask what is left where no circle pays. Hypotheses, worlds, lengths,
-repetitions, tests and corrections were [registered](../studies/bias_registered.json) before the first run, with a seed
-({seed}) that no earlier study had. `make bias-study` runs it all, in well under an hour on two cores, and writes this
-page but for the words that judge.
+repetitions, tests and corrections were [registered](../../studies/bias_registered.json) before the first run, with a
+seed ({seed}) that no earlier study had. `make bias-study` runs it all, in well under an hour on two cores, and writes
+this page but for the words that judge.
 
 ## In short
 
@@ -139,15 +140,15 @@ So no form here wins by the rule, and none was added to the toolkit. What the te
 ## The reproduction in the same light
 
 **Loop evasion.** The paper's program has it in QBIASSR alone; here it is in SR, too. [The
-report](reproduction/README.md#loop-evasion-in-sr-too) has both rules in `wander_simple`, `wander_1k`, `wander_4k` and
-`giraff_wander_1k`, where it turns a verdict. In the other set-ups, TOSL+QBIASSR less others (28 tests; navigation after
-two episodes, arms after ten):
+report](../reproduction/README.md#loop-evasion-in-sr-too) has both rules in `wander_simple`, `wander_1k`, `wander_4k`
+and `giraff_wander_1k`, where it turns a verdict. In the other set-ups, TOSL+QBIASSR less others (28 tests; navigation
+after two episodes, arms after ten):
 
 {rules}
 
-So three of these verdicts hang on the rule. The arms here are kinematic ones; [the report](reproduction/README.md) has
-PyBullet's, by our rule alone. What a blind agent earns in these set-ups, beside TOSL+QBIASSR: {blind_there}. (It has no
-loop evasion, which costs in Giraff's tasks.) [The others](blind.md).
+So three of these verdicts hang on the rule. The arms here are kinematic ones; [the report](../reproduction/README.md)
+has PyBullet's, by our rule alone. What a blind agent earns in these set-ups, beside TOSL+QBIASSR: {blind_there}. (It
+has no loop evasion, which costs in Giraff's tasks.) [The others](blind.md).
 
 **Wheels.** In the paper's program both wheels backward drive straight ahead; here each turns at twice its speed. Our
 way adds two of the circles. TOSL with each selection, and VBIASSR less the others:
@@ -162,7 +163,7 @@ interval (no test was registered).
 ## How the question arose
 
 The first study was not registered. Thirty robots of each kind learned with TOSL and one of five biases: the paper's,
-VBIASSR, and [three more](../rlrobot_course/lesson_22/biases.py): OBIASSR asks the other states alone, FBIASSR fades,
+VBIASSR, and [three more](../../rlrobot_course/lesson_22/biases.py): OBIASSR asks the other states alone, FBIASSR fades,
 TBIASSR counts Q(s) once, as SR does. Their rivals were SR at T = 1, at T = 1/2, and at the T between at which SR counts
 Q(s) as QBIASSR does. Mean final average rewards:
 

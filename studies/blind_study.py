@@ -1,4 +1,4 @@
-"""How much does a robot earn that sees nothing? Measures it and writes studies/blind.json and, from it, docs/blind.md.
+"""How much does a robot earn that sees nothing? Measures it; writes blind.json and, from it, docs/studies/blind.md.
 
 ``python studies/blind_study.py`` takes some three minutes on two cores; ``--page`` writes the page alone anew.
 """
@@ -28,7 +28,7 @@ DOCS = HERE.parent / "docs"
 SEED, REPETITIONS, LEVEL = 0, 30, 0.05
 BLIND = "blind"
 OTHERS = ("SR", "QBIASSR", "VBIASSR")
-# The labels decide the random numbers: these are the robots of the first study in docs/a_better_bias.md.
+# The labels decide the random numbers: these are the robots of the first study in docs/studies/a_better_bias.md.
 METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS[:-1]} | {
     "VBIASSR": {"method": rl.Method("TOSL", VBIASSR)}
 }
@@ -59,7 +59,7 @@ class World(NamedTuple):
 
 
 def worlds() -> dict[str, World]:
-    """The worlds by name. docs/a_better_bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
+    """The worlds by name. docs/studies/a_better_bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
     four = rl.load_task("wander_4k")
     return {
         "wander_1k": World(rl.load_task("wander_1k"), 3600),
@@ -173,10 +173,10 @@ def verdicts(found: Found) -> str:
 
 PAGE = """# How much does a blind robot earn?
 
-Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection may earn much because
-it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot with TOSL+SR
-learns while all places are one state. It has no loop evasion, which looks at states. {n} robots each, seed {seed}; mean
-final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. [The page on a
+Written by `python studies/blind_study.py` from [blind.json](../../studies/blind.json). A selection may earn much
+because it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot with
+TOSL+SR learns while all places are one state. It has no loop evasion, which looks at states. {n} robots each, seed
+{seed}; mean final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. [The page on a
 better bias](a_better_bias.md#how-the-question-arose) has the averages of SR and QBIASSR that are missing here; its
 robots with VBIASSR, and the blind ones, are the same.
 
@@ -185,7 +185,7 @@ robots with VBIASSR, and the blind ones, are the same.
 {verdicts}
 
 *Both backward is straight ahead*: in the paper's program both wheels backward drive straight ahead at double top speed;
-ours doubles [each wheel's speed](differences.md), so that two more of the 25 actions of wander_4k drive in a circle.
+ours doubles [each wheel's speed](../differences.md), so that two more of the 25 actions of wander_4k drive in a circle.
 *Nine actions*: wander_4k with the three speeds of wander_1k, of which no two drive in a circle that pays. *The best
 single action* is the best of all in 300 steps.
 
@@ -206,7 +206,7 @@ def main() -> None:
     if "--page" not in sys.argv:
         write_whole(HERE / "blind.json", json.dumps(measure(), indent=0) + "\n")
     found = json.loads((HERE / "blind.json").read_text(encoding="utf-8"))
-    write_whole(DOCS / "blind.md", page(found))
+    write_whole(DOCS / "studies" / "blind.md", page(found))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The landmarks of the open challenges: writes rlrobot_course/challenges.csv, ``python studies/challenges.py``.
+"""The landmarks of the open challenges: writes rlrobot_course/play/challenges.csv, ``python studies/challenges.py``.
 
 For each lesson, what a few known answers score: first one that does nothing or acts by chance, then the course's own,
 last the best that we found. It takes two minutes.
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.challenge import LANDMARKS, challenge_of
+from rlrobot_course.play.challenge import LANDMARKS, challenge_of
 
 Readings = Mapping[str, float]
 

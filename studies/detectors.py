@@ -21,10 +21,10 @@ from typing import Any
 import numpy as np
 
 import rlrobot_course
-from rlrobot_course.grading import limits
-from rlrobot_course.grading.detectors import DETECTORS
-from rlrobot_course.grading.evidence import Evidence
-from rlrobot_course.grading.question import Question
+from rlrobot_grading import limits
+from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.evidence import Evidence
+from rlrobot_grading.question import Question
 
 LESSONS = sorted(
     path.parent.name

@@ -1,4 +1,4 @@
-"""How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/kinematic_arm.md.
+"""How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/studies/kinematic_arm.md.
 
 ``python studies/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
 """
@@ -226,9 +226,9 @@ PAGE = """# How far is the kinematic arm from PyBullet's?
 Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet.
 So does `rl.make_env("arm_1k")` where PyBullet is not installed; it warns you once. Its joints turn by speed × time and
 stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
-[a formula](../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
-[manipulator](../rlrobot_edu/robots/arm/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are
-no weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the
+[a formula](../../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
+[manipulator](../../rlrobot_edu/robots/arm/kinematic_manipulator.py) is the base in pymunk with this arm on it. There
+are no weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the
 walls. The manipulator's base does bump into walls and table.
 
 ## The same actions in both
@@ -242,7 +242,7 @@ the steps before that. *On a border*: an input was within 0.1 mm, or 0.0001 rad,
 |---|---|---|---|---|---|---|
 {rows}
 
-![{alt}](pictures/kinematic_arm.png)
+![{alt}](../pictures/kinematic_arm.png)
 
 {text}
 
@@ -301,7 +301,7 @@ def main() -> None:
         print(page)
     else:
         (DOCS / "pictures" / "kinematic_arm.png").write_bytes(picture.png())
-        (DOCS / "kinematic_arm.md").write_text(page, encoding="utf-8")
+        (DOCS / "studies" / "kinematic_arm.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What does planning gain, per real step and per second? Writes docs/planning.md and docs/pictures/planning.png.
+"""What does planning gain, per real step and per second? Writes docs/studies/planning.md and its figure.
 
 ``python studies/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
 keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
@@ -15,8 +15,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rlrobot_edu as rl
+from rlrobot_course.figures.runs import error_bars
 from rlrobot_course.lesson_17.sweeping import SWEEPING
-from rlrobot_course.runs import error_bars
 from rlrobot_edu.experiments.statistics import Tukey
 from rlrobot_edu.show.palette import CURVES
 
@@ -270,18 +270,18 @@ def main() -> None:
     figure(results).savefig(
         DOCS / "pictures" / "planning.png", dpi=80, metadata={"Software": None}
     )
-    (DOCS / "planning.md").write_text(text, encoding="utf-8")
+    (DOCS / "studies" / "planning.md").write_text(text, encoding="utf-8")
 
 
 PAGE = """\
 # What does planning gain?
 
 Written by `python studies/planning.py`. An agent with a planner remembers its steps, and learns from 10 imagined steps
-after each real one: [Dyna-Q](../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All other
-parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model} repetitions;
-*robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by Holm for all
-tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.
+after each real one: [Dyna-Q](../../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
+[prioritized sweeping](../../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All
+other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
+repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by
+Holm for all tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.
 
 ## What we found
 
@@ -323,7 +323,7 @@ Average reward, in episodic tasks of the last episode.
 
 {final}
 
-![Average rewards and their intervals, a column a world; the numbers of both tables.](pictures/planning.png)
+![Average rewards and their intervals, a column a world; the numbers of both tables.](../pictures/planning.png)
 
 Dots are means, bars 95 % intervals.
 

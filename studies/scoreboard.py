@@ -1,4 +1,4 @@
-"""The bars that the course's scoreboard gives: ``python studies/scoreboard.py`` writes rlrobot_course/scoreboard.csv.
+"""The bars of the course's scoreboard: ``python studies/scoreboard.py`` writes rlrobot_course/play/scoreboard.csv.
 
 For each lesson from 03 on, what the library's agents earn a step in their first hour in the maze of wander_1k: on the
 robot that walls hold, which is the paper's, and on the ideal one. The scoreboard shows the rows of 16 robots, which are
@@ -17,8 +17,8 @@ import numpy as np
 from joblib import delayed
 
 import rlrobot_edu as rl
-from rlrobot_course.runs import mean_and_half
-from rlrobot_course.scoreboard import FIRST_SEED, GIVEN, HOUR, ROBOTS, TASK
+from rlrobot_course.figures.runs import mean_and_half
+from rlrobot_course.play.scoreboard import FIRST_SEED, GIVEN, HOUR, ROBOTS, TASK
 from rlrobot_edu.experiments.workers import workers
 
 ALL = 32  # robots of each row that is for readers of the table

@@ -1,4 +1,4 @@
-"""Do the textbook's results come out? Writes docs/textbook.md.
+"""Do the textbook's results come out? Writes docs/studies/textbook.md.
 
 ``python studies/textbook.py``; it takes about a minute.
 """
@@ -14,9 +14,9 @@ import textbook_worlds as worlds
 from gymnasium.envs.toy_text import FrozenLakeEnv, TaxiEnv
 
 import rlrobot_edu as rl
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.runs import mean_and_half
 
-PAGE_FILE = Path(__file__).parents[1] / "docs" / "textbook.md"
+PAGE_FILE = Path(__file__).parents[1] / "docs" / "studies" / "textbook.md"
 GAMMA = 1 - 1e-9  # of the examples without discounting
 LONG = 100_000  # steps, more than all episodes of a run take
 BOOK, SOLVED = "Sutton & Barto", "table of Gymnasium, solved"
@@ -188,7 +188,7 @@ PAGE = """\
 
 Written by `python studies/textbook.py`. Each row compares a published result with ours: the mean of {runs} runs with
 its 95 % interval, and of {walks} runs for the random walk. The rows of the Dyna maze are read off the mean of {runs}
-runs. The last three rows are exact. The worlds are in [textbook_worlds.py](../studies/textbook_worlds.py), and small
+runs. The last three rows are exact. The worlds are in [textbook_worlds.py](../../studies/textbook_worlds.py), and small
 versions of all rows are tests.
 
 | result | published | where | here |

@@ -1,4 +1,4 @@
-"""Does it help to transfer knowledge? Measures four carries of `rl.transfer` and writes docs/transfer.md.
+"""Does it help to transfer knowledge? Measures four carries of `rl.transfer` and writes docs/studies/transfer.md.
 
 ``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works,
 and writes
@@ -102,7 +102,7 @@ comparison. Each time {n} source agents learn ({method}, the default parameters,
 model {model_steps:,}), each by itself. From each of them one agent of the target begins, and another begins from
 scratch. All have random numbers of their own. Every step is one second, so {source_steps:,} steps are an hour.
 
-![{alt}](pictures/transfer.png)
+![{alt}](../pictures/transfer.png)
 
 Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are 95 % intervals,
 too. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape of the
@@ -298,7 +298,7 @@ def main() -> None:
         shares=", ".join(f"{share} ({name})" for name, share in names.items()),
         tables="\n\n".join(map(in_markdown, tables.values())),
     )
-    (DOCS / "transfer.md").write_text(page, encoding="utf-8")
+    (DOCS / "studies" / "transfer.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How close is our physics to V-REP's? Compares recordings and writes docs/vrep_comparison.md.
+"""How close is our physics to V-REP's? Compares recordings and writes docs/studies/vrep_comparison.md.
 
 ``python studies/vrep_comparison.py``; it needs the recording of the paper's authors, which is not part of the project:
 ../shared/vrep_recordings/wander_1k_SASR_step.npy, seen from the checkout.
@@ -320,5 +320,5 @@ def page() -> str:
 
 
 if __name__ == "__main__":
-    (DOCS / "vrep_comparison.md").write_text(page(), encoding="utf-8")
-    print(DOCS / "vrep_comparison.md")
+    (DOCS / "studies" / "vrep_comparison.md").write_text(page(), encoding="utf-8")
+    print(DOCS / "studies" / "vrep_comparison.md")

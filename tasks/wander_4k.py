@@ -13,7 +13,7 @@ Rewards:     of the three front lasers, two or more below 0.05 m: âˆ’10, one: âˆ
 Episode end: none, the robot wanders on.
 Scene:       maze_6x6, the robot starts in the middle.
 Differs from the paper: robot and maze have the measures of those in the paper's V-REP scene,
-             but the robot keeps to exact arcs; docs/vrep_comparison.md says how far that goes.
+             but the robot keeps to exact arcs; docs/studies/vrep_comparison.md says how far that goes.
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task

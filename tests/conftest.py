@@ -84,7 +84,7 @@ SLOW_FILES = [
 
 
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
-LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
+LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks")
 QUICK_NOTEBOOK = "03_q_learning.ipynb"
 
 

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.ros.live import line, steering
-from rlrobot_edu.ros.messages import (
+from rlrobot_ros.live import line, steering
+from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
     make_laser_scan,

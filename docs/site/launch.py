@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import rlrobot_edu as rl
-from rlrobot_course.my_course import blank
+from rlrobot_course.learner.my_course import blank
 
 ROOT = Path(__file__).parents[2]
 SOURCE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))[

@@ -23,15 +23,15 @@ from rlrobot_course.authoring.lists import lessons
 DOCS = Path(__file__).parents[1]
 ROOT = DOCS.parent
 LITE = (
-    ROOT / "lite/_build/site"
+    ROOT / "docs/lite/_build/site"
 )  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
-    "benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "homework/*.ipynb",
+    "studies/benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "notebooks/homework/*.ipynb",
     "docs/*.md", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
     "studies/**/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "rlrobot_course/**/*.py",
-    "tests/**/*.py", "lite/*.toml",
+    "tests/**/*.py", "docs/lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>

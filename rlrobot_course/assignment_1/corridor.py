@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import BLUE, GREEN, ORANGE, Picture
-from rlrobot_course.tapes import with_action
+from rlrobot_course.figures.plots import BLUE, GREEN, ORANGE, Picture
+from rlrobot_course.worlds.tapes import with_action
 
 CELLS = 7  # the charger is in cell 0, the shelf in cell 6
 FULL = 8  # moves that a full battery is good for

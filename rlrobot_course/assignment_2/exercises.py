@@ -2,21 +2,21 @@
 
 import numpy as np
 
-from rlrobot_course.grading.parts import (
-    Case,
-    Exercise,
-    Mistake,
-    Question,
-    with_pages,
-    wrong_choices,
-)
-from rlrobot_course.tapes import (
+from rlrobot_course.worlds.tapes import (
     Q_START,
     Q_TAPE,
     Chooser,
     PatientWorld,
     rows,
     with_columns,
+)
+from rlrobot_grading.parts import (
+    Case,
+    Exercise,
+    Mistake,
+    Question,
+    with_pages,
+    wrong_choices,
 )
 
 

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from rlrobot_course.plots import CURVES, GREY, Picture, chart, plain
-from rlrobot_course.tapes import with_action
+from rlrobot_course.figures.plots import CURVES, GREY, Picture, chart, plain
+from rlrobot_course.worlds.tapes import with_action
 
 DOORS = 8
 EPISODES, ROBOTS = 300, 100

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import CURVES, Picture, chart, plain
-from rlrobot_course.runs import error_bars
+from rlrobot_course.figures.plots import CURVES, Picture, chart, plain
+from rlrobot_course.figures.runs import error_bars
 
 SECTIONS = 9  # of the wall, 1 to 9; 0 and 10 are the docks
 TRUE = np.arange(1, SECTIONS + 1) / (

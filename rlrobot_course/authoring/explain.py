@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.grading.detectors import DETECTORS
-from rlrobot_course.grading.evidence import Evidence, Hint
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.values import safely
+from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.evidence import Evidence, Hint
+from rlrobot_grading.question import Question
+from rlrobot_grading.values import safely
 
 
 def explain(number: str, name: str, answer: str) -> str:

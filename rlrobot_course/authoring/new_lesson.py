@@ -10,14 +10,14 @@ from rlrobot_course.authoring import lists
 from rlrobot_edu.files import write_together
 
 TEMPLATE = Path(__file__).parent / "template"
-QUESTIONS = "rlrobot_course/questions.toml"
+QUESTIONS = "rlrobot_course/questions/questions.toml"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
   notebooks/{name}.ipynb: the lesson
   rlrobot_course/lesson_{number}/: its exercise and figure; questions.toml beside it has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
 Left to you: in the notebook's metadata, what the learner writes, the minutes, and the lessons that it needs; course
 table writes them into README.md. Let the last cell of notebooks/{before} lead on to it; write new symbols into
-docs/notation.md, and into lite/lessons.toml the numbers that are too large for a browser."""
+docs/notation.md, and into docs/lite/lessons.toml the numbers that are too large for a browser."""
 
 
 def new_lesson(root: Path, number: str, title: str) -> str:

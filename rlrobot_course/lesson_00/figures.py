@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from matplotlib.collections import LineCollection
 
-from rlrobot_course.plots import GREY, VERMILION, Picture, plain
+from rlrobot_course.figures.plots import GREY, VERMILION, Picture, plain
 from rlrobot_edu import InputVariable, plot_scene
 from rlrobot_edu.robots.scene import Scene
 

@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from PIL import Image
 
-from rlrobot_course.plots import BLUE, GREY, Picture
+from rlrobot_course.figures.plots import BLUE, GREY, Picture
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import FEW_COLOURS
 

@@ -6,7 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.plots import BLACK, BLUE, ORANGE, Picture, chart, draw_curves
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    ORANGE,
+    Picture,
+    chart,
+    draw_curves,
+)
 from rlrobot_edu import Agent, Task, make_env
 from rlrobot_edu import steps as walk
 

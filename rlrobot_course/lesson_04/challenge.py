@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
+from rlrobot_course.play.challenge import Challenge, Watched, array, rewards_of
 from rlrobot_edu import Agent, make_env
 
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 import gymnasium
 import numpy as np
 
-from rlrobot_course.plots import BLACK, BLUE, CURVES, GREY, Picture, plain
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.plots import BLACK, BLUE, CURVES, GREY, Picture, plain
+from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_edu import Agent, History, Task, learn, make_env, plot_learning
 
 

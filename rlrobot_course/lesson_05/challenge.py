@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
+from rlrobot_course.play.challenge import Challenge, Watched, array, rewards_of
 from rlrobot_edu import Agent, make_env
 
 

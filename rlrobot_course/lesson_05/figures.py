@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.plots import BLACK, BLUE, GREY, Picture, chart
+from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
 from rlrobot_edu import load_task
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of

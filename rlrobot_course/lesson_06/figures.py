@@ -8,7 +8,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.plots import BLUE, CURVES, ROLE, VERMILION, Picture, chart, plain
+from rlrobot_course.figures.plots import (
+    BLUE,
+    CURVES,
+    ROLE,
+    VERMILION,
+    Picture,
+    chart,
+    plain,
+)
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.widgets.playground.cliff import (

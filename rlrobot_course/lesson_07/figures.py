@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
+from rlrobot_course.figures.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
 
 
 def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:

@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREEN,
@@ -18,7 +17,8 @@ from rlrobot_course.plots import (
     chart,
     plain,
 )
-from rlrobot_course.runs import error_bars
+from rlrobot_course.figures.runs import error_bars
+from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.learning.size import Size
 
 NAMES = {

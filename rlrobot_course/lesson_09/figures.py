@@ -4,8 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.challenge import Score
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLUE,
     GREEN,
     GREY,
@@ -15,6 +14,7 @@ from rlrobot_course.plots import (
     chart,
     plain,
 )
+from rlrobot_course.play.challenge import Score
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.widgets.kernels import probabilities
 

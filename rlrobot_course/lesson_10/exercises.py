@@ -4,12 +4,11 @@ from functools import partial
 
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, with_pages
 from rlrobot_course.lesson_04.exercises import draw, softmax
 from rlrobot_course.lesson_05.exercises import bias
 from rlrobot_course.lesson_08.exercises import true_online_update
 from rlrobot_course.lesson_09.exercises import new_temperature
-from rlrobot_course.lesson_10.given import (
+from rlrobot_course.lesson_10.fixtures import (
     ENDS,
     OTHER,
     OTHERS,
@@ -22,7 +21,8 @@ from rlrobot_course.lesson_10.given import (
     library,
     ring,
 )
-from rlrobot_course.tapes import rows
+from rlrobot_course.worlds.tapes import rows
+from rlrobot_grading.parts import Case, Exercise, with_pages
 
 
 def preferences(q, shape, s, r_max, gamma):
@@ -91,9 +91,7 @@ def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperatu
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
         a_next = act(s_next)
-        q_old = true_online_update(
-            q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
-        )
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)  # fmt: skip
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0
@@ -121,9 +119,7 @@ def learn_and_evade(
         if len(states) == length:
             temperature = new_temperature(temperature, states, rewards, s_next, default)
         a_next = act(s_next)
-        q_old = true_online_update(
-            q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
-        )
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)  # fmt: skip
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0

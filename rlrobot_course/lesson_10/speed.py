@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rlrobot_course.tapes import RobotWorld
+from rlrobot_course.worlds.tapes import RobotWorld
 from rlrobot_edu import Agent, Method, SampleModel, learn, make_env, read_recording
 
 SETTINGS = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0}

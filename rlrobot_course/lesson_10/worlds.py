@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.tapes import with_action
+from rlrobot_course.worlds.tapes import with_action
 
 
 class Ring:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from rlrobot_course.challenge import Challenge
+from rlrobot_course.play.challenge import Challenge
 from rlrobot_edu import Agent, InputVariable, Task, learn, load_task, make_env
 from rlrobot_edu.task.robot_cards import LASERS
 

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from rlrobot_course.plots import BLACK, BLUE, PURPLE, VERMILION, Picture, plain
+from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, VERMILION, Picture, plain
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.task import Task
 

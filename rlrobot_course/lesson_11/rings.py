@@ -8,7 +8,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Wedge
 
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREEN,

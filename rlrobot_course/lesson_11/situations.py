@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from rlrobot_course.figures.plots import BLACK, Picture, plain
 from rlrobot_course.lesson_11.motions import (
     Motion,
     draw_motion,
@@ -14,7 +15,6 @@ from rlrobot_course.lesson_11.motions import (
     motion_of,
 )
 from rlrobot_course.lesson_11.rings import draw_sector, legend_of
-from rlrobot_course.plots import BLACK, Picture, plain
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task

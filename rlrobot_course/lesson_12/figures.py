@@ -8,10 +8,10 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.patches import Circle, Polygon, Rectangle
 
+from rlrobot_course.figures.paths import plot_paths
+from rlrobot_course.figures.plots import GREEN, GREY, ROLE, VERMILION, Picture, plain
 from rlrobot_course.lesson_12.episodes import Episode
 from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
-from rlrobot_course.paths import plot_paths
-from rlrobot_course.plots import GREEN, GREY, ROLE, VERMILION, Picture, plain
 from rlrobot_edu import show_scene
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.arenas import arena_of

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from rlrobot_course.paid import Paid as Paid
-from rlrobot_course.tapes import with_action
+from rlrobot_course.worlds.own_reward import Paid as Paid
+from rlrobot_course.worlds.tapes import with_action
 from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 

@@ -6,8 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_course.arm_world import Places
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     CURVES,
@@ -19,7 +18,8 @@ from rlrobot_course.plots import (
     chart,
     plain,
 )
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.runs import mean_and_half
+from rlrobot_course.worlds.arm_world import Places
 from rlrobot_edu.robots.arm.arm_body import (
     FIELD,
     HOME,

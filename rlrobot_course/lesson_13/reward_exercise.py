@@ -7,17 +7,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_course.arm_world import Places, places_of
-from rlrobot_course.grading.detectors import known_mistake
-from rlrobot_course.grading.evidence import Evidence, Hint
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.limits import Elsewhere, attempt
-from rlrobot_course.grading.replay import Outcome
-from rlrobot_course.grading.source import is_unfinished
-from rlrobot_course.grading.values import safely
-from rlrobot_course.grading.verdict import Verdict
 from rlrobot_course.lesson_13.loops import Loop, best_loop
+from rlrobot_course.worlds.arm_world import Places, places_of
 from rlrobot_edu.task.task_file import load_task
+from rlrobot_grading.detectors import known_mistake
+from rlrobot_grading.evidence import Evidence, Hint
+from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.limits import Elsewhere, attempt
+from rlrobot_grading.replay import Outcome
+from rlrobot_grading.source import is_unfinished
+from rlrobot_grading.values import safely
+from rlrobot_grading.verdict import Verdict
 
 CONTACT, NEARER, NOTHING = (
     0.05,

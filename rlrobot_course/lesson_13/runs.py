@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_course.arm_world import ArmWorld
-from rlrobot_course.report import averages
+from rlrobot_course.play.report import averages
+from rlrobot_course.worlds.arm_world import ArmWorld
 from rlrobot_edu import Agent, Task, learn
 
 

@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.lesson_14.worlds import Gap
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
@@ -17,6 +16,7 @@ from rlrobot_course.plots import (
     name_rows,
     plain,
 )
+from rlrobot_course.lesson_14.worlds import Gap
 from rlrobot_edu import SampleModel, value_iteration
 
 NEVER = {

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_course.runs import mean_and_half
-from rlrobot_course.tapes import with_action
+from rlrobot_course.figures.runs import mean_and_half
+from rlrobot_course.worlds.tapes import with_action
 from rlrobot_edu import Agent, Recording, SampleModel, learn, make_env
 from rlrobot_edu.learning.transitions import Transitions
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.challenge import Challenge, Watched
+from rlrobot_course.play.challenge import Challenge, Watched
 
 MOST, WRONG = 100, 100  # agents of each method; agents that a wrong verdict costs
 VERDICTS = ("a", "b", "more")

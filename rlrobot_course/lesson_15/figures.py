@@ -7,8 +7,7 @@ import numpy as np
 from matplotlib.ticker import PercentFormatter
 from scipy import stats
 
-from rlrobot_course.challenge import Score
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREEN,
@@ -20,7 +19,8 @@ from rlrobot_course.plots import (
     name_rows,
     plain,
 )
-from rlrobot_course.report import averages
+from rlrobot_course.play.challenge import Score
+from rlrobot_course.play.report import averages
 from rlrobot_edu.experiments.statistics import Anova, Tukey
 
 METHODS = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")

@@ -2,7 +2,9 @@
 
 from math import hypot
 
-from rlrobot_course.grading.parts import (
+from rlrobot_course.lesson_16.situations import PAIRS, words
+from rlrobot_course.worlds.tapes import rows
+from rlrobot_grading.parts import (
     Design,
     Formula,
     Mistake,
@@ -10,8 +12,6 @@ from rlrobot_course.grading.parts import (
     with_pages,
     wrong_choices,
 )
-from rlrobot_course.lesson_16.situations import PAIRS, words
-from rlrobot_course.tapes import rows
 
 
 def follow_reward(before, after):

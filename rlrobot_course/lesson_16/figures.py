@@ -1,6 +1,6 @@
 """The figure of lesson 16: what three sets of cut points lead to."""
 
-from rlrobot_course.plots import BLUE, GREY, Picture, name_rows
+from rlrobot_course.figures.plots import BLUE, GREY, Picture, name_rows
 
 CUTS = ("5, 10, 15 cm", "27, 53, 80 cm", "50, 100, 150 cm")
 HELD, IDEAL = "walls hold", "ideal"

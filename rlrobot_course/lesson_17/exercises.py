@@ -2,8 +2,15 @@
 
 from typing import Any
 
-from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
+from rlrobot_course.worlds.tapes import (
+    Q_START,
+    TapeWorld,
+    Wavering,
+    q_learner,
+    rows,
+    taken,
+)
+from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 
 def dyna(env, q, seen, choose, update, pick, steps):

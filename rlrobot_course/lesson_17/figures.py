@@ -9,16 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from PIL import Image
 
-from rlrobot_course.lesson_17.cells import (
-    GOAL,
-    MOVES,
-    SHAPE,
-    START,
-    WALLS,
-    best_way,
-    number,
-)
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     CURVES,
@@ -27,6 +18,15 @@ from rlrobot_course.plots import (
     chart,
     name_rows,
     plain,
+)
+from rlrobot_course.lesson_17.cells import (
+    GOAL,
+    MOVES,
+    SHAPE,
+    START,
+    WALLS,
+    best_way,
+    number,
 )
 from rlrobot_edu import History
 from rlrobot_edu.show.display import Displayed, Still

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from rlrobot_course.challenge import Challenge, Watched, number
-from rlrobot_course.paid import Paid, Readings
+from rlrobot_course.play.challenge import Challenge, Watched, number
+from rlrobot_course.worlds.own_reward import Paid, Readings
 from rlrobot_edu import Agent, Realism, learn, make_env
 from rlrobot_edu.task.reward_parts import distance_moved
 

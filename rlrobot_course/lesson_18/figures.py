@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from rlrobot_course.plots import CURVES, Picture, chart, name_rows
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.plots import CURVES, Picture, chart, name_rows
+from rlrobot_course.figures.runs import mean_and_half
 
 
 def plot_rehearsals(earned: Mapping[str, Sequence[float]], title: str) -> Picture:

@@ -6,8 +6,8 @@ import sys
 from typing import Any
 
 from rlrobot_edu import RobotLink, make_env
-from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.messages import TWIST, velocity_of
+from rlrobot_ros.live.connection import connect
+from rlrobot_ros.messages import TWIST, velocity_of
 
 PATIENCE = 60.0  # how long it may take until a second process drives [s]
 

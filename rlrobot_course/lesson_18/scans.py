@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from rlrobot_course.plots import BLACK, BLUE, GREY, SKY, VERMILION, Picture
+from rlrobot_course.figures.plots import BLACK, BLUE, GREY, SKY, VERMILION, Picture
 from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
-from rlrobot_edu.ros.scan import Mounting, laser_readings, measured
 from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_ros.live.connection import connect
+from rlrobot_ros.messages import LASER_SCAN, ODOMETRY
+from rlrobot_ros.scan import Mounting, laser_readings, measured
 
 PATIENCE = 20.0  # how long a message is waited for [s]
 AHEAD = math.pi / 3  # to each side of straight ahead [rad]

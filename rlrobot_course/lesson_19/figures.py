@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.patches import Patch, Rectangle
 
-from rlrobot_course.plots import BLUE, VERMILION, Picture
+from rlrobot_course.figures.plots import BLUE, VERMILION, Picture
 from rlrobot_edu import Agent, Step
 
 

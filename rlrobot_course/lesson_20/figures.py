@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import (
+from rlrobot_course.figures.plots import (
     BLUE,
     CURVES,
     VERMILION,
@@ -13,7 +13,7 @@ from rlrobot_course.plots import (
     name_rows,
     plain,
 )
-from rlrobot_course.runs import mean_and_half
+from rlrobot_course.figures.runs import mean_and_half
 
 MARKS = "osD^vPX"  # of the groups, beside their colours
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from joblib import delayed
 
-from rlrobot_course.short_world import ShortWorld
+from rlrobot_course.worlds.short_world import ShortWorld
 from rlrobot_edu import Agent, History, Recording, Runs, learn, learn_from, make_env
 from rlrobot_edu.experiments.workers import workers
 

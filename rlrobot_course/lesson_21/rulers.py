@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rlrobot_course.plots import BLACK, CURVES, GREY, Picture, plain
+from rlrobot_course.figures.plots import BLACK, CURVES, GREY, Picture, plain
 from rlrobot_edu.task.task_file import load_task
 
 FAR = 1.0  # where the drawing of rulers ends [m]

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from rlrobot_course.unknown_robot.secret import Secret
 from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.ros.live.safety import within
-from rlrobot_edu.ros.live.served_body import TICK, ServedBody
 from rlrobot_edu.task.task import Task
+from rlrobot_ros.live.safety import within
+from rlrobot_ros.live.served_body import TICK, ServedBody
 
 
 class SecretBody(ServedBody, LinkedRobot):

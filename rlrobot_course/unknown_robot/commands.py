@@ -7,7 +7,7 @@ from rlrobot_course.unknown_robot.body import SecretBody
 from rlrobot_course.unknown_robot.scoring import HOUR, save_log, score
 from rlrobot_course.unknown_robot.secret import Secret, unlock
 from rlrobot_edu.__main__ import serve_robot
-from rlrobot_edu.ros.live.served_body import TICK
+from rlrobot_ros.live.served_body import TICK
 
 LOG = Path("drive.npz")
 MINUTE = round(60 / TICK)  # [ticks]

@@ -22,7 +22,7 @@ from rlrobot_edu import (
 )
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.ros.live.served_body import TICK
+from rlrobot_ros.live.served_body import TICK
 
 HOUR = 3600.0  # that a robot is there for; the second half of it counts [s]
 PUPILS, LESSONS = 6, 2  # agents that learn in the robot itself, and how many hours each

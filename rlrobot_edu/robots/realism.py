@@ -54,7 +54,7 @@ class Realism:
 
     @classmethod
     def vrep(cls) -> Self:
-        """A lag and a friction as in the paper's V-REP scenes: see docs/vrep_comparison.md.
+        """A lag and a friction as in the paper's V-REP scenes: see docs/studies/vrep_comparison.md.
 
         Returns
         -------

@@ -29,7 +29,7 @@ ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
-    "arm": "arms are geometry alone, which bumps into nothing (docs/kinematic_arm.md); engine='pybullet' does not work",
+    "arm": "arms are geometry alone, which bumps into nothing; engine='pybullet' does not work",
     "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
     "ros": "no bag of ROS can be read, and no robot driven or served over what is missing: rosbridge, or DDS (ROS 2)",
     "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",

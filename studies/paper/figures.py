@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from paper import paper
 from paper.experiments import ARMS, PRELIMINARIES
 from paper.outcome import SHUTTLES, Outcome, half_width, interval, shuttles
-from rlrobot_course.runs import error_bars
+from rlrobot_course.figures.runs import error_bars
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREY
 from rlrobot_edu.show.picture import Picture

@@ -12,7 +12,7 @@ from scipy import stats
 from paper.experiments import Experiment, Length
 from paper.paper import PaperPair
 from paper.verdicts import ValueVerdict, Verdict, of_value, verdict
-from rlrobot_course.report import read_averages
+from rlrobot_course.play.report import read_averages
 from rlrobot_edu.experiments.statistics import Anova, Pair, Tukey
 
 SHUTTLES = (

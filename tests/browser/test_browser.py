@@ -24,8 +24,8 @@ from PIL import Image
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_course.my_course import PREFERENCES
-from rlrobot_course.old_questions import due
+from rlrobot_course.learner.my_course import PREFERENCES
+from rlrobot_course.questions.old_questions import due
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 from rlrobot_edu.widgets.driving.page import Keyboard
 from rlrobot_edu.widgets.stepper.numerals import short

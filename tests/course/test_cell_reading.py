@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_grade import HEAD, cells, write
 
-from rlrobot_course.homework import cell, submission
-from rlrobot_course.homework.nbgrader_course import checked
-from rlrobot_course.homework.submission import is_notebook, read_submission, sections_of
+from rlrobot_grading.marking import cell, submission
+from rlrobot_grading.marking.nbgrader_course import checked
+from rlrobot_grading.marking.submission import is_notebook, read_submission, sections_of
 
 pytest.importorskip("nbformat")
 pytest.importorskip("IPython")

@@ -10,9 +10,9 @@ from textwrap import indent
 import pytest
 from test_grade import ALL, cells, points, write
 
-from rlrobot_course.homework.grade import marked_files
-from rlrobot_course.homework.marks import Limits
-from rlrobot_course.homework.submission import read_submission
+from rlrobot_grading.marking.grade import marked_files
+from rlrobot_grading.marking.marks import Limits
+from rlrobot_grading.marking.submission import read_submission
 
 pytest.importorskip("jupyter_client")
 

@@ -13,9 +13,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2] / "studies"))
 import challenges as study
 
-from rlrobot_course import challenge as shared
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.challenge import (
+from rlrobot_course.play import challenge as shared
+from rlrobot_course.play.challenge import (
     Challenge,
     Score,
     Watched,
@@ -180,7 +180,7 @@ def test_what_goes_wrong_in_a_function_is_told_in_a_sentence(answer, told):
 
 
 def test_a_function_that_does_not_end_or_takes_long_is_ended(monkeypatch):
-    monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.2)
+    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.2)
     assert "has not ended after" in watched(endless).text
     monkeypatch.setattr(shared, "SECONDS", 0.05)
 

@@ -14,10 +14,10 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from rlrobot_course.homework.own import export_each
+from rlrobot_grading.marking.variants import export_each
 
 ROOT = Path(__file__).parents[2]
-NOTEBOOK = ROOT / "homework" / "1_a_robots_day_as_numbers.ipynb"
+NOTEBOOK = ROOT / "notebooks/homework" / "1_a_robots_day_as_numbers.ipynb"
 BLANK = "{name} = ...\n\ncheck.{name}({name})"
 WRONG = "def {name}(*arguments):\n    return -77\n\ncheck.{name}({name})"
 HOSTILE = (
@@ -31,7 +31,7 @@ HOSTILE = (
 HARMFUL_ALONE = (  # without a guard these end or change the grader itself: only where there is one
     "import glob, os, signal\nfor p in glob.glob('/proc/[0-9]*/cmdline'):\n"
     "    if b'class_points' in open(p, 'rb').read():\n        os.kill(int(p.split('/')[2]), signal.SIGKILL)",
-    "import rlrobot_course.homework.rooms as rooms\nopen(rooms.COURSE / 'homework/marking.py', 'a').write('#')",
+    "import rlrobot_grading.marking.rooms as rooms\nopen(rooms.COURSE / 'homework/marking.py', 'a').write('#')",
 )
 ANSWER = re.compile(r"^check\.(\w+)\(\1\)\s*\Z", re.MULTILINE)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.clinic import clinic
+from rlrobot_course.worlds.clinic import clinic
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ import numba
 import pytest
 from numba.core import event
 
-from rlrobot_course.grading import limits
 from rlrobot_course.lesson_03 import check
+from rlrobot_grading import limits
 
 
 def fresh(**decorated):

@@ -9,9 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.short_world import ShortWorld
-from rlrobot_course.tapes import Chooser, Ranked, RobotWorld, TapeWorld, q_learner
+from rlrobot_course.worlds.short_world import ShortWorld
+from rlrobot_course.worlds.tapes import (
+    Chooser,
+    Ranked,
+    RobotWorld,
+    TapeWorld,
+    q_learner,
+)
+from rlrobot_grading.exercise import Exercise
 
 COURSE = Path(importlib.import_module("rlrobot_course").__file__).parent
 STEP = ("q", "s", "a", "r", "s_next", "terminated")

@@ -17,11 +17,11 @@ import nbformat
 import pytest
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.homework.grade import grade, marked_files
-from rlrobot_course.homework.kernel import EndedError, Kernel
-from rlrobot_course.homework.marks import Limits
-from rlrobot_course.homework.submission import read_submission
 from rlrobot_course.lesson_03 import exercises
+from rlrobot_grading.marking.grade import grade, marked_files
+from rlrobot_grading.marking.kernel import EndedError, Kernel
+from rlrobot_grading.marking.marks import Limits
+from rlrobot_grading.marking.submission import read_submission
 
 pytestmark = pytest.mark.long  # what all its tests are about takes a minute
 
@@ -85,17 +85,17 @@ def target(table, reward, after, done, g):
     return reward if done else reward + g * BEST(table[after])
 """
 TAMPERED = """
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.verdict import Verdict
-from rlrobot_course.grading import limits, values
-from rlrobot_course.homework import inside
+from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.verdict import Verdict
+from rlrobot_grading import limits, values
+from rlrobot_grading.marking import kernel_side
 check.target = lambda answer: print("✓ Right in all 10 cases.")
 Exercise.judge = Exercise.__call__ = lambda self, answer: Verdict("right", "Right.")
 Verdict.__bool__ = lambda self: True
 values.same = lambda *_: True
 """
 FORGED = """
-from rlrobot_course.homework import inside
+from rlrobot_grading.marking import kernel_side
 inside.called = lambda name, arguments: '{"value": "1.0", "failure": null, "printed": "", "states": []}'
 """
 FAKE = """
@@ -236,7 +236,7 @@ PATIENT = {
         told={"update": "Judged with the right target"}),
     "what a lesson gives is no answer, and what the grader lacks no fault": Case(
         {name: cells()[name] for name in ("head", "q_by_hand", "target", "learn")}
-        | {"takes": "from rlrobot_course.my_functions import take\n\nupdate = take('03', 'update')"}
+        | {"takes": "from rlrobot_course.learner.my_functions import take\n\nupdate = take('03', 'update')"}
         | {"uses": "update(1)", "asks": "check.update.right"},
         ("update",), {"update": "no cell defines update"}, notes=(),
     ),
@@ -354,7 +354,7 @@ def test_wrong_usage_is_told_in_a_sentence_with_exit_code_2(arguments, told):
     assert done.returncode == 2 and told in done.stderr
 
 
-ASSIGNMENTS = sorted(ROOT.glob("homework/*.ipynb"))
+ASSIGNMENTS = sorted(ROOT.glob("notebooks/homework/*.ipynb"))
 
 
 def solved(path: Path, folder: Path) -> Path:
@@ -385,7 +385,7 @@ def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when
 
 @pytest.mark.parametrize(
     "path",
-    sorted([*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]),
+    sorted([*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]),
     ids=lambda path: path.stem,
 )
 def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
@@ -401,7 +401,7 @@ def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
 def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(
     tmp_path, monkeypatch, does
 ):
-    monkeypatch.setattr("rlrobot_course.homework.kernel.START", 20.0)
+    monkeypatch.setattr("rlrobot_grading.marking.kernel.START", 20.0)
     kernel = Kernel(tmp_path, tmp_path / "home", "03", ["target"], 2048)
     its_own, first = kernel._argv, tmp_path / "first"
     # as if another program had taken one of its ports: this happens to the first process alone

@@ -16,10 +16,10 @@ from pathlib import Path
 import pytest
 from test_grade import ALL, cells, points, write
 
-from rlrobot_course.homework import guard
-from rlrobot_course.homework.grade import marked_files
-from rlrobot_course.homework.guard import Digests, Guard
-from rlrobot_course.homework.marks import Limits
+from rlrobot_grading.marking import guard
+from rlrobot_grading.marking.grade import marked_files
+from rlrobot_grading.marking.guard import Digests, Guard
+from rlrobot_grading.marking.marks import Limits
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("rlrobot_edu", "rlrobot_course")
@@ -48,7 +48,7 @@ for place in glob.glob("/proc/[0-9]*/cmdline"):
         except OSError:  # another grading, or none that it may look into
             pass""",
     "marking": """
-import rlrobot_course.homework.rooms as rooms
+import rlrobot_grading.marking.rooms as rooms
 open(rooms.COURSE / "homework/marking.py", "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
     "memory": """
 import mmap
@@ -123,7 +123,7 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
     (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     (folder / "results").mkdir()
     before = Digests()
-    script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(
+    script = (ROOT / "notebooks/homework" / "gradescope" / "run_autograder").read_text(
         encoding="utf-8"
     )
     script = script.replace("/autograder/submission", str(folder / "in")).replace(

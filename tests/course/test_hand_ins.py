@@ -19,12 +19,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rlrobot_course.homework import grade as grade_module
-from rlrobot_course.homework.grade import grade
-from rlrobot_course.homework.handed_in import handed_in
-from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Score
-from rlrobot_course.homework.submission import exercises_of, read_submission
+from rlrobot_grading.marking import grade as grade_module
+from rlrobot_grading.marking.grade import grade
+from rlrobot_grading.marking.handed_in import handed_in
+from rlrobot_grading.marking.marking import mark_file
+from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Score
+from rlrobot_grading.marking.submission import exercises_of, read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
 ZIP = b"PK\x03\x04 and so on"
@@ -243,7 +243,7 @@ def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(
     tmp_path, monkeypatch, kind, name
 ):
     made, expected = ARCHIVES[kind]
-    monkeypatch.setattr("rlrobot_course.homework.handed_in.LARGEST", 1_000_000)
+    monkeypatch.setattr("rlrobot_grading.marking.handed_in.LARGEST", 1_000_000)
     content = notebook(tmp_path / "x.ipynb", 4).read_bytes()
     notebook(tmp_path / "in/s1.ipynb", 4)
     (tmp_path / name).write_bytes(made(content))

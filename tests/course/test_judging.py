@@ -11,22 +11,22 @@ import pytest
 from test_checks import EVERY, RIGHT, exercises, some_long, wrong_answers
 
 from rlrobot_course.assignment_4 import exercises as assignment_4
-from rlrobot_course.finished import finished
-from rlrobot_course.grading import limits
-from rlrobot_course.grading.mistake import hinted
-from rlrobot_course.homework import inside
-from rlrobot_course.homework.marking import Marking
-from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score
-from rlrobot_course.homework.misunderstood import misunderstood
-from rlrobot_course.homework.submission import Submission
+from rlrobot_course.learner.finished import finished
 from rlrobot_course.lesson_03 import check as check_02
+from rlrobot_grading import limits
+from rlrobot_grading.marking import kernel_side
+from rlrobot_grading.marking.marking import Marking
+from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Rules, Score
+from rlrobot_grading.marking.misunderstood import misunderstood
+from rlrobot_grading.marking.submission import Submission
+from rlrobot_grading.mistake import hinted
 
 
 class Here:
     """The kernel's side of grading, in this process."""
 
     def ask(self, text, seconds):
-        return eval(text, vars(inside))
+        return eval(text, vars(kernel_side))
 
 
 def marked(lesson, name, answer):
@@ -37,8 +37,8 @@ def marked(lesson, name, answer):
         0,
         Limits(),
     )
-    inside.answers[name] = answer
-    return marking._judge(Here(), 0, name, inside._described(answer))
+    kernel_side.answers[name] = answer
+    return marking._judge(Here(), 0, name, kernel_side._described(answer))
 
 
 def dotted(q, r, s_next, terminated, gamma):
@@ -101,7 +101,7 @@ def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
 
 
 def test_a_check_as_a_whole_has_a_limit_too(monkeypatch):
-    monkeypatch.setattr("rlrobot_course.grading.exercise.PATIENCE", 0.1)
+    monkeypatch.setattr("rlrobot_grading.exercise.PATIENCE", 0.1)
 
     def slow(q, r, s_next, terminated, gamma):
         time.sleep(0.06)
@@ -145,14 +145,14 @@ def scored(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
     )
     names: dict = {
         "check": SimpleNamespace(
-            **{name: inside.Intake(name) for name in vars(assignment_4.check)}
+            **{name: kernel_side.Intake(name) for name in vars(assignment_4.check)}
         )
     }
     for place, (name, source) in enumerate(answers.items()):
         exec(source, names)
-        inside.answers[name] = names[name]
+        kernel_side.answers[name] = names[name]
         marking._judged[name][place] = marking._judge(
-            Here(), place, name, inside._described(names[name])
+            Here(), place, name, kernel_side._described(names[name])
         )
     return {name: marking._score(name) for name in answers}
 
@@ -163,8 +163,8 @@ def test_what_calls_a_wrong_function_is_judged_with_the_right_one_and_says_so():
     assert scores["next_temperature"].lent == "period"
     assert "Judged with the right period" in scores["next_temperature"].output
     assert (
-        inside.answers["next_temperature"].__globals__["period"]
-        is inside.answers["period"]
+        kernel_side.answers["next_temperature"].__globals__["period"]
+        is kernel_side.answers["period"]
     ), "it is taken back"
 
 

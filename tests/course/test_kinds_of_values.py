@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_judging import marked
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.limits import Elsewhere
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.values import as_data, same
-from rlrobot_course.homework.wire import read, written
 from rlrobot_course.lesson_05 import check as check_07
 from rlrobot_course.lesson_05.exercises import siblings
+from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.limits import Elsewhere
+from rlrobot_grading.marking.serialization import read, written
+from rlrobot_grading.question import Question
+from rlrobot_grading.values import as_data, same
 
 
 class Whole(int):

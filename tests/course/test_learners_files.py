@@ -8,13 +8,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rlrobot_course import challenge, learners_files, prediction
-from rlrobot_course.learners_files import enter, entries, put_aside
+from rlrobot_course.learner import learners_files
+from rlrobot_course.learner.learners_files import enter, entries, put_aside
+from rlrobot_course.learner.my_course import copy_missing, set_back
+from rlrobot_course.learner.my_functions import FILE, is_right, keep, take
+from rlrobot_course.learner.progress import show as show_progress
+from rlrobot_course.learner.sections import HEAD
 from rlrobot_course.lesson_03 import check, exercises
-from rlrobot_course.my_course import copy_missing, set_back
-from rlrobot_course.my_functions import FILE, is_right, keep, take
-from rlrobot_course.progress import show as show_progress
-from rlrobot_course.sections import HEAD
+from rlrobot_course.play import challenge
+from rlrobot_course.questions import prediction
 
 TARGET = "def target(q, r, s_next, terminated, gamma):\n    return r if terminated else r + gamma * q[s_next].max()\n"
 SPOILT = "def target(q, r, s_next, terminated, gamma):\n    return r\n"

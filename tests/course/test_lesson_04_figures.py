@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_course.figures.runs import plot_runs
 from rlrobot_course.lesson_04.figures import (
     learn_in_units,
     plot_draw,
@@ -11,7 +12,6 @@ from rlrobot_course.lesson_04.figures import (
     plot_rules,
     plot_side_by_side,
 )
-from rlrobot_course.runs import plot_runs
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions

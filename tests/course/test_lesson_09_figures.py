@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.challenge import Score
 from rlrobot_course.lesson_09.figures import (
     plot_escape,
     plot_pull,
     plot_worth,
     probability_of_best,
 )
+from rlrobot_course.play.challenge import Score
 
 
 def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():

@@ -1,7 +1,7 @@
 """Lesson 10's worlds."""
 
 from rlrobot_course.lesson_10.worlds import Dice, Ring
-from rlrobot_course.tapes import RobotWorld
+from rlrobot_course.worlds.tapes import RobotWorld
 
 
 def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alone():

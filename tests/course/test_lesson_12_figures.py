@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_course.figures.paths import drive, length_of
 from rlrobot_course.lesson_12.episodes import drive_episodes
 from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
 from rlrobot_course.lesson_12.figures import film_in_lane, place_values
 from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, Paid, lane
-from rlrobot_course.paths import drive, length_of
 
 TASK = rl.load_task("navigation_1k")
 

@@ -7,11 +7,11 @@ import pytest
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_course.arm_world import ArmWorld, with_reward
 from rlrobot_course.lesson_13 import check, exercises
 from rlrobot_course.lesson_13.figures import heaps, plot_means, plot_places
 from rlrobot_course.lesson_13.loops import best_loop
 from rlrobot_course.lesson_13.runs import last_episodes, last_path
+from rlrobot_course.worlds.arm_world import ArmWorld, with_reward
 from rlrobot_edu.robots.arm.kinematic_arm import gripper
 
 

@@ -11,10 +11,10 @@ from rlrobot_course.lesson_18 import exercises
 from rlrobot_course.lesson_18.scans import plot_scan
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
-from rlrobot_edu.ros.live.safety import AHEAD, room_ahead
-from rlrobot_edu.ros.live.steering import MAX_AGE
-from rlrobot_edu.ros.scan import Mounting
 from rlrobot_edu.task.robot_cards import WHEELS
+from rlrobot_ros.live.safety import AHEAD, room_ahead
+from rlrobot_ros.live.steering import MAX_AGE
+from rlrobot_ros.scan import Mounting
 
 POINT = Chassis(
     0.1, wheel_separation=0.1, axle=0.0, lasers=(), inset=0.0, hull=(), radius=0.0

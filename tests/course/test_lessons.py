@@ -25,7 +25,7 @@ FOLDERS = sorted(
     for path in (ROOT / "rlrobot_course").glob("lesson_*")
 )
 SOME = (
-    "lite/lessons.toml",
+    "docs/lite/lessons.toml",
     "tests/conftest.py",
     "tests/browser/test_browser.py",
     "docs/site/stepper_pages.py",
@@ -35,11 +35,11 @@ COPIED = (
     "rlrobot_course",
     "tests",
     "notebooks",
-    "homework",
+    "notebooks/homework",
     "docs",
     "tasks",
     "studies",
-    "lite",
+    "docs/lite",
 )
 COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
 
@@ -102,7 +102,7 @@ def test_what_names_some_lessons_names_none_that_is_not_there(file):
     ("test_checks.py", ["lesson_06", "sarsa_update"], True), ("test_checks.py", ["lesson_07", "x"], False),
     ("test_predictions.py", ["06"], True), ("test_checks.py", ["lesson_11", "x", 4], False),
     ("test_notebooks.py", ["notebooks/06_sarsa_at_a_cliff.ipynb"], True),
-    ("test_notebooks.py", ["homework/4_x.ipynb"], False),
+    ("test_notebooks.py", ["notebooks/homework/4_x.ipynb"], False),
     ("test_lesson_06_figures.py", [], True), ("test_lesson_07_figures.py", [], False),
     ("06_sarsa_at_a_cliff.ipynb", [], True), ("07_eligibility_traces.ipynb", [], False), ("test_stepper.py", [], False),
 ])  # fmt: skip

@@ -8,7 +8,7 @@ from pathlib import Path
 import make_lite
 import pytest
 
-from rlrobot_course.my_course import blank
+from rlrobot_course.learner.my_course import blank
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))

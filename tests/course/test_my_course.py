@@ -11,10 +11,10 @@ import time
 import psutil
 import pytest
 
-from rlrobot_course import my_course, my_functions
+from rlrobot_course.learner import my_course, my_functions
+from rlrobot_course.learner.my_course import copy_missing, set_back
+from rlrobot_course.learner.my_functions import FILE, keep, take, whose
 from rlrobot_course.lesson_03 import check, exercises
-from rlrobot_course.my_course import copy_missing, set_back
-from rlrobot_course.my_functions import FILE, keep, take, whose
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -91,7 +91,7 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
 
 
 def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
-    write(course["source"].with_name("homework") / "1_cart.ipynb")
+    write(course["source"] / "homework" / "1_cart.ipynb")
     assert copy_missing(**course) == ["3 notebooks were copied to my_course/."]
     mine = course["folder"] / "homework" / "1_cart.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
@@ -104,7 +104,7 @@ def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
 def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(
     course,
 ):
-    write(course["source"].with_name("homework") / "2_cart.ipynb")
+    write(course["source"] / "homework" / "2_cart.ipynb")
     copy_missing(**course)
     for number, file in (("3", "my_course/03_q.ipynb"), ("03", "my_course/03_q.ipynb"),
                          ("homework 2", "my_course/homework/2_cart.ipynb")):  # fmt: skip
@@ -166,7 +166,8 @@ SLEEPER = "import os, time; print(os.getpid(), flush=True); time.sleep(600)"
 def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
     (tmp_path / "jupyterlab.py").write_text(SLEEPER)
     slow = "import subprocess as s, time; start = s.Popen; s.Popen = lambda *x, **y: (start(*x, **y), time.sleep(1))[0]"
-    call = "import sys, pathlib, rlrobot_course.my_course as m; m.open_lab([], *map(pathlib.Path, sys.argv[1:]))"
+    call = "import sys, pathlib; from rlrobot_course.learner import my_course as m; "
+    call += "m.open_lab([], *map(pathlib.Path, sys.argv[1:]))"
     paths = os.pathsep.join([str(tmp_path), str(my_course.NOTEBOOKS.parent)])
     command = subprocess.Popen(
         [sys.executable, "-c", f"{slow}\n{call}", course["source"], course["folder"]],

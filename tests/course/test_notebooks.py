@@ -15,12 +15,13 @@ from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.question import Question
+from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.question import Question
 
 ROOT = Path(__file__).parents[2]
 ASSIGNMENTS = sorted(
-    path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb")
+    path.relative_to(ROOT).as_posix()
+    for path in ROOT.glob("notebooks/homework/*.ipynb")
 )
 NOTEBOOKS = [
     path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()
@@ -345,9 +346,7 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(
         key for key, thing in exercises(name).items() if isinstance(thing, Exercise)
     ]
     kept = written if name not in ASSIGNMENTS else []
-    taken = (
-        f"from rlrobot_course.my_functions import take\ntake({number(name)!r}, *{kept})"
-    )
+    taken = f"from rlrobot_course.learner.my_functions import take\ntake({number(name)!r}, *{kept})"
     extra = [
         nbformat.v4.new_code_cell(source)
         for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)

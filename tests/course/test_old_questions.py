@@ -8,7 +8,12 @@ from pathlib import Path
 import pytest
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.old_questions import QUESTIONS, OldQuestions, due, latest_answers
+from rlrobot_course.questions.old_questions import (
+    QUESTIONS,
+    OldQuestions,
+    due,
+    latest_answers,
+)
 
 NOTEBOOKS = lessons(Path(__file__).parents[2])
 LESSONS = [f"{number:02}" for number in range(2, 19)]
@@ -107,7 +112,7 @@ def test_each_lesson_has_its_three_before_its_summary_and_its_saved_page_shows_t
 
 def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.questions.prediction.is_notebook", lambda: True)
     first, second, _ = OldQuestions("03").asked
     assert first._told.value == ""
     first.choose(first.about.right)
@@ -129,7 +134,7 @@ def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
 
 def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.questions.prediction.is_notebook", lambda: True)
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
     assert len(OldQuestions("07").asked) == 3 and latest_answers() == {}
     Path("my_old_questions.json").write_text(

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.prediction import ASKED, Prediction
+from rlrobot_course.questions.prediction import ASKED, Prediction
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = lessons(ROOT)
@@ -76,7 +76,7 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.questions.prediction.is_notebook", lambda: True)
     guess = Prediction("03 turn", "What does Q do?", ANSWERS)
     assert "it rises" in guess.outcome().text and "rises" not in guess._told.value
     guess.choose("it stays")

@@ -3,9 +3,9 @@
 import pytest
 
 from rlrobot_course import __main__ as commands
+from rlrobot_course.learner.my_functions import FILE, keep
+from rlrobot_course.learner.progress import progress
 from rlrobot_course.lesson_03 import check, exercises
-from rlrobot_course.my_functions import FILE, keep
-from rlrobot_course.progress import progress
 
 
 @pytest.fixture

@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_course.grading.detectors import DETECTORS
-from rlrobot_course.homework.marks import Marked, Score
-from rlrobot_course.homework.misunderstood import as_table, misunderstood
-from rlrobot_course.homework.options import SYSTEMS
-from rlrobot_course.homework.reports import as_sheet, as_text, in_words, sheet_names
-from rlrobot_course.homework.students import Student
-from rlrobot_course.homework.tables import TABLES, reasons, table_for
+from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.marking.marks import Marked, Score
+from rlrobot_grading.marking.misunderstood import as_table, misunderstood
+from rlrobot_grading.marking.options import SYSTEMS
+from rlrobot_grading.marking.reports import as_sheet, as_text, in_words, sheet_names
+from rlrobot_grading.marking.students import Student
+from rlrobot_grading.marking.tables import TABLES, reasons, table_for
 
 CELLS = [
     "import numpy as np",

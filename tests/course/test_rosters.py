@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_course.homework.marks import Rules, read_rules
-from rlrobot_course.homework.students import NOBODY, Student, read_students
-from rlrobot_course.homework.submission import Submission
-from rlrobot_course.homework.whose import owners_of
+from rlrobot_grading.marking.attribution import owners_of
+from rlrobot_grading.marking.marks import Rules, read_rules
+from rlrobot_grading.marking.students import NOBODY, Student, read_students
+from rlrobot_grading.marking.submission import Submission
 
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,1 A robot's day (4711)
 ,,,,,Manual Posting

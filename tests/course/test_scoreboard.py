@@ -9,10 +9,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2] / "studies"))
 import scoreboard as study
 
-from rlrobot_course import scoreboard as board
-from rlrobot_course.challenge import Score
-from rlrobot_course.my_functions import take
-from rlrobot_course.scoreboard import Bar, earned, given, plot_bars, scoreboard
+from rlrobot_course.learner.my_functions import take
+from rlrobot_course.play import scoreboard as board
+from rlrobot_course.play.challenge import Score
+from rlrobot_course.play.scoreboard import Bar, earned, given, plot_bars, scoreboard
 
 
 def at_random(world, steps):

@@ -7,7 +7,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_04 import exercises as lesson_04
 from rlrobot_course.lesson_06 import exercises as lesson_06
-from rlrobot_course.short_world import ShortWorld
+from rlrobot_course.worlds.short_world import ShortWorld
 
 
 def arena():

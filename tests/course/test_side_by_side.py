@@ -5,7 +5,7 @@ import io
 from PIL import Image
 
 import rlrobot_edu as rl
-from rlrobot_course.plots import SideBySide
+from rlrobot_course.figures.plots import SideBySide
 
 
 def filmed(steps):

@@ -13,7 +13,11 @@ PAGES = (
     "docs/reproduction/*.md",
     "rlrobot_course/*/*.md",
 )
-NOTEBOOKS = ("notebooks/*.ipynb", "notebooks/more/*.ipynb", "homework/*.ipynb")
+NOTEBOOKS = (
+    "notebooks/*.ipynb",
+    "notebooks/more/*.ipynb",
+    "notebooks/homework/*.ipynb",
+)
 MOST = {  # how often each may occur: lower a number when you have mended a phrase, never raise it
     r"(is|are|was|were) told": 13,
     r"(to be (seen|had|told)|cannot be told)": 2,

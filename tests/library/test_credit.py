@@ -128,7 +128,7 @@ def test_who_plans_and_too_much_are_refused():
 
 
 def test_the_page_says_what_its_code_prints(capsys):
-    page = Path(__file__).parents[2] / "docs/credit.md"
+    page = Path(__file__).parents[2] / "docs/studies/credit.md"
     code, printed = re.findall(
         r"```(?:python|text)\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL
     )

@@ -7,7 +7,7 @@ import pytest
 from oracles import NumpyModelWorld, method_of_the_page
 
 import rlrobot_edu as rl
-from rlrobot_course.short_world import ShortWorld
+from rlrobot_course.worlds.short_world import ShortWorld
 
 SEEDS, DRAWS = range(3), 200
 WORLDS = ("worked_example", "wander_1k", "FrozenLake-v1", "a model")

@@ -1,4 +1,4 @@
-"""The textbook's results come out: small versions of docs/textbook.md, which studies/textbook.py writes.
+"""The textbook's results come out: small versions of docs/studies/textbook.md, which studies/textbook.py writes.
 
 The bounds are four standard errors or more from the mean of many runs, so other random numbers do not break them.
 """
@@ -14,7 +14,7 @@ from gymnasium.envs.toy_text import FrozenLakeEnv, TaxiEnv
 
 import rlrobot_edu as rl
 
-PAGE = Path(__file__).parents[2] / "docs" / "textbook.md"
+PAGE = Path(__file__).parents[2] / "docs/studies/textbook.md"
 
 
 @pytest.fixture(scope="module")

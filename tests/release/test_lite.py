@@ -65,7 +65,7 @@ window.learn = async (code) => {
 
 def build(folder, *arguments):
     """The site that `make lite` builds."""
-    command = [sys.executable, ROOT / "lite/make_lite.py", folder, *arguments]
+    command = [sys.executable, ROOT / "docs/lite/make_lite.py", folder, *arguments]
     env = os.environ | {"HOME": os.environ["RLROBOT_TESTS_USERS_HOME"]}
     done = subprocess.run(
         command, capture_output=True, text=True, encoding="utf-8", timeout=600, env=env

@@ -18,13 +18,15 @@ import pytest
 from test_grade import ANSWERS, BY_HEART, PAST_THE_END, TAMPERED
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_course.homework.nbgrader_course import export, solution_of, source_of
-from rlrobot_course.homework.submission import exercises_of, read_submission
+from rlrobot_grading.marking.nbgrader_course import export, solution_of, source_of
+from rlrobot_grading.marking.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = [
     path
-    for path in sorted([*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")])
+    for path in sorted(
+        [*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]
+    )
     if read_submission(path).lesson
 ]
 SEED, NAME = 918273645546372819, "03_q_learning"
@@ -107,7 +109,7 @@ def test_the_answer_in_words_has_points_and_a_rubric_and_rules_and_hints_are_the
     (tmp_path / "rules.toml").write_text("[points]\nstate_of = 3\n", encoding="utf-8")
     name = "1_a_robots_day_as_numbers"
     export(
-        [ROOT / f"homework/{name}.ipynb"],
+        [ROOT / f"notebooks/homework/{name}.ipynb"],
         tmp_path / "course",
         seed=1,
         hints=1,

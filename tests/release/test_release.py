@@ -32,13 +32,12 @@ FOLDERS = [
     "studies",
     "tests",
     "notebooks",
-    "homework",
     "docs",
 ]
 PATH = f"{sys.prefix}/bin:{os.environ['PATH']}"
 PATIENCE = 400  # a busy machine is not a fault [s]
 WIDGET = "application/vnd.jupyter.widget-view+json"
-NOTEBOOK = r"(notebooks|notebooks/more|homework)/\d[^/]*\.ipynb"
+NOTEBOOK = r"notebooks/(more/|homework/)?\d[^/]*\.ipynb"
 
 
 def run(*command, **kwargs) -> str:
@@ -116,11 +115,7 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
         "datasets/make_datasets.py",
     }
 
-    data |= {
-        name
-        for name in files_in("notebooks") | files_in("homework")
-        if re.fullmatch(NOTEBOOK, name)
-    }
+    data |= {name for name in files_in("notebooks") if re.fullmatch(NOTEBOOK, name)}
     packages = files_in("rlrobot_edu") | files_in("rlrobot_course")
     assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {
         "rlrobot_course/averages.csv"

@@ -96,7 +96,7 @@ def pages(site):
 
 def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
-    for notebook in [*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]:
+    for notebook in [*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
     assert set(rl.available_tasks()) <= {
         anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors

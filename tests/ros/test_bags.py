@@ -376,7 +376,7 @@ def test_a_place_that_the_robot_cannot_have_reached_makes_no_reward(driven, tmp_
 
 
 def test_actions_with_the_same_motion_become_the_plainest():
-    from rlrobot_edu.ros.motions import Motions
+    from rlrobot_ros.motions import Motions
 
     task = rl.load_task("wander_1k")
     stop = Motions(task, 0.1).action(0.0, 0.0)

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from ros2 import claimed
 from waiting import eventually
 
-from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.messages import (
+from rlrobot_ros.live.connection import connect
+from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
     TWIST,
@@ -45,8 +45,8 @@ from cyclonedds.qos import Policy, Qos
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
-from rlrobot_edu.ros.live.dds import Dds
-from rlrobot_edu.ros.live.dds_types import TYPES
+from rlrobot_ros.live.dds import Dds
+from rlrobot_ros.live.dds_types import TYPES
 
 DOMAIN, CLAIM = claimed()
 atexit.register(CLAIM.close)
@@ -259,7 +259,7 @@ def test_lidars_of_both_manners_are_heard(two, qos):
 
 def test_what_is_heard_becomes_readings(two):
     from rlrobot_edu.robots.wheels import CHASSIS
-    from rlrobot_edu.ros.scan import Mounting, laser_readings
+    from rlrobot_ros.scan import Mounting, laser_readings
 
     heard, ranges = [], [1.0 + i / 128 for i in range(360)]
     two[1].hear("scan", LASER_SCAN, heard.append)
@@ -280,8 +280,8 @@ def test_what_is_heard_becomes_readings(two):
 
 ROBOT = """
 import sys
-from rlrobot_edu.ros.live.dds import Dds
-from rlrobot_edu.ros.messages import *
+from rlrobot_ros.live.dds import Dds
+from rlrobot_ros.messages import *
 
 robot = Dds(int(sys.argv[1]))
 odom, scan = robot.speak("odom", ODOMETRY), robot.speak("scan", LASER_SCAN)
@@ -504,7 +504,7 @@ def test_a_message_whose_text_is_no_text_is_skipped(two):
 
 
 def test_who_forgets_to_close_can_leave_all_the_same():
-    forgetful = f"from rlrobot_edu.ros.live.dds import Dds; Dds({DOMAIN}).hear('odom', 'nav_msgs/Odometry', print)"
+    forgetful = f"from rlrobot_ros.live.dds import Dds; Dds({DOMAIN}).hear('odom', 'nav_msgs/Odometry', print)"
     done = subprocess.run(
         [sys.executable, "-c", forgetful],
         timeout=PATIENCE,
@@ -584,10 +584,10 @@ def test_a_topic_or_kind_that_there_is_not_is_named(two):
 
 
 def test_without_cyclonedds_one_sentence_says_what_to_install(monkeypatch):
-    monkeypatch.delitem(sys.modules, "rlrobot_edu.ros.live.dds")
+    monkeypatch.delitem(sys.modules, "rlrobot_ros.live.dds")
     monkeypatch.setitem(sys.modules, "cyclonedds", None)
     with pytest.raises(
         ImportError,
         match=r"cyclonedds is not installed: run pip install 'rlrobot-edu\[ros\]'",
     ):
-        importlib.import_module("rlrobot_edu.ros.live.dds")
+        importlib.import_module("rlrobot_ros.live.dds")

@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
-from rlrobot_edu.ros.drive import SECOND, Drive, _holds, _spans, transitions_of
-from rlrobot_edu.ros.motions import Motions
 from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_ros.drive import SECOND, Drive, _holds, _spans, transitions_of
+from rlrobot_ros.motions import Motions
 
 TASK = rl.load_task("giraff_wander_simple")
 MOTIONS = Motions(TASK, 0.1)

@@ -22,12 +22,12 @@ from waiting import eventually
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.ros.live import line, steering
-from rlrobot_edu.ros.live.safety import room_ahead, within
-from rlrobot_edu.ros.live.served_body import ServedBody
-from rlrobot_edu.ros.messages import LASER_SCAN
-from rlrobot_edu.ros.scan import GAP, Mounting
 from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_ros.live import line, steering
+from rlrobot_ros.live.safety import room_ahead, within
+from rlrobot_ros.live.served_body import ServedBody
+from rlrobot_ros.messages import LASER_SCAN
+from rlrobot_ros.scan import GAP, Mounting
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
@@ -568,7 +568,7 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
     )
     if not hasattr(signal, end) and end.startswith("SIG"):
         pytest.skip(f"no {end} on this system")
-    from rlrobot_edu.ros.live.rosbridge import Rosbridge
+    from rlrobot_ros.live.rosbridge import Rosbridge
 
     with rl.ServedRobot("wander_1k", port=0) as served:
         heard = []
@@ -668,7 +668,7 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
         "websockets",
         reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
     )
-    from rlrobot_edu.ros.live.rosbridge import Rosbridge
+    from rlrobot_ros.live.rosbridge import Rosbridge
 
     with rl.ServedRobot("wander_1k", port=0) as served:
         heard = []

@@ -22,16 +22,16 @@ from waiting import eventually
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.ros.live import steering
-from rlrobot_edu.ros.live.latest import Latest
-from rlrobot_edu.ros.live.senses import Senses
-from rlrobot_edu.ros.messages import (
+from rlrobot_ros.live import steering
+from rlrobot_ros.live.latest import Latest
+from rlrobot_ros.live.senses import Senses
+from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
     make_laser_scan,
     make_odometry,
 )
-from rlrobot_edu.ros.scan import Mounting
+from rlrobot_ros.scan import Mounting
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
@@ -67,7 +67,7 @@ COMPARE = """
 DRIVE = """
     import sys
     import rlrobot_edu as rl
-    from rlrobot_edu.ros.live import steering
+    from rlrobot_ros.live import steering
 
     where = {"address": sys.argv[2]} if sys.argv[2:] else {}
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(sys.argv[1], confirmed=True, **where))

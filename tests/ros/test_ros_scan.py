@@ -14,8 +14,9 @@ from rlrobot_edu import load_task
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.wheels import CHASSIS
-from rlrobot_edu.ros.odometry import heading, pose_readings
-from rlrobot_edu.ros.scan import (
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
+from rlrobot_ros.odometry import heading, pose_readings
+from rlrobot_ros.scan import (
     GAP,
     Mounting,
     beams_end,
@@ -23,7 +24,6 @@ from rlrobot_edu.ros.scan import (
     looking_out,
     measured,
 )
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 CENTRE, TURN = Mounting(), 2 * math.pi
 PAGE = (Path(__file__).parents[2] / "docs/real_robot.md").read_text(encoding="utf-8")

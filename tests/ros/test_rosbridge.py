@@ -17,11 +17,11 @@ from hypothesis import strategies as st
 from waiting import eventually
 
 from rlrobot_edu.robots.wheels import CHASSIS
-from rlrobot_edu.ros import messages
-from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
-from rlrobot_edu.ros.scan import Mounting, laser_readings
 from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_ros import messages
+from rlrobot_ros.live.connection import connect
+from rlrobot_ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
+from rlrobot_ros.scan import Mounting, laser_readings
 
 pytest.importorskip(
     "websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'"
@@ -30,8 +30,8 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as raw_connect
 from websockets.sync.server import serve
 
-from rlrobot_edu.ros.live.rosbridge import Rosbridge
-from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
+from rlrobot_ros.live.rosbridge import Rosbridge
+from rlrobot_ros.live.rosbridge_router import RosbridgeRouter
 
 PATIENCE = 60.0  # [s] on a busy machine
 # a sign of life that the connection sends meanwhile draws a random number
@@ -468,7 +468,7 @@ def test_where_nobody_is_one_sentence_says_how_to_start_rosbridge():
 
 
 def test_without_websockets_one_sentence_says_what_to_install(monkeypatch):
-    monkeypatch.delitem(sys.modules, "rlrobot_edu.ros.live.rosbridge")
+    monkeypatch.delitem(sys.modules, "rlrobot_ros.live.rosbridge")
     monkeypatch.setitem(sys.modules, "websockets.sync.client", None)
     with pytest.raises(ImportError, match=r"pip install 'rlrobot-edu\[ros\]'"):
         connect("rosbridge")
@@ -788,8 +788,8 @@ def test_a_client_comes_back_to_a_router_that_was_started_again():
 
 ROBOT = """
 import sys
-from rlrobot_edu.ros import messages
-from rlrobot_edu.ros.live.rosbridge import Rosbridge
+from rlrobot_ros import messages
+from rlrobot_ros.live.rosbridge import Rosbridge
 link = Rosbridge(sys.argv[1])
 odom = link.speak("/odom", messages.ODOMETRY)
 def answer(command):

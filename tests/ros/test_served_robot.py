@@ -13,7 +13,7 @@ from waiting import eventually
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
-from rlrobot_edu.ros.messages import (
+from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
     TWIST,
@@ -21,12 +21,12 @@ from rlrobot_edu.ros.messages import (
     pose_of,
     stamp_of,
 )
-from rlrobot_edu.ros.scan import Mounting, laser_readings
+from rlrobot_ros.scan import Mounting, laser_readings
 
 pytest.importorskip(
     "websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'"
 )
-from rlrobot_edu.ros.live.rosbridge import Rosbridge
+from rlrobot_ros.live.rosbridge import Rosbridge
 
 
 class Listener:

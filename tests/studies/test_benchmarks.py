@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-BENCH = Path(__file__).parents[2] / "benchmarks" / "bench.py"
+BENCH = Path(__file__).parents[2] / "studies/benchmarks" / "bench.py"
 
 
 @pytest.fixture(scope="module")

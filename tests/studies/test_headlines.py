@@ -428,7 +428,7 @@ def test_the_pages_picture_is_the_reports(outcomes):
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
     *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), ROOT / REPORT,
-    ROOT / "benchmarks/README.md"))]  # fmt: skip
+    ROOT / "studies/benchmarks/README.md"))]  # fmt: skip
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -503,7 +503,8 @@ def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_compu
         for row in table("studies/lesson_numbers.csv")
     }
     rows = of_lesson | {
-        ("", row["mean"], row["half"]) for row in table("rlrobot_course/scoreboard.csv")
+        ("", row["mean"], row["half"])
+        for row in table("rlrobot_course/play/scoreboard.csv")
     }
     known = {
         (f"{float(x):.{digits}f}", f"{float(half):.{digits}f}")

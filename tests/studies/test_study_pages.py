@@ -31,7 +31,7 @@ DOCS = ROOT / "docs"
     ],
 )  # fmt: skip
 def test_a_page_says_what_its_script_would_write(page, template):
-    text = words((DOCS / page).read_text(encoding="utf-8"))
+    text = words((DOCS / "studies" / page).read_text(encoding="utf-8"))
     assert [
         part for part in re.split(r"\{[^{}]*\}", template) if words(part) not in text
     ] == []
@@ -39,12 +39,14 @@ def test_a_page_says_what_its_script_would_write(page, template):
 
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
-    assert (DOCS / "blind.md").read_text(encoding="utf-8") == blind_study.page(found)
+    assert (DOCS / "studies" / "blind.md").read_text(
+        encoding="utf-8"
+    ) == blind_study.page(found)
 
 
 def test_the_registered_page_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/better_bias.json").read_text(encoding="utf-8"))
-    assert (DOCS / "a_better_bias.md").read_text(
+    assert (DOCS / "studies" / "a_better_bias.md").read_text(
         encoding="utf-8"
     ) == better_bias_page.page(found)
     assert {name: {label: len(values) for label, values in its.items() if ", T = " not in label or "tuning" in label}
@@ -57,7 +59,7 @@ def test_the_registered_page_is_what_its_numbers_say():
 def first_study(robot: str) -> dict[str, str]:
     """The means of the first study of biases in a world, by method."""
     lines = (
-        (DOCS / "a_better_bias.md")
+        (DOCS / "studies" / "a_better_bias.md")
         .read_text(encoding="utf-8")
         .split("## How the question arose")[1]
         .splitlines()
@@ -83,14 +85,14 @@ def test_the_history_of_the_better_bias_has_the_robots_of_the_page_of_the_blind_
                 == f"{np.mean(found[world]['finals'][label]):.2f}"
             )
     p = blind_study.p_of(found["wander_4k"], "VBIASSR")
-    assert p >= 0.05 and f"(p = {p:.2f})" in (DOCS / "a_better_bias.md").read_text(
-        encoding="utf-8"
-    )
+    assert p >= 0.05 and f"(p = {p:.2f})" in (
+        DOCS / "studies" / "a_better_bias.md"
+    ).read_text(encoding="utf-8")
 
 
 def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
     """Of planning.md, by steps, world, method and planner: mean with and without, p (0 for < 0.001), bold or italic."""
-    text, found = (DOCS / "planning.md").read_text(encoding="utf-8"), {}
+    text, found = (DOCS / "studies" / "planning.md").read_text(encoding="utf-8"), {}
     for steps, part in zip(
         (300, 3600), re.split(r"## After .* steps\n", text)[1:], strict=True
     ):
@@ -117,7 +119,7 @@ def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
 
 def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not():
     found = plans()
-    assert tells("docs/planning.md", len(found))
+    assert tells("docs/studies/planning.md", len(found))
     for mean, base, p, style in found.values():
         assert style == ("" if p >= 0.05 else "**" if mean > base else "*")
 
@@ -142,10 +144,11 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
     } == {(3600, robot, "Q+SR", "sweeping"): "*"}
     p = found[3600, robot, "Q+EG", "dyna"][2]
     assert (
-        tells("docs/planning.md", p) and p <= found[3600, robot, "Q+EG", "sweeping"][2]
+        tells("docs/studies/planning.md", p)
+        and p <= found[3600, robot, "Q+EG", "sweeping"][2]
     )
     ends = [found[3600, arm, "Q+SR", planner] for planner in ("dyna", "sweeping")]
-    assert tells("docs/planning.md", ends[0][1], *(mean for mean, *_ in ends))
+    assert tells("docs/studies/planning.md", ends[0][1], *(mean for mean, *_ in ends))
     assert [end[3] for end in ends] == ["*", "*"]
     loss = 1.9  # as the page says
     losses = [
@@ -161,7 +164,7 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
 
 
 def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
-    text = (DOCS / "transfer.md").read_text(encoding="utf-8")
+    text = (DOCS / "studies" / "transfer.md").read_text(encoding="utf-8")
     limit, tests = map(float, re.search(r"p <\s([\d.]+) / (\d+)", text).groups())
     called = re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text)
     assert len(called) == tests
@@ -185,11 +188,13 @@ def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
 
 def test_a_page_tells_the_limits_of_the_arms_joints():
     limits = [joints()[name].limits for name in ("arm", "biceps", "forearm")]
-    assert tells("docs/kinematic_arm.md", *(angle for pair in limits for angle in pair))
+    assert tells(
+        "docs/studies/kinematic_arm.md", *(angle for pair in limits for angle in pair)
+    )
 
 
 def test_no_difference_between_the_arms_engines_is_significant():
-    text = (DOCS / "kinematic_arm.md").read_text(encoding="utf-8")
+    text = (DOCS / "studies" / "kinematic_arm.md").read_text(encoding="utf-8")
     p = [
         float(x)
         for x in re.findall(
@@ -209,7 +214,7 @@ def test_what_the_study_of_networks_says_of_goals_is_what_its_runs_show():
         return stats.ttest_ind(goals[one], goals[other], equal_var=False).pvalue
 
     told = round(p("DQN, as it comes", "Q+RANDOM"), 2)
-    assert told < 0.05 and tells("docs/baselines.md", told)
+    assert told < 0.05 and tells("docs/studies/baselines.md", told)
     assert np.mean(goals["DQN, as it comes"]) < np.mean(goals["Q+RANDOM"])
     assert max(goals, key=lambda label: np.mean(goals[label])) == "DQN, fitted"
     assert (

@@ -1,7 +1,7 @@
 """The arm as geometry alone, without PyBullet: angles change by speed × time, a formula says where the gripper is.
 
 There are no weights and no motors, and nothing to bump into: the gripper passes through the object and the table's top.
-How often that makes a difference: docs/kinematic_arm.md.
+How often that makes a difference: docs/studies/kinematic_arm.md.
 """
 
 import math

@@ -1,0 +1,207 @@
+"""The formula behind a question in numbers, and which one change of it gives the number of an answer."""
+
+from __future__ import annotations
+
+import ast
+import math
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rlrobot_grading.further_changes import further_changes, put_around
+from rlrobot_grading.one_change import Change, changed, quoted, simple_changes
+from rlrobot_grading.values import safely, same
+
+# in words, the formula and its parts, and what other numbers are in it
+Variant = tuple[
+    str, Mapping[str, str], Callable[[Mapping[str, Any]], Mapping[str, Any]]
+]
+
+UNITS = {
+    "a hundred": 100,
+    "a hundredth": 0.01,
+    "a thousand": 1000,
+    "a thousandth": 0.001,
+}
+MOST = 2  # changes that give the same number and are told; if there are more, none is
+
+
+class Changed(NamedTuple):
+    """One change in words, how far-fetched it is, the number that it gives, and the one with other quantities."""
+
+    said: str
+    rank: int
+    value: Any
+    elsewhere: Any
+
+
+class Formula:
+    """What is asked, as a learner would write it: ``Formula("Q + α * δ", Q=4, α=0.2, r=10, δ="r - Q")``.
+
+    of: the quantities by their names, in the lesson's symbols: numbers, or formulas of those before them. What does
+        not occur in the formula may stand wrongly in it, as another number of the question, or of the lesson's example
+    """
+
+    def __init__(self, text: str, **of: Any) -> None:
+        self.texts = {
+            name: part for name, part in of.items() if isinstance(part, str)
+        } | {"": text}
+        self.numbers = {
+            name: number for name, number in of.items() if not isinstance(number, str)
+        }
+
+    @property
+    def value(self) -> Any:
+        """What is right."""
+        return self._worth(self.texts, self.numbers)
+
+    def told(self, answer: Any, near: float) -> str:
+        """Which change gives this answer; empty if none does, or if that is not certain. near: relative difference"""
+        found: list[Changed] = []
+        for change in self.changes:
+            if same(answer, change.value, near) and not any(
+                same(change.elsewhere, f.elsewhere) for f in found
+            ):
+                found.append(change)
+        likely = [change.said for change in found if change.rank == found[0].rank]
+        return (
+            f"it is as if {', or as if '.join(likely)}."
+            if 1 <= len(likely) <= MOST
+            else ""
+        )
+
+    @cached_property
+    def changes(self) -> list[Changed]:
+        """Each change of the formula that makes another number of it, the likely ones first."""
+        right, found = self.value, []
+        other = {
+            name: number * (1.37 + 0.0917 * i)
+            for i, (name, number) in enumerate(self.numbers.items())
+        }
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            for rank, kind in enumerate(
+                (self._parts, self._edits, self._other_numbers, self._further_edits)
+            ):
+                for said, texts, change in kind():
+                    value, elsewhere = (
+                        safely(None, self._worth, texts, {**n, **safely({}, change, n)})
+                        for n in (self.numbers, other)
+                    )
+                    if value is not None and not same(value, right, 1e-3):
+                        found.append(
+                            Changed(said.replace("_", " "), rank, value, elsewhere)
+                        )
+        return found
+
+    def _parts(self) -> Iterator[Variant]:
+        """A part of the formula alone, or all of it in another unit."""
+        for name, text in self.texts.items():
+            if name:
+                yield (
+                    f"you had stopped at “{name}”",
+                    {**self.texts, "": name},
+                    _as_they_are,
+                )
+            for part in ast.walk(ast.parse(text, mode="eval").body):
+                if isinstance(part, ast.BinOp):
+                    yield (
+                        f"you had stopped at {quoted(part)}",
+                        {**self.texts, "": ast.unparse(part)},
+                        _as_they_are,
+                    )
+        if len(np.shape(self.value)) == 1:
+            yield (
+                "they stood in reverse order",
+                {**self.texts, "": f"({self.texts['']})[::-1]"},
+                _as_they_are,
+            )
+        for said, times in UNITS.items():
+            texts = {**self.texts, "": f"np.multiply({times}, {self.texts['']})"}
+            yield (
+                f"{said} times as much were asked. In which unit is it",
+                texts,
+                _as_they_are,
+            )
+
+    def _other_numbers(self) -> Iterator[Variant]:
+        """One quantity in place of another, or with another sign, or in per cent."""
+        spare = [
+            name
+            for name, n in self.numbers.items()
+            if isinstance(n, int | float) and name not in self._used
+        ]
+        for name in self._used:
+            for other in spare:
+                said = f"“{other}” stood in place of “{name}”"
+                yield said, self.texts, lambda of, a=name, b=other: {a: of[b]}
+        for one, other in combinations(self._rates, 2):
+            said = f"“{one}” and “{other}” had changed places"
+            yield said, self.texts, lambda of, a=one, b=other: {a: of[b], b: of[a]}
+        for name in self._used:
+            yield (
+                f"“{name}” had the other sign",
+                self.texts,
+                lambda of, a=name: {a: -of[a]},
+            )
+            left, said = (1, "left out") if name in self._rates else (0, "0")
+            yield (
+                f"“{name}” were {said} throughout",
+                self.texts,
+                lambda of, a=name, b=left: {a: b},
+            )
+            yield (
+                f"“{name}” were in per cent",
+                self.texts,
+                lambda of, a=name: {a: 100 * of[a]},
+            )
+
+    def _edits(self) -> Iterator[Variant]:
+        return self._edited(further_changes, simple_changes)
+
+    def _further_edits(self) -> Iterator[Variant]:
+        return self._edited(put_around)
+
+    def _edited(
+        self, *kinds: Callable[[ast.AST, Sequence[str]], Iterator[Change]]
+    ) -> Iterator[Variant]:
+        for changes in kinds:
+            for name, text in self.texts.items():
+                known = self._used if changes is put_around else self._rates
+                for said, tree in changed(text, known, changes):
+                    yield said, {**self.texts, name: ast.unparse(tree)}, _as_they_are
+
+    @cached_property
+    def _used(self) -> list[str]:
+        """The numbers that occur in the formula."""
+        names = {
+            node.id
+            for text in self.texts.values()
+            for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.Name)
+        }
+        return [
+            name
+            for name, n in self.numbers.items()
+            if name in names and isinstance(n, int | float)
+        ]
+
+    @cached_property
+    def _rates(self) -> list[str]:
+        """Those between 0 and 1, which are taken for one another."""
+        return [name for name in self._used if 0 < self.numbers[name] < 1]
+
+    @staticmethod
+    def _worth(texts: Mapping[str, str], numbers: Mapping[str, Any]) -> Any:
+        known: dict[str, Any] = {"np": np, "ceil": math.ceil, "sum": sum, **numbers}
+        for name, text in texts.items():
+            known[name] = eval(text, known)
+        return known[""]
+
+
+def _as_they_are(numbers: Mapping[str, Any]) -> Mapping[str, Any]:
+    return numbers

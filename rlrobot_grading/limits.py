@@ -1,0 +1,251 @@
+"""A learner's function is run: it may raise, print, call exit() or never end, and the notebook goes on."""
+
+from __future__ import annotations
+
+import contextlib
+import dis
+import functools
+import io
+import signal
+import sys
+import threading
+import time
+import traceback
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import CodeType, FrameType
+from typing import Any
+
+import numpy as np
+
+from rlrobot_grading.compiling import told_of_compiling, uncompiled
+from rlrobot_grading.frames import told_by
+from rlrobot_grading.values import one_line, safely
+
+SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
+PATIENCE = 30.0  # of waiting, as in time.sleep [s]
+COMPUTES = "has not ended after {:.0f} seconds of computing"
+WAITS = "has waited for {:.0f} seconds"
+EVENTS = 200  # lines and calls between two looks at the clock
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An exception of a learner's function.
+
+    kind: name of its class; text: the whole of it in words; line: the learner's line, empty where it cannot be had
+    inside: whether it came up inside the function; otherwise the call itself failed, with a wrong number of arguments
+    told: what its frames tell, in words for the learner: the call that went wrong, the index that is beyond the end
+    """
+
+    kind: str
+    text: str
+    line: str = ""
+    inside: bool = True
+    told: str = ""
+
+
+class TooLong(BaseException):
+    """An answer does not end; it says how. No Exception: ``except Exception`` in the answer must not hold it up."""
+
+
+@dataclass(frozen=True)
+class Elsewhere:
+    """A learner's function that runs in another process, as when a notebook is graded.
+
+    ask: call it there; changes the arguments as it has changed them, and returns what `attempt` does
+    is_unfinished: whether there are still dots in it, or nothing at all
+    """
+
+    ask: Callable[..., tuple[Any, Failure | None, str]]
+    is_unfinished: bool = False
+
+    def __call__(self, *arguments: Any) -> Any:
+        """What the function returns. Raises RuntimeError where it fails."""
+        value, failure, _ = self.ask(*arguments)
+        if failure:
+            raise RuntimeError(failure.text)
+        return value
+
+
+def attempt(
+    answer: Callable[..., Any], *arguments: Any, endless: bool = False
+) -> tuple[Any, Failure | None, str]:
+    """What a learner's function returns, what it raises, and what it prints.
+
+    endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
+    SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
+    """
+    if issubclass(
+        type(answer), Elsewhere
+    ):  # isinstance would ask the answer, which may be anything
+        return answer.ask(*arguments)
+    printed, answer = io.StringIO(), safely(answer, uncompiled, answer)
+    try:
+        with quietly(printed), exits_raised():
+            value = answer(*arguments) if endless else ended_in_time(answer, *arguments)
+            return value, None, printed.getvalue()
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        unknown = Failure("error", "an error that cannot be shown")
+        return (
+            None,
+            safely(unknown, _failure, error, answer) or unknown,
+            printed.getvalue(),
+        )
+
+
+def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
+    """What `answer` returns. Raises TooLong in it when it has computed for SECONDS.
+
+    Python itself calls `look` at every line, so this works where there are neither signals nor threads; where it would
+    tell of no line, since a loop stays on one, `look` asks for each step of the machine. After it has raised, Python
+    looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked at, and then
+    each step of the machine, one step later every time: one of them lies outside the ``try``.
+    What never ends within one call of something written in C, as ``max(itertools.count())``, is not ended.
+    """
+    before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
+    computed, waited, countdown, swallowed = (
+        time.process_time(),
+        time.perf_counter(),
+        EVENTS,
+        0,
+    )
+
+    def look(frame: FrameType, event: str, argument: Any) -> Any:
+        nonlocal countdown
+        countdown -= 1
+        if countdown <= 0 and event in (
+            "line",
+            "opcode",
+        ):  # at others the learner's line would get lost
+            has_computed = time.process_time() - computed > SECONDS
+            if has_computed or time.perf_counter() - waited > PATIENCE:
+                sys.setprofile(again)
+                raise TooLong(
+                    COMPUTES.format(SECONDS) if has_computed else WAITS.format(PATIENCE)
+                )
+            countdown = EVENTS
+        if event == "call" and _loops_within_a_line(frame.f_code):
+            frame.f_trace_opcodes = True
+        return look
+
+    def again(frame: FrameType, event: str, argument: Any) -> None:
+        nonlocal countdown, swallowed
+        if frame is not here and sys.gettrace() is None:
+            swallowed += 1
+            countdown = swallowed
+            sys.settrace(look)
+            frame.f_trace, frame.f_trace_opcodes = look, True
+
+    def begin_to_compile() -> None:
+        nonlocal computed, waited
+        computed, waited = computed - time.process_time(), waited - time.perf_counter()
+        sys.settrace(None)
+
+    def end_compiling() -> None:
+        nonlocal computed, waited
+        computed, waited = computed + time.process_time(), waited + time.perf_counter()
+        sys.settrace(look)
+
+    # nothing is looked at in what stands around the answer
+    with told_of_compiling(begin_to_compile, end_compiling), _woken():
+        sys.settrace(look)
+        try:
+            return answer(*arguments)
+        finally:
+            sys.setprofile(before_profile)
+            sys.settrace(before)
+
+
+@contextmanager
+def _woken() -> Iterator[None]:
+    """Have what waits within one call, as time.sleep does, end when PATIENCE is over, where the system has alarms."""
+    if threading.current_thread() is not threading.main_thread() or not hasattr(
+        signal, "setitimer"
+    ):
+        yield
+        return
+
+    def wake(*_: Any) -> None:
+        raise TooLong(WAITS.format(PATIENCE))
+
+    before = signal.signal(signal.SIGALRM, wake)
+    signal.setitimer(signal.ITIMER_REAL, PATIENCE)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+@functools.cache
+def _loops_within_a_line(code: CodeType) -> bool:
+    """Whether a function has a ``while True: pass`` of one line: until Python 3.12 its rounds are no new lines."""
+    if sys.version_info >= (3, 12):
+        return False
+    steps = {step.offset: step for step in dis.get_instructions(code)}
+    line_of = {
+        at: line for begin, end, line in code.co_lines() for at in range(begin, end)
+    }
+    return any(
+        "JUMP_BACKWARD" in step.opname
+        and line_of[at] == line_of[step.argval]
+        and steps[step.argval].opname != "FOR_ITER"
+        for at, step in steps.items()
+    )  # a loop over something ends by itself
+
+
+@contextmanager
+def quietly(printed: io.StringIO) -> Iterator[None]:
+    """Keeps what is printed, and numpy's warnings, out of the notebook: the verdict says it all."""
+    with (
+        contextlib.redirect_stdout(printed),
+        warnings.catch_warnings(),
+        np.errstate(all="ignore"),
+    ):
+        warnings.simplefilter("ignore")
+        yield
+
+
+@contextmanager
+def exits_raised() -> Iterator[None]:
+    """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None:
+        yield
+        return
+    shell.ask_exit = sys.exit  # hides the method of this name
+    try:
+        yield
+    finally:
+        del shell.ask_exit
+
+
+def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
+    file = getattr(getattr(answer, "__code__", None), "co_filename", None)
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    last = max(
+        (i for i, frame in enumerate(frames) if frame.f_code.co_filename == file),
+        default=None,
+    )
+    kind = type(error).__name__
+    text = (
+        str(error)
+        if isinstance(error, TooLong)
+        else one_line(f"{kind}: {error}".removesuffix(": ")) or kind
+    )
+    if last is None:
+        return Failure(kind, text, inside=file is None and len(frames) > 1)
+    line = one_line(
+        (traceback.extract_tb(error.__traceback__)[last].line or "").strip()
+    )
+    return Failure(
+        kind,
+        text,
+        line,
+        told=one_line(safely("", told_by, error, frames[last:], line), 400),
+    )

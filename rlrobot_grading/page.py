@@ -1,0 +1,171 @@
+"""A page an exercise: task, hints and mistakes stand in Markdown, right function and tape in the lesson's Python file.
+
+`lesson_03/update.md` is the page of ``update``, which `lesson_03/exercises.py` defines:
+
+    # update
+    change q[s, a] by α times the TD error
+    ## Hints
+    1. Only one number of the table changes …
+    ## Result
+    This is Q-learning, the whole of it.
+    ## Names
+    - `target` your function of the exercise above: run its cell first
+    ## Mistakes
+    - **past_the_end** this looks past the end …
+      `terminated` → `False`
+
+A mistake has its id, its hint in one line, and its edit: text of the right function, and what a learner writes in its
+place (``nothing`` for none; ⏎ is the end of a line). Without an edit, the first block of Python below it is the wrong
+function. All other blocks are its *witnesses*, wrong answers that must be recognised so. The mistake of a question has
+its wrong value, and below maybe witnesses. An id without a hint has witnesses alone: a detector finds their hint.
+The line ``- those of `learn` `` adds the mistakes of another page of the lesson, if they are edits.
+A question has a section ``Because``: why its answer is right.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.mistake import Mistake
+from rlrobot_grading.question import Question
+
+KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
+NAME = re.compile(r"- `(\w+)` (.+)")
+EDIT = re.compile(r"  `(.+?)` → (?:`(.+)`|nothing)")
+SHARED = re.compile(r"- those of `(\w+)`")
+VALUE = re.compile(r"  `(.+)`")
+BEGIN, END = "  ```python", "  ```"
+
+
+class Entry(NamedTuple):
+    """What stands under one id: its hint, edits of the right function, and wrong functions or values."""
+
+    id: str
+    hint: str
+    edits: dict[str, str]
+    answers: list[Any]
+
+
+def with_pages(
+    names: dict[str, Any], **exercises: Exercise | Question
+) -> SimpleNamespace:
+    """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
+
+    names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them. The
+        right values of questions are added to them
+    Raises ValueError for a page that cannot be understood, OSError if one is missing.
+    """
+    names.update(
+        {
+            name: one.right
+            for name, one in exercises.items()
+            if isinstance(one, Question)
+        }
+    )
+    pages = {
+        name: Path(names["__file__"]).with_name(f"{name}.md") for name in exercises
+    }
+    return SimpleNamespace(
+        **{
+            name: _with_page(exercises[name], page, names)
+            for name, page in pages.items()
+        }
+    )
+
+
+def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
+    sections, entries = read_page(page, names)
+    text = {heading: " ".join(lines) for heading, lines in sections.items()}
+    more: dict[str, Any] = {"because": text.get("Because", "")}
+    if not isinstance(exercise, Question):
+        more = {
+            "lenders": {
+                m[1]: m[2] for line in sections["Names"] if (m := NAME.fullmatch(line))
+            }
+        }
+    mistakes = [
+        Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint
+    ]
+    return replace(
+        exercise,
+        task=text[page.stem],
+        hints=[line.partition(". ")[2] for line in sections["Hints"]],
+        gained=text.get("Result", ""),
+        mistakes=[*exercise.mistakes, *mistakes],
+        witnesses={e.id: e.answers for e in entries if e.answers},
+        **more,
+    )
+
+
+def read_page(
+    page: Path, names: Mapping[str, Any]
+) -> tuple[dict[str, list[str]], list[Entry]]:
+    """The lines of a page by their headings, and its mistakes. Raises ValueError that names what is wrong."""
+    names = {"np": np, "math": math} | dict(names)
+    sections: dict[str, list[str]] = defaultdict(list)
+    entries: list[Entry] = []
+    section, begin = "", 0
+    lines = page.read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, start=1):
+        if begin:
+            if line == END:
+                entries[-1].answers.append(
+                    _last_function(lines[begin : number - 1], begin, page, names)
+                )
+                begin = 0
+        elif line.startswith("#"):
+            section = line.lstrip("# ")
+        elif section != "Mistakes":
+            sections[section] += [line] if line else []
+        elif known := KNOWN.fullmatch(line):
+            entries.append(Entry(known[1], known[2], {}, []))
+        elif shared := SHARED.fullmatch(line):
+            others = read_page(page.with_name(f"{shared[1]}.md"), names)[1]
+            entries += [other._replace(answers=[]) for other in others if other.edits]
+        elif edit := EDIT.fullmatch(line):
+            entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace(
+                "⏎", "\n"
+            )
+        elif value := VALUE.fullmatch(line):
+            entries[-1].answers.append(eval(value[1], dict(names)))
+        elif line == BEGIN:
+            begin = number
+        elif line:
+            raise ValueError(
+                f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}"
+            )
+    if begin:
+        raise ValueError(
+            f"{page}, line {begin}: this block of Python has no end; close it by three backticks"
+        )
+    if not sections[page.stem]:
+        raise ValueError(
+            f"{page} must begin with the line '# {page.stem}' and, below it, the task"
+        )
+    if bare := [entry.id for entry in entries if not entry.edits and not entry.answers]:
+        raise ValueError(
+            f"{page}: below {bare[0]} there must be an edit, a value or a block of Python"
+        )
+    return sections, entries
+
+
+def _last_function(
+    block: list[str], above: int, page: Path, names: Mapping[str, Any]
+) -> Any:
+    """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
+    source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
+    cell = dict(names)
+    exec(compile(source, str(page), "exec"), cell)
+    last: Any = ast.parse(source).body[-1]
+    return cell[last.targets[0].id if isinstance(last, ast.Assign) else last.name]

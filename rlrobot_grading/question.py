@@ -1,0 +1,229 @@
+"""Questions: exercises whose answer is a value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import Any
+
+import numpy as np
+
+from rlrobot_grading.evidence import Hint
+from rlrobot_grading.formula import Formula
+from rlrobot_grading.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.suspicions import unlike
+from rlrobot_grading.values import (
+    MOST_SIGNS,
+    as_data,
+    is_large,
+    safely,
+    same,
+    show,
+)
+from rlrobot_grading.verdict import Verdict
+
+ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
+DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it
+MANY = 5  # numbers, of which it is told how many are right
+FURTHER = 0.05  # how far rounding may take it, before it is another number
+
+
+@dataclass(frozen=True)
+class Question:
+    """An exercise whose answer is a value: a number, a name, several letters, a tuple or an array.
+
+    right: the value; task: what is asked, for the message of a check that still waits; mistakes: typical wrong ones
+    because: why it is right, told to those who gave it
+    hints: three, told on request: the idea, the line, almost the answer
+    gained: what a right answer is good for
+    witnesses: by id, wrong answers that must be recognised so
+    formula: given as `right`, it makes the value, and tells of a wrong number by which change of it that comes about
+    Numbers may be rounded to three digits, as lessons print them, unless that is a known mistake. Letters may
+    come in any order, as text or as a list.
+    """
+
+    right: Any
+    task: str = ""
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
+    because: str = ""
+    hints: Sequence[str] = ()
+    gained: str = ""
+    witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+    formula: Formula | None = None
+
+    def __post_init__(self) -> None:
+        if isinstance(self.right, Formula):
+            object.__setattr__(self, "formula", self.right)
+            object.__setattr__(self, "right", self.right.value)
+        object.__setattr__(self, "mistakes", with_ids(self.mistakes))
+
+    def __call__(self, answer: Any, *more: Any) -> Verdict:
+        """Judge `answer`; never raises."""
+        if more:
+            told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
+            return Verdict(
+                "wrong", f"These are {1 + len(more)} answers.", hint=told, id="form"
+            )
+        if answer is ... or answer is None:
+            return Verdict("waiting", f"This check waits for your answer: {self.task}.")
+        answer = as_data(answer)
+        if self.equals(answer, self.right):
+            return self._right()
+        for mistake in self.mistakes:
+            if self.equals(answer, mistake.wrong):
+                return Verdict(
+                    "wrong",
+                    f"{show(answer)} is not it.",
+                    hint=mistake.hint,
+                    id=mistake.id,
+                )
+        if safely(False, _is_rounded, answer, self.right):
+            return self._right()
+        found = self.found(answer)
+        return Verdict(
+            "wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id
+        )
+
+    def _right(self) -> Verdict:
+        return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
+
+    def found(self, answer: Any) -> Hint:
+        """The hint that nobody had to write for a wrong answer, if there is one."""
+        if told := safely("", self._looked_at, answer):
+            return Hint("form", told)
+        if (
+            safely(True, is_large, answer)
+            or isinstance(answer, str | bool)
+            or isinstance(self.right, str)
+        ):
+            return Hint(
+                "", ""
+            )  # what follows looks at numbers, as often as there are changes
+        if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
+            return Hint("formula", told)
+        told = safely("", self._how_many, answer)
+        return Hint("form" if told else "", told)
+
+    def hint(self, number: int = 1) -> Verdict:
+        """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""
+        return hinted(self.hints, number)
+
+    @property
+    def _has_letters(self) -> bool:
+        return (
+            isinstance(self.right, str) and len(self.right) > 1 and self.right.isupper()
+        )
+
+    def equals(self, answer: Any, value: Any) -> bool:
+        """Whether an answer counts as this value."""
+        if self._has_letters:
+            letters = safely("", _letters, answer)
+            return bool(letters) and letters == _letters(value)
+        return same(answer, value, ROUNDED)
+
+    def _looked_at(self, answer: Any) -> str:
+        """What is wrong with the form of a value that may be right."""
+        if is_large(answer):
+            return ""
+        if self._has_letters:
+            return (
+                ""
+                if safely("", _letters, answer)
+                else "write the letters as text, in quotation marks."
+            )
+        if isinstance(self.right, str):
+            return self._word_looked_at(answer)
+        if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
+            return "the right number, but as text: leave out the quotation marks."
+        if told := unlike(self.right, answer):
+            return told
+        if isinstance(answer, bool):
+            return "True and False are no numbers."
+        right, mine = (
+            np.asarray(self.right, dtype=float),
+            np.asarray(answer, dtype=float),
+        )
+        digits = safely([], _digits, mine, right)
+        if digits and all(
+            same(round(m, n), m) and same(round(r, n), m) for m, r, n in digits
+        ):
+            return "nearly: this is rounded too far. Give a digit or two more, or the formula itself."
+        if same(-right, mine, ROUNDED):
+            return "the sign is the wrong way round."
+        if same(100 * right, mine, ROUNDED):
+            return "this is 100 times as much: is it in per cent, or in centimetres?"
+        return ""
+
+    def _how_many(self, answer: Any) -> str:
+        """How many of several numbers are right."""
+        right, mine = (
+            np.asarray(self.right, dtype=float),
+            np.asarray(answer, dtype=float),
+        )
+        fit = sum(
+            same(r, m, ROUNDED)
+            for r, m in zip(np.ravel(right), np.ravel(mine), strict=True)
+        )
+        told = f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
+        return told if right.size >= MANY and right.shape == mine.shape else ""
+
+    def _word_looked_at(self, answer: Any) -> str:
+        """What is wrong with the form of an answer that should be a word."""
+        if isinstance(answer, list | tuple | set) and len(answer) == 1:
+            return "take the word out of its brackets: text in quotation marks, and nothing else."
+        if not isinstance(answer, str):
+            return "the answer is a word: write it as text, in quotation marks."
+        if len(answer.split()) > 1:
+            return "asked is one word alone, written as in the text above."
+        words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
+        return (
+            "is it spelled as in the text above?"
+            if get_close_matches(answer.lower(), words, 1, 0.75)
+            else ""
+        )
+
+
+def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:
+    """Each number, the right one, and how many digits after the point the learner has written; nothing for afar."""
+    near = np.abs(mine - right) <= FURTHER * np.maximum(np.abs(right), 1e-12)
+    if not near.all():
+        raise ValueError("these are other numbers")
+    fractions = (
+        len(repr(float(m)).partition(".")[2].rstrip("0")) for m in np.ravel(mine)
+    )
+    return list(
+        zip(np.ravel(mine).tolist(), np.ravel(right).tolist(), fractions, strict=True)
+    )
+
+
+def _is_rounded(answer: Any, right: Any) -> bool:
+    """Whether each number is the right one up to half a unit of its third digit; whole numbers are not rounded."""
+    if is_large(answer) or unlike(right, answer):
+        return False
+    mine, exact = np.asarray(answer), np.asarray(right)
+    if (
+        exact.dtype.kind != "f"
+        or mine.dtype.kind not in "if"
+        or mine.shape != exact.shape
+    ):
+        return False
+    unit = 10.0 ** (np.floor(np.log10(np.abs(exact))) - DIGITS + 1)
+    return bool((np.abs(mine - exact) <= 0.5001 * unit).all())
+
+
+def _read(text: str) -> float:
+    return safely(float("nan"), float, text.strip().replace(",", "."))
+
+
+def _letters(value: Any) -> str:
+    """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
+    if type(value) in (list, tuple, set, frozenset) and not is_large(
+        value
+    ):  # of these it is sure that they end
+        value = "".join(value)
+    if not isinstance(value, str) or len(value) > MOST_SIGNS:
+        return ""
+    letters = re.sub(r"[\s,;+&'\"]|and", "", value).upper()
+    return "".join(sorted(set(letters))) if letters.isalpha() else ""

@@ -1,0 +1,282 @@
+"""What is wrong with an answer that shows no known mistake: what all its cases have in common, if anything.
+
+Each suspicion is a property of the answer's values in every case, so what it tells the learner is true.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from rlrobot_grading.evidence import Evidence, Hint
+from rlrobot_grading.replay import Case, Outcome
+from rlrobot_grading.source import names_from_outside, unused_arguments
+from rlrobot_grading.values import Unkept, safely, same, show
+
+DIGITS = range(5)  # after the point, to which an answer may have been rounded
+
+
+def about_the_values(seen: Evidence) -> str:
+    """What holds for the values of every case: rounded, of the other sign, too large by 3; or an empty text."""
+    if safely(False, inspect.isgeneratorfunction, seen.answer):
+        return "with yield in it this function hands out a generator, not a value. Write return."
+    if safely(False, inspect.iscoroutinefunction, seen.answer):
+        return "async makes this something to be waited for, not a function. Leave the word out."
+    returns = seen.exercise.returns
+    done = [
+        (case, right.values, mine.values)
+        for case, right, mine in _tried(seen)
+        if not mine.failure
+    ]
+    if returns:
+        values = [(right[returns], mine[returns]) for _, right, mine in done]
+        told = safely("", _about_returned, values, seen.got, returns)
+        return told or safely(
+            "", _about_an_argument, values, [case for case, _, _ in done]
+        )
+    if done and all(
+        same(mine[name], case[name]) for case, _, mine in done for name in mine
+    ):
+        return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
+    return ""
+
+
+def from_the_notebook(seen: Evidence) -> Hint | None:
+    """An argument is taken from the notebook, in place of the one that is given."""
+    outside = safely([], names_from_outside, seen.answer, seen.exercise.right)
+    told = "your function takes {0} from the notebook. It should use the argument that it is given."
+    return Hint("code", told.format(*outside)) if outside else None
+
+
+def about_the_code(seen: Evidence) -> str:
+    """An argument is never read."""
+    unused = safely([], unused_arguments, seen.answer, seen.exercise.right)
+    return (
+        f"your function never looks at {unused[0]}, and the answer depends on it."
+        if unused
+        else ""
+    )
+
+
+def about_the_memory(seen: Evidence) -> str:
+    """What the wrong changes of a table have in common: more changes than should, or always so many times as much."""
+    return next(
+        (
+            told
+            for name in seen.exercise.tables
+            if (told := safely("", _about_changes, name, seen))
+        ),
+        "",
+    )
+
+
+def _about_changes(name: str, seen: Evidence) -> str:
+    changes = [
+        (right.values[name] - case[name], mine.values[name] - case[name])
+        for case, right, mine in _tried(seen)
+        if not mine.failure
+    ]
+    wrong = [(right, mine) for right, mine in changes if not same(right, mine)]
+    if len(wrong) < 2:
+        return ""
+    more = [
+        np.argwhere(np.isclose(right, 0) & ~np.isclose(mine, 0)).tolist()
+        for right, mine in wrong
+    ]
+    if all(more):
+        return f"more of {name} changes than should: {name}{more[0][0]}, for one, should stay as it is here."
+    times = {
+        round(float(t), 6)
+        for right, mine in changes
+        for t in mine[right != 0] / right[right != 0]
+    }
+    if len(times) == 1:
+        by = (
+            f"changes by {show(times.pop())} times as much as it should, always."
+            if any(times)
+            else "does not change."
+        )
+        return f"{name} {by}"
+    return ""
+
+
+def about_the_cases(seen: Evidence) -> str:
+    """What the wrong cases have in common, and the right ones have not: an argument is True, or negative, or empty."""
+    cases = seen.exercise.cases
+    is_wrong = [not right.equals(mine) for _, right, mine in _tried(seen)]
+    if (
+        not 2 <= sum(is_wrong) <= len(is_wrong) - 2
+    ):  # a single case that is right or wrong may be a coincidence
+        return ""
+    for name in cases[0]:
+        for told, holds in SIGNS.items():
+            if [safely(False, holds, case[name]) for case in cases] == is_wrong:
+                if told == "is False":  # where it is True, little is asked
+                    return f"it is right only in the cases in which {name} is True. Compare one of the others by hand."
+                return f"it is right but for the cases in which {name} {told}. What should happen there?"
+    return ""
+
+
+def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
+    """The cases that were tried: each with what the right function does in it, and what the learner's does."""
+    return list(
+        zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False)
+    )
+
+
+def unlike(right: Any, mine: Any, name: str = "this") -> str:
+    """In which way a single value differs from the right one, if that can be told."""
+    if isinstance(mine, str) and not isinstance(right, str):
+        text = mine.strip().strip("\"'")
+        if _is_number(text):
+            return f"{name} is text. Leave out the quotation marks, or str(…), so that it is a number."
+        return (
+            f"{name} is text. Numbers, and calculations, stand without quotation marks."
+        )
+    if isinstance(mine, Unkept):
+        return "this is neither a number nor a short list of numbers."
+    if isinstance(mine, dict | set) and not isinstance(right, dict):
+        return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
+    if right is None:
+        return "here None is asked, and that is nothing: not even an empty list."
+    if callable(mine):
+        return "this is a function, not its value: the round brackets that call it are missing."
+    if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
+        return "there is text in it. Leave out the quotation marks, or str(…), so that these are numbers."
+    if np.iscomplexobj(np.asarray(mine)):
+        return "there is a complex number in it, as a root of something negative is. What is asked is real."
+    x, y = np.asarray(right, dtype=float), np.asarray(mine, dtype=float)
+    if x.shape != y.shape:
+        if same(x, y.squeeze()):
+            return "the right value, but with brackets too many around it: take it out of its list or array."
+        if x.ndim == 1 and y.ndim == 0:
+            return f"this is one number. What is asked is an array of {len(x)}, one for each."
+        if x.ndim == 1 and y.ndim == 1:
+            return f"its length is {len(y)}. What is asked has a length of {len(x)}."
+        return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
+    if np.isnan(y).any() and not np.isnan(x).any():
+        return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
+    return ""
+
+
+def _is_number(text: str) -> bool:
+    return safely(None, float, text) is not None
+
+
+def _about_returned(
+    values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], returns: str
+) -> str:
+    """What all pairs of an expected and a returned value have in common."""
+    wrong = [(x, y) for x, y in values if not same(x, y)]
+    if wrong and all(y is None for _, y in wrong):
+        if any(outcome.printed for outcome in got):
+            return f"print shows a value on the screen; return hands it to whoever called. Return the {returns}."
+        return "your function returns nothing here. Does every way through it end with return?"
+    told = [safely("", unlike, x, y, f"the {returns}") for x, y in wrong]
+    if told and all(told):  # of the first case, whose values the learner sees
+        return told[0]
+    if not wrong or len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
+        return ""
+    expected, mine = (
+        [np.asarray(value, dtype=float) for value in side]
+        for side in zip(*values, strict=True)
+    )
+    return next(_relations(expected, mine), "")
+
+
+def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:
+    """What an argument, a number, does to the right values to make them the learner's, in every case."""
+    for name in cases[0]:
+        numbers = [case[name] for case in cases]
+        if (
+            any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers)
+            or len(set(numbers)) < 2
+        ):
+            continue
+        for told, changed in CHANGES.items():
+            if all(
+                same(changed(np.asarray(x, dtype=float), n), y)
+                for (x, y), n in zip(values, numbers, strict=True)
+            ):
+                return f"your numbers are the right ones {told} {name}, in every case."
+    return ""
+
+
+def _relations(
+    expected: Sequence[np.ndarray], got: Sequence[np.ndarray]
+) -> Iterator[str]:
+    """Relations between the right numbers and the learner's that hold in every case."""
+    pairs = list(zip(expected, got, strict=True))
+    if all(same(y, got[0]) for y in got):
+        yield f"your function always returns {show(got[0])}, whatever its arguments are."
+    for digits in DIGITS:
+        if all(same(np.round(x, digits), y) for x, y in pairs):
+            after = (
+                f"to {digits} digits after the point" if digits else "to whole numbers"
+            )
+            yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
+    if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
+        yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
+    if all(same(-x, y) for x, y in pairs):
+        yield "the sign is the wrong way round, in every case."
+    if all(same(100 * x, y) for x, y in pairs):
+        yield "your numbers are 100 times as large: are they in per cent?"
+    if all(x.ndim for x in expected) and all(same(x[::-1], y) for x, y in pairs):
+        yield "the right numbers, in reverse order."
+    if all(x.ndim for x in expected) and all(
+        same(np.sort(x), np.sort(y)) for x, y in pairs
+    ):
+        yield "the right numbers, in another order."
+    with np.errstate(invalid="ignore", over="ignore"):  # infinity − infinity
+        apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+        times = {
+            round(float(t), 9)
+            for x, y in pairs
+            for t in np.ravel(y[x != 0] / x[x != 0])
+        }
+    if len(apart) == 1:
+        d = apart.pop()
+        yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
+    if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
+        t = times.pop()
+        yield (
+            f"your numbers are {show(t)} times the right ones, always."
+            if t
+            else "your numbers are 0, always."
+        )
+    if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
+        yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
+    if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(
+        same(y.sum(), 1.0) for y in got
+    ):
+        seen = next(
+            y for x, y in pairs if not same(x, y)
+        )  # in the case that the learner sees
+        if np.isnan(seen).any():
+            yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
+        if not same(seen.sum(), 1.0):
+            yield f"probabilities sum to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
+        if sums := {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {
+            1.0
+        }:
+            yield f"probabilities sum to 1, and in another case yours sum to {show(min(sums))}."
+
+
+CHANGES: dict[str, Callable[[Any, float], Any]] = {
+    "times": lambda x, n: x * n,
+    "divided by": lambda x, n: x / n if abs(n) > 1e-100 else np.nan * x,
+    "plus": lambda x, n: x + n,
+    "minus": lambda x, n: x - n,
+}
+SIGNS: dict[str, Callable[[Any], bool]] = {
+    "is True": lambda value: isinstance(value, bool | np.bool_) and bool(value),
+    "is False": lambda value: isinstance(value, bool | np.bool_) and not value,
+    "is 0": lambda value: (
+        isinstance(value, int | float) and not isinstance(value, bool) and value == 0
+    ),
+    "is negative": lambda value: isinstance(value, int | float) and value < 0,
+    "is empty": lambda value: len(value) == 0,
+}

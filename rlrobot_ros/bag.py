@@ -1,0 +1,206 @@
+"""Drives in bags of ROS 1 and ROS 2 as recordings."""
+
+import importlib
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+from typing import Any
+
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.models.source import THIS_COMPUTER, Source
+from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.task.messages import did_you_mean, in_words
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
+from rlrobot_ros.drive import Drive, Track, transitions_of
+from rlrobot_ros.messages import pose_of, velocity_of
+from rlrobot_ros.motions import Motions
+from rlrobot_ros.odometry import pose_readings
+from rlrobot_ros.report import DriveReport
+from rlrobot_ros.scan import Mounting, measured
+
+KINDS = {
+    "odom": ("nav_msgs/msg/Odometry",),
+    "scan": ("sensor_msgs/msg/LaserScan",),
+    "cmd_vel": ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"),
+}
+
+
+class BagRecording(Recording):
+    """A recording that was made of a bag. It is a `Recording` like any other.
+
+    report: what of the drive has become steps, and why the rest has not
+    """
+
+    def __init__(
+        self, transitions: Transitions, source: Source, task: Task, report: DriveReport
+    ) -> None:
+        super().__init__(transitions, source, task)
+        self.report = report
+
+
+def recording_from_bag(
+    path: str | Path,
+    task: str | Path | Task,
+    *,
+    odom: str = "odom",
+    scan: str = "laser_scan",
+    cmd_vel: str = "cmd_vel",
+    mounting: tuple[float, ...] = Mounting(),
+    tolerance: float = 0.1,
+    max_age: float | None = None,
+) -> BagRecording:
+    """The drive in a bag of ROS 1 or ROS 2 as a recording of a task.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it.
+    task : str, Path or Task
+        The task that gives the drive its states, actions and rewards; its robot must be one on wheels.
+    odom, scan, cmd_vel : str
+        Names of the topics: of type Odometry, LaserScan, and Twist or TwistStamped.
+    mounting : tuple of float, float, float, bool, float
+        Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
+        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
+    tolerance : float
+        How far a Twist may be from an action's motion, as part of the task's largest speed and largest turning.
+    max_age : float [s], optional
+        Age at which a message no longer counts; None is half a second, or one and a half steps if that is longer.
+
+    Returns
+    -------
+    BagRecording
+        A `Recording` with a `report` of what could not be used.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, for a bag that is damaged, lacks a topic, or holds no step of the task.
+    FileNotFoundError
+        If there is no such bag.
+    ImportError
+        If rosbags is missing; it says what to install.
+
+    Notes
+    -----
+    What counts is when a message was received. A step begins when its command comes and lasts the task's `step_time`
+    (±10 %, if another command comes then). The state before and after it, and its reward, come from the latest
+    odometry and scan; a step is dropped where these do not say enough. A Twist that is like no action is dropped. If
+    several actions have the same motion, it takes the one whose outputs are the wheels' speeds, or else the first.
+    After a gap a new episode begins.
+    """
+    task = load_task(task)
+    path, place = Path(path), Mounting.of(mounting)
+    motions = Motions(task, tolerance)
+    with _opened(path) as reader:
+        names = _find(reader, path, {"odom": odom, "scan": scan, "cmd_vel": cmd_vel})
+        drive = _read(reader, path, names, motions.chassis, place)
+    try:
+        transitions, report = transitions_of(task, drive, motions, max_age, list(names))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+    return BagRecording(
+        transitions, Source.of_task(task, **THIS_COMPUTER), task, report
+    )
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    """A reader of the bag. Raises ValueError if it cannot be read, ImportError if rosbags is missing."""
+    try:
+        highlevel, typesys = (
+            importlib.import_module(f"rosbags.{name}")
+            for name in ("highlevel", "typesys")
+        )
+    except ImportError:
+        raise ImportError(
+            "rosbags is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
+        ) from None
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: there is no such bag")
+    if path.suffix in (".db3", ".mcap") and (path.parent / "metadata.yaml").is_file():
+        path = path.parent
+    try:
+        # older bags of ROS 2 do not say what their messages look like; these have been the same ever since
+        reader = highlevel.AnyReader(
+            [path], default_typestore=typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
+        )
+        reader.open()
+    except Exception as error:  # of a damaged file anything may be the matter
+        raise ValueError(
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})"
+        ) from error
+    with closing(reader):
+        yield reader
+
+
+def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any]]:
+    """Connections of the bag by the name of the topic. Raises ValueError if one is missing or of another type."""
+    there = {connection.topic: connection.msgtype for connection in reader.connections}
+    found = {}
+    for argument, topic in topics.items():
+        connections = [
+            c for c in reader.connections if c.topic.strip("/") == str(topic).strip("/")
+        ]
+        wrong = [c.msgtype for c in connections if c.msgtype not in KINDS[argument]]
+        if wrong or not connections:
+            kinds = " or ".join(KINDS[argument])
+            problem = f"is of type {wrong[0]}" if wrong else "is not in this bag"
+            fitting = [name for name, kind in there.items() if kind in KINDS[argument]]
+            hint = (
+                f"give {argument}={fitting[0]!r}? "
+                if fitting
+                else did_you_mean(topic, there)
+            )
+            listed = (
+                ", ".join(f"{name} ({kind})" for name, kind in sorted(there.items()))
+                or "none"
+            )
+            raise ValueError(
+                f"{path}: topic {topic!r} {problem}, expected {kinds}; {hint}The topics are: {listed:.2000}"
+            )
+        found[connections[0].topic] = connections
+    return found
+
+
+def _read(
+    reader: Any,
+    path: Path,
+    names: dict[str, list[Any]],
+    chassis: Chassis,
+    place: Mounting,
+) -> Drive:
+    """All messages of these topics, of odometry, scan and command, as numbers in order of time."""
+    drive = Drive()
+    odom, scan, cmd_vel = names
+    tracks: dict[str, Track[Any]] = {
+        odom: drive.poses,
+        scan: drive.scans,
+        cmd_vel: drive.twists,
+    }
+    try:
+        for connection, time, raw in reader.messages(
+            [c for found in names.values() for c in found]
+        ):
+            topic = connection.topic
+            said: Any = tracks[topic].nothing
+            try:
+                message = reader.deserialize(raw, connection.msgtype)
+                if topic == odom:
+                    said = pose_readings(*pose_of(message), chassis)
+                elif topic == scan:
+                    said = drive.lasers_in(measured(message, place.far), chassis, place)
+                else:
+                    said = velocity_of(message)
+            except Exception as error:  # of damaged bytes anything may be the matter
+                fault = str(error) if isinstance(error, ValueError) else in_words(error)
+                drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, fault
+            tracks[topic].add(time, said)
+    except Exception as error:  # of a damaged file, too
+        raise ValueError(
+            f"{path}: this bag is damaged ({in_words(error)}); copy it again"
+        ) from error
+    return drive

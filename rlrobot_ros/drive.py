@@ -1,0 +1,272 @@
+"""What was received in a drive as transitions of a task. No ROS is needed: messages are numbers here already."""
+
+import math
+from bisect import bisect_left, bisect_right
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import chain, groupby, pairwise
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_edu.task.task import Task
+from rlrobot_ros.motions import Motions
+from rlrobot_ros.report import DriveReport
+from rlrobot_ros.scan import Mounting, Rays, beams_end
+
+SECOND = 10**9  # [ns]
+SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
+JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
+PATIENCE = (
+    0.5,
+    1.5,
+)  # a message is too old after so long [s], or after so many steps if that is longer
+
+FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
+
+T = TypeVar("T")
+_Told = list[dict[str, float]] | None
+_Hold = tuple[
+    int | None, list[int], int
+]  # an action in force, None if it is no action, when it was said, until when
+
+
+@dataclass
+class Track(Generic[T]):
+    """What came over a topic: times [ns], none before the one before, and values; `nothing` where it cannot be."""
+
+    nothing: T
+    times: list[int] = field(default_factory=list)
+    values: list[T] = field(default_factory=list)
+
+    def add(self, time: int, value: T) -> None:
+        """Keep one more message."""
+        self.times.append(time)
+        self.values.append(value)
+
+    def at(self, time: int, max_age: int) -> T | None:
+        """The latest value at `time`, None if it was more than `max_age` old [ns]."""
+        i = bisect_right(self.times, time) - 1
+        return self.values[i] if i >= 0 and time - self.times[i] <= max_age else None
+
+
+@dataclass
+class Drive:
+    """A drive as it was received.
+
+    poses, scans: readings by name; "farthest laser_front" besides, where rays that measured nothing leave open how far
+        it sees
+    twists: speed ahead and aside [m/s], turning to the left [rad/s]
+    rays, lost: of all scans, and how many of them measured nothing
+    faults: how many messages say what cannot be, and what is wrong with the last of them, by topic
+    """
+
+    poses: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
+    scans: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
+    twists: Track[tuple[float, float, float]] = field(
+        default_factory=lambda: Track((math.nan,) * 3)
+    )
+    rays: int = 0
+    lost: int = 0
+    faults: dict[str, tuple[int, str]] = field(default_factory=dict)
+
+    def lasers_in(
+        self, rays: Rays, chassis: Chassis, mounting: Mounting
+    ) -> dict[str, float]:
+        """The readings of the lasers that are known in a scan; its rays are counted."""
+        self.rays += len(rays.known)
+        self.lost += int((~rays.known).sum())
+        near, far = (
+            beams_end(rays, ranges, chassis, mounting)
+            for ranges in (rays.ranges, rays.farthest)
+        )
+        known = [laser for laser in near if near[laser] >= 0 and far[laser] >= 0]
+        return {laser: near[laser] for laser in known} | {
+            f"{FARTHEST}{laser}": far[laser] for laser in known
+        }
+
+
+def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
+    """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for.
+
+    note: what the sentence adds
+    """
+    if unseen := [
+        v.name for v in task.inputs if v.name in LASERS and v.name not in seen
+    ]:
+        raise ValueError(
+            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look or never measures anything{note}; "
+            f"say how it is mounted, or choose a task that needs only {', '.join(x for x in LASERS if x in seen)}"
+        )
+
+
+def transitions_of(
+    task: Task,
+    drive: Drive,
+    motions: Motions,
+    max_age: float | None,
+    names: Sequence[str],
+) -> tuple[Transitions, DriveReport]:
+    """The steps of `task` that the drive holds, and a report; names: of the topics of pose, scan and twist.
+
+    A step begins when its command comes, or where the one before has ended while its action is still in force. It ends
+    after the task's `step_time`, or within a tenth of that when the next command comes. Its readings are the latest. If
+    these are unknown, no older ones take their place: the step is dropped. If rays that measured nothing leave open
+    what a laser reads, the step counts only if its states and its reward are the same either way. A step that does not
+    begin where the one before has ended begins a new episode.
+
+    Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
+    """
+    given = (
+        max(PATIENCE[0], PATIENCE[1] * task.step_time) if max_age is None else max_age
+    )
+    if not 0 < given < math.inf:
+        raise ValueError(
+            f"max_age must be a positive number of seconds, got {max_age!r:.200}"
+        )
+    age, times_of = (
+        round(given * SECOND),
+        (drive.poses.times, drive.scans.times, drive.twists.times),
+    )
+    received = dict(zip(names, times_of, strict=True))
+    for what, times in received.items():
+        unreadable, fault = drive.faults.get(what, (0, "there is none at all"))
+        if unreadable == len(times):
+            raise ValueError(
+                f"there is no readable message of {what} among {len(times)}: {fault}"
+            )
+    lasers = _lasers_of(task, drive)
+    counts: Counter[str] = Counter()
+    twists = drive.twists.values
+    actions = [motions.action(v, omega, aside) for v, aside, omega in twists]
+    unexplained = Counter(
+        (round(v, 2), round(w, 2))
+        for (v, _, w), a in zip(twists, actions, strict=True)
+        if a is None
+    )
+    jump = JUMP + 2 * motions.max_speed * task.step_time
+    rows: list[list[float]] = []
+    since, at_goal, before_end = 0, 0, -1
+    for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
+        step = _step(
+            task,
+            _readings(drive, begin, age, lasers),
+            _readings(drive, end, age, lasers),
+            jump,
+        )
+        if isinstance(step, str):
+            counts[step] += 1
+            continue
+        if begin != before_end:
+            if rows:
+                rows[-1][-1] = not rows[-1][-2]
+            counts["stretches"] += 1
+            since = at_goal = 0
+        s, r, s_next, is_there = step
+        since, before_end = since + 1, end
+        at_goal = at_goal + 1 if is_there else 0
+        terminated = at_goal >= task.goal_steps
+        truncated = not terminated and since == task.episode_steps
+        rows.append([s, a, r, s_next, terminated, truncated])
+        if terminated or truncated:
+            since = at_goal = 0
+    duration = max(times[-1] for times in received.values()) - min(
+        times[0] for times in received.values()
+    )
+    report = DriveReport(
+        task.name, duration / SECOND, {what: len(received[what]) for what in received}, drive.faults, len(rows),
+        counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["unknown"], counts["jumps"],
+        counts["silences"], drive.rays, drive.lost, sum(not lasers <= scan.keys() for scan in drive.scans.values),
+        tuple(laser for laser in LASERS if laser not in lasers),
+    )  # fmt: skip
+    if not rows:
+        raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
+    return Transitions(*map(np.array, zip(*rows, strict=True))), report
+
+
+def _lasers_of(task: Task, drive: Drive) -> set[str]:
+    """The lasers that count: those of the task's inputs, and those that most scans show."""
+    known = Counter(chain.from_iterable(drive.scans.values))
+    check_view(task, known, f" ({drive.lost} of all its {drive.rays} rays)")
+    inputs = [variable.name for variable in task.inputs]
+    return {
+        laser
+        for laser in LASERS
+        if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)
+    }
+
+
+def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
+    """What the robot's sensors said last, as near and as far as it may be: nothing if unknown, None if too old."""
+    pose, scan = drive.poses.at(time, age), drive.scans.at(time, age)
+    if pose is None or scan is None:
+        return None
+    if not pose or not lasers <= scan.keys():
+        return []
+    names = [name for name in scan if name in lasers]
+    return [
+        {name: scan.get(side + name, scan[name]) for name in names} | pose
+        for side in ("", FARTHEST)
+    ]
+
+
+def _step(
+    task: Task, before: _Told, after: _Told, jump: float
+) -> tuple[int, float, int, bool] | str:
+    """State, reward, next state, and whether that is the goal; or which kind of step it is that does not count.
+
+    before, after: as `_readings` gives them; jump: no step is as long as that [m]
+    """
+    if before is None or after is None:
+        return "stale"
+    steps = set()
+    for here, there in zip(before, after, strict=False):
+        if math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > jump:
+            return "jumps"
+        s, s_next = task.states.encode(here), task.states.encode(there)
+        steps.add((s, task.reward_for(here, there), s_next, task.at_goal(there)))
+    return steps.pop() if len(steps) == 1 else "unknown"
+
+
+def _holds(
+    drive: Drive, actions: list[int | None], age: int, counts: Counter[str]
+) -> Iterator[_Hold]:
+    """Which action was in force when. A command holds until the next one comes or it is too old."""
+    times, last = drive.twists.times, max(drive.poses.times[-1], drive.scans.times[-1])
+    silent = [after - before > age for before, after in pairwise(times)]
+    counts["silences"] = sum(silent)
+    piece = np.cumsum([0, *silent]).tolist()
+    for _, group in groupby(range(len(times)), key=lambda i: (piece[i], actions[i])):
+        held = list(group)
+        i, upto = held[-1], times[held[-1]] + age
+        end = min(upto, times[i + 1] if i + 1 < len(times) else last)
+        yield actions[i], [times[j] for j in held], end
+
+
+def _spans(
+    task: Task, holds: Iterator[_Hold], counts: Counter[str]
+) -> Iterator[tuple[int, int, int]]:
+    """Beginning and end [ns], and action, of each step that one action fills."""
+    step = round(task.step_time * SECOND)
+    slack = round(SLACK * step)
+    for action, times, end in holds:
+        begin = times[0]
+        while action is not None and begin < end:
+            due = begin + step
+            if due > end + slack:
+                counts["cut"] += 1
+                break
+            if due < end - slack:
+                i = bisect_left(times, due)
+                said = min(
+                    times[max(i - 1, 0) : i + 1], key=lambda time: abs(time - due)
+                )
+                due = said if abs(said - due) <= slack else due
+            else:
+                due = end
+            yield begin, due, action
+            begin = due

@@ -1,0 +1,96 @@
+"""A second process that stops the robot when the first one ends, in whatever way.
+
+It has a connection of its own, and a pipe to the first process. The operating system closes a pipe whose writer is
+gone, also one that was killed: then the guardian tells the robot to stop. It cannot help where the network fails or
+the whole computer does; there the robot's own watchdog must, see docs/real_robot.md.
+
+    python -m rlrobot_ros.live.guardian    (what the first process runs; it reads from its standard input)
+"""
+
+import contextlib
+import json
+import signal
+import subprocess
+import sys
+import time
+from typing import Any
+
+from rlrobot_ros.live.connection import connect
+from rlrobot_ros.live.voice import Voice
+
+READY = "ready"
+STOPS, PAUSE = (
+    3,
+    0.1,
+)  # how often, and how far apart [s]: what the dead process sent last may still be on its way
+
+
+class Guardian:
+    """The first process's end of it; the guardian waits until this is closed.
+
+    link, where: as for `connect`; topic, stamped: as for `Voice`
+
+    Raises ConnectionError if the second process cannot reach the robot.
+    """
+
+    def __init__(
+        self, link: str, where: dict[str, Any], topic: str, stamped: bool
+    ) -> None:
+        command = [sys.executable, "-m", __name__]
+        # in a session of its own: what ends the kernel and all that it started shall not end this
+        self._process: Any = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            encoding="utf-8",
+            start_new_session=True,
+        )
+        assert self._process.stdout is not None
+        with contextlib.suppress(BrokenPipeError):
+            print(
+                json.dumps([link, where, topic, stamped]),
+                file=self._process.stdin,
+                flush=True,
+            )
+        said = self._process.stdout.readline().strip()
+        if said != READY:
+            self.close()
+            raise ConnectionError(
+                f"no second connection that would stop the robot if this process died: {said}"
+            )
+
+    def close(self) -> None:
+        """Let it stop the robot and end."""
+        with contextlib.suppress(OSError):
+            self._process.stdin.close()
+        try:
+            self._process.wait(5.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._process.stdout.close()
+
+
+def watch() -> None:
+    """The second process: wait for the end of the first one, and stop the robot."""
+    signal.signal(
+        signal.SIGINT, signal.SIG_IGN
+    )  # Ctrl-C is for the first process, which stops the robot itself
+    link, where, topic, stamped = json.loads(sys.stdin.readline())
+    try:
+        connection = connect(link, **where)
+        voice = Voice(connection, topic, stamped)
+    except (ValueError, OSError, ImportError) as error:
+        sys.exit(print(error))
+    print(READY, flush=True)
+    sys.stdin.read()
+    with contextlib.suppress(ConnectionError):
+        for _ in range(STOPS):
+            voice.say(0.0, 0.0)
+            time.sleep(PAUSE)
+    connection.close()
+
+
+if __name__ == "__main__":
+    watch()

@@ -1,0 +1,266 @@
+"""A robot that is on now as a robot of the toolkit."""
+
+import math
+import weakref
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+import numpy as np
+
+from rlrobot_edu.robots.mobile_base import Chassis, beams
+from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
+from rlrobot_edu.task.task import Task
+from rlrobot_ros.live.line import Line, Settings
+from rlrobot_ros.live.link_report import LinkReport
+from rlrobot_ros.live.safety import within
+from rlrobot_ros.live.steering import Limits
+from rlrobot_ros.motions import chassis_of
+from rlrobot_ros.scan import Mounting
+
+
+class RobotLink(Robot):
+    """A robot that is on now, reached over ROS 1 or ROS 2. `rl.make_env(task, link=…)` makes its environment.
+
+    Parameters
+    ----------
+    link : str
+        ``rosbridge`` (ROS 1 and ROS 2, from any computer) or ``dds`` (straight to ROS 2).
+    odom, scan, cmd_vel : str
+        Names of the topics: of type Odometry, LaserScan, and Twist.
+    stamped : bool
+        Whether the robot wants TwistStamped instead of Twist.
+    chassis : Chassis, optional
+        Wheels and body of the robot; None takes those of the task's robot.
+    mounting : tuple of float, float, float, bool, float
+        Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
+        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
+    max_speed, max_turn : float [m/s], [rad/s]
+        Limits that no command exceeds.
+    safety_distance : float [m]
+        No forward motion while something ahead is nearer than this to the circle around the robot.
+    confirmed : bool
+        Whether the robot may move at once; else a person is asked before its first motion.
+    dry_run : bool
+        Send nothing to the robot, only listen; `report` counts what would have been sent.
+    simulated_time : bool
+        For a simulated robot whose time passes only with its commands (``serve-robot --simulated-time``).
+    **where
+        Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS.
+
+    Raises
+    ------
+    ValueError
+        For a limit that is no positive number, or arguments that do not fit together.
+
+    Notes
+    -----
+    - A step sends its command ten times a second for the task's `step_time`. It is followed by a stop, unless the next
+      step comes within a tenth of a second.
+    - Anything that ends a step early, such as an exception or Ctrl-C, stops the robot, and so does `close`. If this
+      process is killed, a second one stops it.
+    - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
+      and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
+      needs, and all that it showed at `reset`.
+    - `reset` does not move the robot: it stops it and waits until it is heard.
+    """
+
+    def __init__(
+        self,
+        link: str = "rosbridge",
+        *,
+        odom: str = "odom",
+        scan: str = "laser_scan",
+        cmd_vel: str = "cmd_vel",
+        stamped: bool = False,
+        chassis: Chassis | None = None,
+        mounting: tuple[float, ...] = Mounting(),
+        max_speed: float = 0.25,
+        max_turn: float = 1.0,
+        safety_distance: float = 0.18,
+        confirmed: bool = False,
+        dry_run: bool = False,
+        simulated_time: bool = False,
+        **where: Any,
+    ) -> None:
+        limits = Limits(max_speed, max_turn, safety_distance)
+        for name, limit in limits._asdict().items():
+            if not (
+                isinstance(limit, int | float | np.number) and 0 < limit < math.inf
+            ):
+                raise ValueError(
+                    f"{name} must be a positive number, got {limit!r:.200}"
+                )
+        if dry_run and simulated_time:
+            raise ValueError(
+                "in a dry run no simulated time would pass: choose dry_run or simulated_time"
+            )
+        self._own_chassis = chassis
+        self._task: Task | None = None
+        self._line: Line | None = None
+        self._last_report: LinkReport | None = None  # once the link has been closed
+        self._settings = Settings(
+            link, where, odom, scan, cmd_vel, bool(stamped), Mounting.of(mounting), limits, bool(confirmed),
+            bool(dry_run), bool(simulated_time),
+        )  # fmt: skip
+
+    def __getstate__(self) -> NoReturn:
+        raise TypeError(
+            "a link to a robot can be neither copied nor sent to another process: there is one robot"
+        )
+
+    def prepare(self, task: Task) -> None:
+        """Get ready for a task; nothing is sent yet.
+
+        Parameters
+        ----------
+        task : Task
+            What the robot shall do.
+
+        Raises
+        ------
+        ValueError
+            If the task's robot is not one on wheels, or if one of its actions is above the limits.
+        """
+        chassis, limits = self._own_chassis or chassis_of(task), self._settings.limits
+        for a in range(task.actions.n):
+            v, omega = chassis.twist(task.command_for(a))
+            if within(v, omega, *limits[:2]) != (v, omega):
+                raise ValueError(
+                    f"{task.path}: action {a} drives at {v:.3g} m/s and turns at {omega:.3g} rad/s, above the limits "
+                    f"of {limits.max_speed:g} m/s and {limits.max_turn:g} rad/s; choose slower outputs or, if that is "
+                    "safe, rl.RobotLink(…, max_speed=, max_turn=)"
+                )
+        self.close()
+        self._task, self._chassis = task, chassis
+
+    @property
+    def readings(self) -> dict[str, float]:
+        """What the sensors say now, by name.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
+        return self._open_line().senses.readings
+
+    @property
+    def report(self) -> LinkReport:
+        """What was heard and said since the link was opened, also after `close`.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
+        return self._last_report or self._open_line().report()
+
+    def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
+        """Stop the robot, connect to it if need be, and wait until it is heard. It stays where it is.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator, optional
+            Not used; in a real robot nothing is drawn.
+
+        Returns
+        -------
+        dict of str to float
+            The readings.
+
+        Raises
+        ------
+        OSError
+            If nothing answers (ConnectionError), or if the robot is not heard in time (TimeoutError).
+        ValueError
+            If the task needs a laser where the scanner does not look, or for an unknown link.
+        ImportError
+            If what the link needs is not installed; it says what to install.
+        """
+        if self._task is None:
+            raise ValueError(
+                "give the link to an environment: rl.make_env(task, link=…)"
+            )
+        if self._line is not None and self._line.connection.lost is not None:
+            self.close()
+        if self._line is None:
+            self._line, self._last_report = Line(self._settings, self._chassis), None
+            self._end = weakref.finalize(
+                self, self._line.close
+            )  # also when Python ends
+        self._line.begin(self._task)
+        return self.readings
+
+    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+        """Drive for one control step. An exception stops the robot.
+
+        Parameters
+        ----------
+        command : dict of str to float
+            Speed of each wheel [rad/s].
+
+        Returns
+        -------
+        dict of str to float
+            The readings.
+
+        Raises
+        ------
+        ValueError
+            For a command that is not on the robot's card.
+        OSError
+            If nobody has confirmed that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
+            TimeoutError).
+        """
+        line = self._open_line()
+        assert self._task is not None
+        ROBOTS[self._task.robot].check_command(command)
+        line.drive(*self._chassis.twist(command), self._task.step_time)
+        return self.readings
+
+    def scene(self) -> Scene:
+        """The robot where its odometry says, and its laser beams; of walls nothing is known.
+
+        Returns
+        -------
+        Scene
+            What there is to see.
+
+        Raises
+        ------
+        ConnectionError
+            Before the first `reset`.
+        """
+        readings = (
+            dict.fromkeys(LASERS, 0.0) | self.readings
+        )  # a beam of which nothing is known shows nothing free
+        x, y = readings["x"], readings["y"]
+        here = pose(x, y, 0.0, readings["theta"])
+        solids = (
+            Solid(
+                "robot/body", *self._chassis.body(), here @ pose(0, 0, 0.16), "robot"
+            ),
+            Solid(
+                "robot/nose",
+                "box",
+                (0.14, 0.06, 0.04),
+                here @ pose(self._chassis.radius - 0.075, 0, 0.26),
+                "robot",
+            ),
+        )
+        bounds = (x - LASER_RANGE, y - LASER_RANGE, x + LASER_RANGE, y + LASER_RANGE)
+        return Scene(solids, beams(readings, self._chassis), bounds)
+
+    def close(self) -> None:
+        """Stop the robot and end the connection; `reset` connects again."""
+        if self._line is not None:
+            self._last_report, self._line = self._line.report(), None
+            self._end()
+
+    def _open_line(self) -> Line:
+        if self._line is None:
+            raise ConnectionError("the link is not open: call env.reset() first")
+        return self._line

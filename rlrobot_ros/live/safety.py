@@ -1,0 +1,96 @@
+"""What keeps a robot from harm: how much room is ahead, how fast it may be, and a person who says yes."""
+
+import math
+
+import numpy as np
+
+from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_ros.scan import (
+    GAP,
+    LaserScan,
+    Mounting,
+    Rays,
+    directions,
+    measured,
+    turned,
+)
+
+AHEAD = math.radians(
+    60
+)  # to each side of straight ahead: as far as forward motion can bring the robot near to a thing
+# Share of the rays ahead that must say something themselves. Now and then a ray is lost by chance; where most are, that
+# is dirt, the sun or a fault, and then it is not chance what the others miss.
+MOST_KNOWN = 0.5
+
+
+def room_ahead(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> float:
+    """How far the nearest thing ahead is from the circle around the robot [m]; infinity if there is none.
+
+    NaN if that is not known: see `look_ahead`. Raises ValueError for a scan that cannot be.
+    """
+    return look_ahead(measured(scan, mounting.far), chassis, mounting)[0]
+
+
+def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float, str]:
+    """How far the nearest thing ahead is from the circle around the robot [m], and if that is NaN, why.
+
+    What is unknown is not free. Something too near to be measured is at the scanner itself.
+    """
+    angles = directions(mounting, rays.angle_min, rays.increment, len(rays.ranges))
+    off = np.abs(turned(angles, 0.0))
+    looks_ahead, met = off < AHEAD, np.isfinite(rays.ranges)
+    if off.min() >= min(abs(rays.increment) / 2 + GAP, AHEAD):
+        return (
+            math.nan,
+            f"no ray of the scan looks straight ahead, the nearest is {math.degrees(off.min()):.0f}° off",
+        )
+    if not met.any():
+        return (
+            math.nan,
+            f"none of the {len(met)} rays of the scan met anything, as if it were covered",
+        )
+    lost, hides = ~rays.known[looks_ahead], np.isnan(rays.ranges[looks_ahead])
+    if hides.any() or lost.mean() > 1 - MOST_KNOWN:
+        return math.nan, (
+            f"{lost.sum()} of the {len(lost)} rays ahead say nothing (0, NaN, or above range_max), {hides.sum()} of "
+            f"them in gaps of more than {math.degrees(GAP):.1f}°"
+        )
+    x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
+    y = mounting.y + rays.ranges[met] * np.sin(angles[met])
+    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | (looks_ahead & (rays.ranges == 0))[
+        met
+    ]
+    return float((np.hypot(x, y)[is_ahead] - chassis.radius).min(initial=math.inf)), ""
+
+
+def within(
+    v: float, omega: float, max_speed: float, max_turn: float
+) -> tuple[float, float]:
+    """A motion on the same curve that is nowhere above the limits [m/s], [rad/s].
+
+    Raises ValueError for a motion that is no number.
+    """
+    if not (math.isfinite(v) and math.isfinite(omega)):
+        raise ValueError(
+            f"a robot cannot be told to drive at {v} m/s and to turn at {omega} rad/s"
+        )
+    excess = max(abs(v) / max_speed, abs(omega) / max_turn, 1.0)
+    return v / excess, omega / excess
+
+
+def confirm(question: str) -> None:
+    """Ask the person at the keyboard. Raises PermissionError if the answer is not yes, or if nobody can be asked."""
+    try:
+        answer = input(f"{question} Type yes: ")
+    except (
+        EOFError,
+        OSError,
+        NotImplementedError,
+    ):  # the last is Jupyter's, where a notebook runs by itself
+        raise PermissionError(
+            "nobody can be asked whether the robot may move: if that is safe, say rl.RobotLink(…, confirmed=True)"
+        ) from None
+    if answer.strip().lower() not in ("yes", "y"):
+        raise PermissionError(
+            f"the robot was not moved, since the answer was {answer!r:.50}"
+        )

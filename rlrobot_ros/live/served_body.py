@@ -1,0 +1,69 @@
+"""The body of a served robot: it takes a Twist a tenth of a second at a time, and looks around with its scanner."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from rlrobot_edu.robots.giraff import Giraff
+from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.robots.realism import Realism, RealisticRobot
+from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
+from rlrobot_ros.motions import chassis_of
+
+ROBOT_CLASSES = {"mobile_base": MobileBase, "giraff": Giraff}
+TICK = 0.1  # time between two messages of the robot, and in which it carries out a command [s]
+RAYS = 360  # of its scanner, which stands midway between its wheels
+
+
+class ServedBody:
+    """The robot of a task in pymunk, as `ServedRobot` serves it, and without ROS.
+
+    realism: its weaknesses, in control steps of a tenth of a second; seed: makes them repeatable
+
+    Raises ValueError for a task or weaknesses that the robot cannot have.
+    """
+
+    def __init__(
+        self,
+        task: str | Path | Task,
+        realism: Realism | None = None,
+        seed: int | None = None,
+    ) -> None:
+        self.task = task = load_task(task)
+        self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
+        realism = realism or Realism()
+        self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, realism=realism)
+        self._robot = RealisticRobot(self._base, self._card, realism)
+        self._rng, self._noise = np.random.default_rng(seed), realism.laser_noise
+        self._robot.reset(self._rng)
+
+    def move(self, v: float, omega: float) -> None:
+        """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
+        wheels = self.chassis.wheel_speeds(v, omega)
+        self._robot.act(
+            {
+                wheel: min(max(wheels[wheel], c.low), c.high)
+                for wheel, c in self._card.commands.items()
+            }
+        )
+
+    def pose(self) -> tuple[float, float, float]:
+        """Where odometry says the point midway between its wheels is: x, y [m], theta [rad]."""
+        readings, axle = self._robot.readings, self.chassis.axle
+        theta = readings["theta"]
+        return (
+            readings["x"] + axle * math.cos(theta),
+            readings["y"] + axle * math.sin(theta),
+            theta,
+        )
+
+    def look(self) -> list[float]:
+        """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""
+        ranges = np.array(self._base.look_around(RAYS))
+        if self._noise:
+            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3)
+        # JSON cannot distinguish infinity from NaN
+        return [min(r, 2 * LASER_RANGE) for r in ranges.tolist()]
