@@ -64,17 +64,17 @@ LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 .PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
-	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
+	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
-	$(RUN) -m rlrobot_course fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
+	$(RUN) -m rlrobot_edu fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
 
 ifdef LESSON
 test: $(TOOLS)/tools.done
-	$(DEV) -m rlrobot_course course check $(LESSON)
+	$(DEV) -m rlrobot_edu course check $(LESSON)
 else
 test: $(TOOLS)/tools.done
-	$(DEV) -m rlrobot_course compile & \
+	$(DEV) -m rlrobot_edu compile & \
 	$(DEV) -m ruff check . && $(DEV) -m ruff format --check . && \
 	$(TOOLS)/bin/lint-imports --no-cache && $(TOOLS)/bin/mypy && wait $$!
 	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks
@@ -99,7 +99,7 @@ test-pythons:
 	test -z "$$failed" -a -n "$$passed"
 
 coverage: $(TOOLS)/tools.done
-	$(DEV) -m rlrobot_course compile
+	$(DEV) -m rlrobot_edu compile
 	rm -f .coverage .coverage.*
 	$(DEV) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --cov --cov-fail-under=95 \
 		$(NOT_COVERING:%=--ignore-glob='tests/*/test_%.py') --deselect tests/$(CRAMPED) $(COVERING)

@@ -1,4 +1,4 @@
-"""Homework: submitted notebooks are graded by the checks of their lesson, from ``python -m rlrobot_course grade``.
+"""Homework: submitted notebooks are graded by the checks of their lesson, from ``python -m rlrobot_edu grade``.
 
 Two processes take part, and only data goes from the second to the first:
 

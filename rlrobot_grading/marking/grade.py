@@ -1,4 +1,4 @@
-"""Grading of many notebooks: ``python -m rlrobot_course grade NOTEBOOK…``."""
+"""Grading of many notebooks: ``python -m rlrobot_edu grade NOTEBOOK…``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can be typed after ``python -m rlrobot_course grade``."""
+"""What can be typed after ``python -m rlrobot_edu grade``."""
 
 import argparse
 

@@ -384,7 +384,7 @@ def bench_starts():
                 Path(folder) / name,
                 ignore=shutil.ignore_patterns("__pycache__"),
             )
-        code = "from rlrobot_course.__main__ import compile_kernels; compile_kernels()"
+        code = "from rlrobot_course.commands import compile_kernels; compile_kernels()"
         first = seconds(lambda: run(code, folder), 1)
         again = seconds(lambda: run(code, folder), 5)
     imports = seconds(

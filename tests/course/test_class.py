@@ -77,7 +77,7 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
         nbformat.write(notebook, tmp_path / "in" / path.name)
         points[student] = len(answers) - len(names)
     points[students[-1]] *= 0.9
-    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
+    command = [sys.executable, "-m", "rlrobot_edu", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
                "--for", "canvas", "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
                "--jobs", "2", "--memory", "2048", "--seconds", "60",
                *(["--user", "61000"] if guarded else [])]  # fmt: skip

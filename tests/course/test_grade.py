@@ -346,7 +346,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
 )
 def test_wrong_usage_is_told_in_a_sentence_with_exit_code_2(arguments, told):
     done = subprocess.run(
-        [sys.executable, "-m", "rlrobot_course", "grade", *arguments],
+        [sys.executable, "-m", "rlrobot_edu", "grade", *arguments],
         capture_output=True,
         text=True,
         timeout=600,

@@ -131,7 +131,7 @@ def test_a_lesson_that_cannot_be_is_refused_before_anything_is_written(
 
 def run(root: Path, *words: str) -> subprocess.CompletedProcess:
     """The command `course …` in a checkout."""
-    command = [sys.executable, "-m", "rlrobot_course", "course", *words]
+    command = [sys.executable, "-m", "rlrobot_edu", "course", *words]
     around = os.environ | {"PYTHONPATH": str(root), "PYTHONIOENCODING": "utf-8"}
     return subprocess.run(
         command,

@@ -2,10 +2,10 @@
 
 import pytest
 
-from rlrobot_course import __main__ as commands
 from rlrobot_course.learner.my_functions import FILE, keep
 from rlrobot_course.learner.progress import progress
 from rlrobot_course.lesson_03 import check, exercises
+from rlrobot_edu.tools import commands
 
 
 @pytest.fixture

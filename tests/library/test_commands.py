@@ -8,8 +8,8 @@ from unittest.mock import Mock
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course import __main__ as commands
-from rlrobot_edu import __main__ as library
+from rlrobot_course.commands import open_lab
+from rlrobot_edu.tools import commands
 
 NAMES = [
     "lab",
@@ -20,7 +20,6 @@ NAMES = [
     "new-task",
     "check-task",
     "serve-robot",
-    "score",
     "course",
     "compile",
 ]
@@ -62,7 +61,7 @@ def test_help_of_a_command_says_what_it_does_with_an_example_that_can_be_typed(
 
 @pytest.mark.parametrize(("called", "name"), [
     ("/usr/bin/rlrobot-edu", "rlrobot-edu"), ("rlrobot-edu.exe", "rlrobot-edu"),
-    ("rlrobot_edu/__main__.py", "python -m rlrobot_edu"), ("rlrobot_course/__main__.py", "python -m rlrobot_course"),
+    ("rlrobot_edu/__main__.py", "python -m rlrobot_edu"),
 ])  # fmt: skip
 def test_help_calls_the_command_as_it_was_called(monkeypatch, capsys, called, name):
     monkeypatch.setattr(sys, "argv", [called])
@@ -108,7 +107,7 @@ def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems
     [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []],
 )
 def test_what_follows_lab_goes_to_jupyterlab_as_it_stands(more):
-    assert commands.parse(["lab", *more]) == (commands.open_lab, {"more": more})
+    assert commands.parse(["lab", *more]) == (open_lab, {"more": more})
 
 
 def test_an_option_that_is_not_known_is_refused(capsys):
@@ -120,8 +119,11 @@ def test_an_option_that_is_not_known_is_refused(capsys):
     )
 
 
-def test_the_library_has_its_own_commands_without_the_course(capsys):
+def test_the_library_has_its_own_commands_without_the_other_packages(
+    monkeypatch, capsys
+):
+    monkeypatch.setattr(commands, "entry_points", lambda group: [])
     with pytest.raises(SystemExit):
-        library.main(["--help"])
+        commands.main(["--help"])
     first_words = re.findall(r"^    ([a-z-]+)", capsys.readouterr().out, re.MULTILINE)
-    assert first_words == ["doctor", "tasks", "new-task", "check-task", "serve-robot"]
+    assert first_words == ["doctor", "tasks", "new-task", "check-task"]

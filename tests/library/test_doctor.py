@@ -13,9 +13,9 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 import rlrobot_edu as rl
-from rlrobot_edu.__main__ import main
 from rlrobot_edu.learning import jit
 from rlrobot_edu.tools import doctor
+from rlrobot_edu.tools.commands import main
 
 PROJECT = tomllib.loads(
     (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")

@@ -1,20 +1,11 @@
-"""The commands of the course, and the library's: ``rlrobot-edu``, or ``python -m rlrobot_course``."""
+"""The commands of the course: ``rlrobot-edu lab``, ``fresh``, ``progress``, ``grade``, ``course``, ``compile``."""
 
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
-from typing import Any
 
-from rlrobot_edu.__main__ import Commands, library_commands, run_command
+from rlrobot_edu.tools.commands import Commands
 from rlrobot_grading.marking.options import add_options
 
-ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
-FIRST = """begin with:
-  %(prog)s doctor                   is everything here?
-  %(prog)s lab                      open the course
-  %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
-
-%(prog)s COMMAND --help says more about a command, with an example."""
 METHODS = (
     "TOSL+QBIASSR",
     "TOSL+SR",
@@ -22,7 +13,6 @@ METHODS = (
     "Q+SR",
     "Q+EG",
 )  # that the lessons run
-SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
 
 
 def open_lab(more: list[str]) -> None:
@@ -32,7 +22,7 @@ def open_lab(more: list[str]) -> None:
     compiling = [
         sys.executable,
         "-m",
-        "rlrobot_course",
+        "rlrobot_edu",
         "compile",
     ]  # while JupyterLab starts
     compiler = subprocess.Popen(
@@ -56,20 +46,6 @@ def show_progress(folder: str) -> None:
     from rlrobot_course.learner.progress import show
 
     show(folder)
-
-
-def serve_robot(secret: str, **arguments: Any) -> None:
-    """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
-    from rlrobot_course.unknown_robot.commands import serve
-
-    serve(secret=secret, **arguments)
-
-
-def tell_score(log: str, secret: str) -> None:
-    """Say what the drive of a secret robot was worth, from the log that serve-robot --secret has written."""
-    from rlrobot_course.unknown_robot.commands import tell_score
-
-    tell_score(log, secret)
 
 
 def grade_notebooks(**arguments: object) -> None:
@@ -99,23 +75,17 @@ def compile_kernels() -> None:
     print("The learning kernels are compiled.")
 
 
-def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
-    """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
-    commands = Commands(ABOUT, FIRST)
+def add_commands(commands: Commands) -> None:
+    """Add the commands of the course."""
     add = commands.add
-    add("lab", open_lab, "--no-browser")
+    lab = add("lab", open_lab, "--no-browser")
+    lab.set_defaults(passes_on="more")  # JupyterLab knows more options
     add("fresh", freshen, "02").add_argument(
         "lesson", nargs="+", help="its number, as 02; or as in homework 1"
     )
     add("progress", show_progress, "my_course").add_argument(
         "folder", nargs="?", help="my_course/ if not given"
     )
-    library_commands(commands, serve_robot).add_argument(
-        "--secret", default="", help=SECRET
-    )
-    command = add("score", tell_score, "drive.npz --secret file:secret.txt")
-    command.add_argument("log", help="what serve-robot --secret has written")
-    command.add_argument("--secret", required=True, help=SECRET)
     add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
     add("course", write_lessons, "check 04").add_argument(
         "words",
@@ -123,22 +93,3 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
         help='check 04, new 18 "Title", or explain 02 update answer.py',
     )
     add("compile", compile_kernels)
-
-    known, more = commands.parser.parse_known_args(given)
-    run = vars(known).pop("run")
-    if run is open_lab:
-        return run, {
-            "more": more
-        }  # argparse would keep no option that it does not know for JupyterLab
-    if more:
-        commands.parser.error(f"unrecognized arguments: {' '.join(more)}")
-    return run, vars(known)
-
-
-def main(given: Sequence[str] | None = None) -> None:
-    """Run one command: the one of the command line, unless another one is `given`."""
-    run_command(parse, given)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,0 +1,146 @@
+"""The commands: ``rlrobot-edu COMMAND``, or ``python -m rlrobot_edu COMMAND``.
+
+The other packages add theirs: a function that takes `Commands`, named in pyproject.toml's entry points `GROUP`.
+"""
+
+import io
+import os
+import sys
+from argparse import ArgumentParser
+from argparse import RawDescriptionHelpFormatter as AsWritten
+from collections.abc import Callable, Sequence
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+import rlrobot_edu as rl
+
+GROUP = "rlrobot_edu.commands"
+ABOUT = "Learn tabular reinforcement learning on simulated robots: a library, and a course of notebooks on top of it."
+FIRST = """begin with:
+  %(prog)s doctor                   is everything here?
+  %(prog)s lab                      open the course
+  %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
+
+%(prog)s COMMAND --help says more about a command, with an example."""
+
+
+def list_tasks() -> None:
+    """List the robots' tasks: name, states × actions, robot and scene, and what it is about."""
+    for name in rl.available_tasks():
+        try:
+            task = rl.load_task(name)
+            size, about = (
+                f"{task.states.n} × {task.actions.n}",
+                task.description.partition("\n")[0],
+            )
+            print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
+        except (ValueError, OSError) as error:  # the others are shown all the same
+            print(f"{name:<16} cannot be loaded: {error}")
+
+
+def make_task(name: str, robot: str) -> None:
+    """Write NAME.py, a task file of your own to begin with, into this folder."""
+    path = rl.new_task(name, robot=robot)
+    # a bare python may be one without the toolkit
+    print(
+        f"Written: {path}, which works as it is. Check: {sys.executable} -m rlrobot_edu check-task {path}"
+    )
+
+
+def look_at_task(task: str, steps: int) -> None:
+    """Let a task's robot act at random, and an agent learn: what is odd about the task?"""
+    print(rl.check_task(task, steps=steps))
+
+
+def doctor() -> None:
+    """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
+    from rlrobot_edu.tools.doctor import examine
+
+    print(diagnosis := examine())
+    sys.exit(diagnosis.is_broken)
+
+
+class Commands:
+    """What can be typed after a program's name, and what --help says about it; `parser` reads it."""
+
+    def __init__(self) -> None:
+        name = "rlrobot-edu"
+        if not Path(sys.argv[0]).name.startswith(name):
+            name = "python -m rlrobot_edu"
+        self.parser = ArgumentParser(
+            name, description=ABOUT, epilog=FIRST, formatter_class=AsWritten
+        )
+        self._commands = self.parser.add_subparsers(
+            required=True, title="commands", metavar="COMMAND"
+        )
+
+    def add(
+        self, name: str, run: Callable[..., None], example: str = ""
+    ) -> ArgumentParser:
+        """A command `name` that calls `run` with its arguments; the first line of its docstring is its help."""
+        about = run.__doc__
+        epilog = f"Example: %(prog)s {example}"
+        command = self._commands.add_parser(
+            name, help=about, description=about, epilog=epilog
+        )
+        command.set_defaults(run=run, passes_on="")
+        return command
+
+
+def add_commands(commands: Commands) -> None:
+    """Add the library's own commands."""
+    commands.add("doctor", doctor)
+    commands.add("tasks", list_tasks)
+    command = commands.add("new-task", make_task, "reach --robot arm")
+    command.add_argument("name", help="of the task, as in follow_wall")
+    command.add_argument(
+        "--robot",
+        default="mobile_base",
+        help="as arm or giraff; mobile_base if not given",
+    )
+    command = commands.add("check-task", look_at_task, "follow_wall.py --steps 500")
+    command.add_argument("task", help="name of a task, or path of a task file")
+    command.add_argument(
+        "--steps",
+        type=int,
+        default=2000,
+        help="length of each trial, 2000 if not given",
+    )
+
+
+def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
+    """The function of the command that is given, and its arguments. Ends the program where there is no such command.
+
+    A command whose parser sets `passes_on` gets all arguments that it does not know under that name.
+    """
+    commands = Commands()
+    add_commands(commands)
+    for package in sorted(entry_points(group=GROUP), key=lambda entry: entry.name):
+        package.load()(commands)
+    known, unknown = commands.parser.parse_known_args(given)
+    arguments = vars(known)
+    run, passes_on = arguments.pop("run"), arguments.pop("passes_on")
+    if passes_on:
+        arguments[passes_on] = unknown
+    elif unknown:
+        commands.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+    return run, arguments
+
+
+def main(given: Sequence[str] | None = None) -> None:
+    """Run one command: the one of the command line, unless another one is `given`."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # a terminal that knows no "×" shows a question mark
+        sys.stdout.reconfigure(errors="replace")
+    try:
+        try:
+            run, arguments = parse(given)
+            run(**arguments)
+        finally:
+            print(end="", flush=True)  # here, where it may fail
+    except BrokenPipeError:  # `… | head -1` has seen enough: end without a word
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except (ValueError, OSError, ImportError) as error:  # a sentence: what to do
+        sys.exit(str(error).removeprefix(f"[Errno {getattr(error, 'errno', '')}] "))
