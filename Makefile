@@ -20,6 +20,7 @@
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
+# make size   how large the packages are; writes docs/howto/size.md
 # make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
 # make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
@@ -61,7 +62,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
@@ -107,6 +108,9 @@ coverage: $(TOOLS)/tools.done
 
 bench: $(TOOLS)/tools.done
 	$(DEV) studies/benchmarks/bench.py
+
+size: $(TOOLS)/tools.done
+	$(DEV) studies/size.py
 
 soak: $(TOOLS)/tools.done
 	$(DEV) tests/soak.py
