@@ -103,13 +103,13 @@ def tokens_of_code(text: str) -> list[tokenize.TokenInfo]:
     open_texts = 0  # since Python 3.12 an f-string is many tokens; here it is one
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         kind = tokenize.tok_name[token.type]
-        if kind == "FSTRING_END":
-            open_texts -= 1
-        elif open_texts == 0 and token.type not in NO_CODE:
-            if token.start[0] not in no_code:
-                tokens.append(token)
+        is_code = token.type not in NO_CODE and token.start[0] not in no_code
+        if is_code and open_texts == 0 and kind != "FSTRING_END":
+            tokens.append(token)
         if kind == "FSTRING_START":
             open_texts += 1
+        elif kind == "FSTRING_END":
+            open_texts -= 1
     return tokens
 
 

@@ -53,9 +53,9 @@ def kinds_of(node: ast.AST) -> Iterable[str]:
             yield "unpacked generator or map"
         case ast.Call(func=ast.IfExp()):
             yield "call of a conditional"
-    if isinstance(node, COMPREHENSIONS):
-        if len(node.generators) > 1 or _holds(node, COMPREHENSIONS):
-            yield "nested comprehension, or with two for"
+        case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+            if len(node.generators) > 1 or _holds(node, COMPREHENSIONS):
+                yield "nested comprehension, or with two for"
 
 
 def tricks_in(paths: Iterable[Path]) -> Counter[str]:
