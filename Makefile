@@ -19,7 +19,7 @@
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
-# make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
+# make platforms   ask what can be installed where; writes the table of docs/howto/install.md
 # make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 

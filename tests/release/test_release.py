@@ -112,6 +112,7 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
     }
     data = (files_in("tasks") | files_in("datasets")) - {
         "tasks/README.md",
+        "datasets/README.md",
         "datasets/make_datasets.py",
     }
 

@@ -37,6 +37,23 @@ def test_a_page_says_what_its_script_would_write(page, template):
     ] == []
 
 
+INDEX = (DOCS / "studies/index.md").read_text(encoding="utf-8")
+
+
+def test_the_index_has_every_study():
+    pages = {path.name for path in (DOCS / "studies").glob("*.md")} - {"index.md"}
+    assert set(re.findall(r"^\| \[.*?\]\((\w+\.md)\)", INDEX, re.M)) == pages
+
+
+@pytest.mark.parametrize(
+    "page, verdict", re.findall(r"^\| \[.*?\]\((\w+\.md)\).* \| (.*) \|$", INDEX, re.M)
+)
+def test_a_verdict_of_the_index_has_its_numbers_from_its_page(page, verdict):
+    text = (DOCS / "studies" / page).read_text(encoding="utf-8")
+    numbers = re.findall(r"[-−+]?\d+\.\d+", verdict)
+    assert [number for number in numbers if number not in text] == []
+
+
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     assert (DOCS / "studies" / "blind.md").read_text(
