@@ -62,12 +62,11 @@ suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 # Pages that the sidebar shows below another one, once that is opened. They do not stand in the pages themselves, where
 # GitHub would show them as code
 BELOW = {
-    "README": ["docs/howto/install"],
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stepper"],
     "docs/method": ["docs/notation"],
     "docs/grading": ["notebooks/homework/*"],
-    "docs/real_robot": ["docs/bags", "docs/unknown_robot"],
+    "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],
     "docs/studies/index": ["docs/studies/*"],
     "datasets/README": ["datasets/*/README"],
@@ -79,6 +78,7 @@ BELOW = {
     ],
 }
 MADE_OF = {
+    "notebooks": "docs/lessons",
     "rlrobot_edu": "docs/api/index",
     "rlrobot_edu/widgets/stepper": "docs/stepper",
     "rlrobot_ros": "docs/api/rlrobot_ros",

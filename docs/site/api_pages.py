@@ -1,8 +1,8 @@
 """The pages of the API: the public names of rlrobot_edu, a page for each of its folders, and those of rlrobot_ros."""
 
 import inspect
+import sys
 from pathlib import Path
-from types import ModuleType
 
 import rlrobot_edu
 import rlrobot_ros
@@ -26,34 +26,21 @@ The names of the last group are in `rlrobot_ros`, all others in `import rlrobot_
 """
 
 
-def public_names(package: ModuleType) -> list[str]:
-    """What a package offers: names that stand for what is defined in one of its modules."""
-    names = [name for name in dir(package) if not name.startswith("_")]
-    home = package.__name__ + "."
-    return [
-        name
-        for name in names
-        if getattr(getattr(package, name), "__module__", "").startswith(home)
-    ]
-
-
 def groups() -> dict[str, list[str]]:
     """What is public, by folder in the order of TITLES. Raises KeyError for a folder without a title."""
     found: dict[str, list[str]] = {folder: [] for folder in TITLES}
-    for name in public_names(rlrobot_edu):
+    for name in rlrobot_edu.__all__:
         folder = getattr(rlrobot_edu, name).__module__.split(".")[1]
         found[folder].append(f"rlrobot_edu.{name}")
-    for name in public_names(rlrobot_ros):
+    for name in rlrobot_ros.__all__:
         found["rlrobot_ros"].append(f"rlrobot_ros.{name}")
     return {folder: names for folder, names in found.items() if names}
 
 
-def thing(name: str) -> object:
+def thing(full_name: str) -> object:
     """What a full name stands for."""
-    package, _, short = name.partition(".")
-    return getattr(
-        {"rlrobot_edu": rlrobot_edu, "rlrobot_ros": rlrobot_ros}[package], short
-    )
+    package, name = full_name.split(".")
+    return getattr(sys.modules[package], name)
 
 
 def described(name: str) -> str:
