@@ -18,6 +18,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_course.authoring.lists import lessons
+from rlrobot_edu.task.task_file import available_tasks
 
 ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
@@ -99,7 +100,7 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     for notebook in [*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
     tasks = pages[site / "tasks/README.html"].links
-    for task in rl.available_tasks():
+    for task in available_tasks():
         assert any(link.endswith(f"/{task}.py") for link in tasks)
     datasets = pages[site / "datasets/README.html"].links
     for dataset in (ROOT / "datasets").glob("*/README.md"):
