@@ -14,14 +14,13 @@
 #                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
-# make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
 # make homework   assignments for nbgrader, in notebooks/homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
 # make size   how large the packages are; writes docs/howto/size.md
-# make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
+# make platforms   ask what can be installed where; writes the table of docs/howto/install.md
 # make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
@@ -62,7 +61,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs homework lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
@@ -138,9 +137,6 @@ notebooks: $(VENV)/lab.done
 
 docs: $(TOOLS)/tools.done
 	$(DEV) docs/site/make_site.py
-
-slides: $(VENV)/lab.done
-	$(RUN) docs/site/make_slides.py $(LESSON)
 
 tools: $(TOOLS)/tools.done
 

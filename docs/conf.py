@@ -59,12 +59,37 @@ exclude_patterns = ["to_the_root"]  # what is copied as it is
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
-MADE_OF = {
-    "tasks": "tasks",
-    "datasets": "datasets",
-    "rlrobot_edu": "api/index",
-    "rlrobot_edu/widgets/stepper": "stepper",
+# Pages that the sidebar shows below another one, once that is opened. They do not stand in the pages themselves, where
+# GitHub would show them as code
+BELOW = {
+    "docs/howto/install": ["docs/howto/browser"],
+    "docs/playground": ["docs/stepper"],
+    "docs/method": ["docs/notation"],
+    "docs/grading": ["notebooks/homework/*"],
+    "docs/real_robot": ["docs/bags"],
+    "docs/results": ["docs/reproduction/README"],
+    "docs/studies/index": ["docs/studies/*"],
+    "datasets/README": ["datasets/*/README"],
+    "CONTRIBUTING": [
+        "docs/howto/architecture",
+        "docs/howto/release",
+        "studies/benchmarks/README",
+        "CHANGELOG",
+    ],
 }
+MADE_OF = {
+    "notebooks": "docs/lessons",
+    "rlrobot_edu": "docs/api/index",
+    "rlrobot_edu/widgets/stepper": "docs/stepper",
+    "rlrobot_ros": "docs/api/rlrobot_ros",
+}
+
+
+def with_pages_below(app: Sphinx, page: str, source: list[str]) -> None:
+    """Add the tree of the pages that stand below this one in the sidebar."""
+    if page in BELOW:
+        pages = "\n".join(f"/{name}" for name in BELOW[page])
+        source[0] += f"\n\n```{{toctree}}\n:hidden:\n:glob:\n\n{pages}\n```\n"
 
 
 def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
@@ -76,13 +101,13 @@ def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
         folder = (here / link[2]).resolve()
         if not folder.is_dir():
             return link[0]
-        other = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
-        made = (
-            root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), other)}.md"
-        )
-        return (
-            f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
-        )
+        name = folder.relative_to(root).as_posix()
+        candidates = [f"{name}/README", MADE_OF.get(name, f"docs/api/{folder.name}")]
+        for candidate in candidates:
+            made = root / f"{candidate}.md"
+            if made.is_file():
+                return f"[{link[1]}]({os.path.relpath(made, here)})"
+        return link[1]
 
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
 
@@ -117,3 +142,4 @@ def setup(app: Sphinx) -> None:
     app.connect("html-page-context", with_levels, priority=900)  # after the theme
     app.add_html_math_renderer("mathml", (write_math, None), (write_math, None))
     app.connect("source-read", without_links_to_folders)
+    app.connect("source-read", with_pages_below)

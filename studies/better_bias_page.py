@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterable, Sequence
 from itertools import cycle
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from better_bias import MAZES, REGISTERED, TUNING, at_best, tuning
+from better_bias import REGISTERED
 from better_bias_tests import (
     OURS,
     Difference,
@@ -31,6 +30,7 @@ from rlrobot_edu.show.picture import Picture
 
 DOCS = Path(__file__).parent.parent / "docs"
 METHODS = ("SR", "QBIASSR", OURS, "LINEAR", "COUNT", "coarse", "blind")
+WITHOUT_RIVALS = ("SR", "QBIASSR", OURS, "blind")
 FAMILIES = REGISTERED["families"]
 NO_CIRCLE, OTHERS, CHANGED = FAMILIES
 MARKERS = "osv^D"
@@ -48,49 +48,12 @@ def told(values: Sequence[float]) -> str:
     return f"{np.mean(values):.2f} ± {stats.t.ppf(0.975, len(values) - 1) * stats.sem(values):.2f}"
 
 
-def finals(found: Found, world: str, label: str) -> list[float]:
-    """Final average rewards; of the ten mazes the mean of each maze. Empty where it was not run."""
-    if world == "ten mazes":
-        return [
-            float(np.mean(found[maze][label])) for maze in MAZES if label in found[maze]
-        ]
-    return list(found[world].get(label, []))
-
-
-def means(found: Found, worlds: Sequence[str], labels: Sequence[str] = METHODS) -> str:
+def means(found: Found, worlds: Sequence[str], labels: Sequence[str]) -> str:
     """A line for each world, at T = 1."""
-    rows = []
-    for world in worlds:
-        cells = [finals(found, world, label) for label in labels]
-        rows.append([world, *(told(values) if values else "" for values in cells)])
+    rows = [
+        [world, *(told(found[world][label]) for label in labels)] for world in worlds
+    ]
     return table(["world", *labels], rows)
-
-
-def best(found: Found, worlds: Sequence[str]) -> str:
-    """A line for each world, each method at its own best temperature."""
-    rows = []
-    for world in worlds:
-        labels = [at_best(found[world], method) for method in TUNING["methods"]]
-        rows.append(
-            [
-                world,
-                *(
-                    f"{told(found[world][label])} ({temperature(label)})"
-                    for label in labels
-                ),
-            ]
-        )
-    return table(["world", *(f"{method} (T)" for method in TUNING["methods"])], rows)
-
-
-def temperature(label: str) -> str:
-    """Of a label."""
-    return label.partition(", T = ")[2] or "1"
-
-
-def method(label: str) -> str:
-    """Of a label."""
-    return label.partition(", T = ")[0]
 
 
 def tests(rows: Sequence[Difference], columns: Sequence[str]) -> str:
@@ -127,11 +90,6 @@ def checks(found: Found) -> str:
     )
 
 
-def relatives_table(found: Found) -> str:
-    """Each relative less VBIASSR, and how far its least difference from SR lies from the margin."""
-    return tests(relatives(found), REGISTERED["relatives"]["names"])
-
-
 def rule_says(found: Found) -> str:
     """What the registered rule says of each relative, and of VBIASSR and QBIASSR for comparison."""
     lines = []
@@ -146,18 +104,6 @@ def rule_says(found: Found) -> str:
             )
         )
     return "\n".join(lines).replace("(-", "(−")
-
-
-def blind_there(found: Found) -> str:
-    """What a blind agent earns in the set-ups of the reproduction, beside TOSL+QBIASSR."""
-    said = []
-    for world in REGISTERED["reproduction"]["rule"]:
-        blind, other = (
-            f"{np.mean(found[world][label]):.2f}".replace("-", "−")
-            for label in ("blind", "QBIASSR")
-        )
-        said.append(f"{world} {blind} beside {other}")
-    return ", ".join(said)
 
 
 def rules_table(found: Found) -> str:
@@ -216,42 +162,6 @@ def forest(found: Found) -> Picture:
     return picture
 
 
-def by_temperature(found: Found) -> Picture:
-    """Means of the tuning runs by temperature."""
-    picture, said = Picture((10.5, 3.6)), []
-    worlds = FAMILIES[NO_CIRCLE]["worlds"]
-    temperatures: Any = TUNING["temperatures"]
-    for ax, world in zip(picture.subplots(1, len(worlds)), worlds, strict=True):
-        for i, name in enumerate(TUNING["methods"]):
-            colour, dashes = CURVES[i]
-            y = [float(np.mean(found[world][tuning(name, t)])) for t in temperatures]
-            ax.plot(
-                temperatures,
-                y,
-                MARKERS[i % 5],
-                linestyle=dashes,
-                color=colour,
-                label=name,
-            )
-            said.append(f"{name} in {world}: {', '.join(f'{v:.1f}' for v in y)}")
-        ax.set(
-            title=world.replace(", ", ",\n"),
-            xlabel="T",
-            xscale="log",
-            xticks=temperatures,
-        )
-        ax.set_xticks(temperatures, [f"{t:g}" for t in temperatures])
-        ax.grid(alpha=0.3)
-    picture.get_axes()[0].set_ylabel("reward a step")
-    picture.legend(
-        *picture.get_axes()[0].get_legend_handles_labels(),
-        loc="outside lower center",
-        ncols=6,
-    )
-    picture.alt = f"Mean reward a step at T = {', '.join(f'{t:g}' for t in temperatures)}. {'; '.join(said)}."
-    return picture
-
-
 def numbers(found: Found) -> dict[str, str]:
     """Every tested difference with its interval, for the prose, by names such as ``wander_1k__QBIASSR__T_1``."""
     rows = {f"{row.world}, {name}": row for key in FAMILIES
@@ -271,33 +181,27 @@ def in_words(its: Difference) -> str:
 
 def page(found: Found) -> str:
     """The page in Markdown."""
-    parts = {
-        "means": means(found, FAMILIES[NO_CIRCLE]["worlds"]),
-        "best": best(found, FAMILIES[NO_CIRCLE]["worlds"]),
-    }
-    parts |= {
-        "others": means(found, FAMILIES[OTHERS]["worlds"]), "best_others": best(found, FAMILIES[OTHERS]["worlds"]),
-        "changed": means(found, FAMILIES[CHANGED]["worlds"], [m for m in METHODS if m != "COUNT"]),
-        "wheels": means(found, REGISTERED["reproduction"]["wheels"], ["SR", "QBIASSR", OURS, "blind"]),
-        "wheels_tests": tests(wheels(found), ["QBIASSR", "SR", "blind"]),
-    }  # fmt: skip
+    parts = {}
     for key, name in (("a", NO_CIRCLE), ("b", OTHERS), ("c", CHANGED)):
-        rows, names = family(found, name), columns(name)
-        parts[f"tests_{key}"] = tests(rows, names)
+        parts[f"tests_{key}"] = tests(family(found, name), columns(name))
     return PAGE.format(
-        **parts, **numbers(found), checks=checks(found), relatives=relatives_table(found), rule_says=rule_says(found),
-        rules=rules_table(found), forest=f"![{forest(found).alt}](../pictures/better_bias.png)",
-        by_temperature=f"![{by_temperature(found).alt}](../pictures/better_bias_temperature.png)",
-        seed=REGISTERED["seed"], zeros=in_words(difference(found, "wander_1k", "NZBIASSR", "QBIASSR")),
-        blind_there=blind_there(found), giraff_blind=in_words(difference(found, "giraff_wander_1k", OURS, "blind")),
-    )  # fmt: skip
+        **parts,
+        **numbers(found),
+        seed=REGISTERED["seed"],
+        checks=checks(found),
+        means=means(found, FAMILIES[NO_CIRCLE]["worlds"], METHODS),
+        forest=f"![{forest(found).alt}](../pictures/better_bias.png)",
+        relatives=tests(relatives(found), REGISTERED["relatives"]["names"]),
+        rule_says=rule_says(found),
+        rules=rules_table(found),
+        wheels=means(found, REGISTERED["reproduction"]["wheels"], WITHOUT_RIVALS),
+        wheels_tests=tests(wheels(found), ["QBIASSR", "SR", "blind"]),
+        giraff_blind=in_words(difference(found, "giraff_wander_1k", OURS, "blind")),
+    )
 
 
 def write_page(found: Found) -> Path:
     """Write the page and its figures; the text that judges stands in better_bias_text.py, written after looking."""
     write_whole(DOCS / "pictures" / "better_bias.png", forest(found).png())
-    write_whole(
-        DOCS / "pictures" / "better_bias_temperature.png", by_temperature(found).png()
-    )
     write_whole(DOCS / "studies" / "a_better_bias.md", page(found))
     return DOCS / "studies" / "a_better_bias.md"

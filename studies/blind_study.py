@@ -28,7 +28,7 @@ DOCS = HERE.parent / "docs"
 SEED, REPETITIONS, LEVEL = 0, 30, 0.05
 BLIND = "blind"
 OTHERS = ("SR", "QBIASSR", "VBIASSR")
-# The labels decide the random numbers: these are the robots of the first study in docs/studies/a_better_bias.md.
+# The labels decide the random numbers
 METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS[:-1]} | {
     "VBIASSR": {"method": rl.Method("TOSL", VBIASSR)}
 }
@@ -59,7 +59,7 @@ class World(NamedTuple):
 
 
 def worlds() -> dict[str, World]:
-    """The worlds by name. docs/studies/a_better_bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
+    """The worlds by name. SR and QBIASSR learn only where the task is changed."""
     four = rl.load_task("wander_4k")
     return {
         "wander_1k": World(rl.load_task("wander_1k"), 3600),
@@ -176,9 +176,8 @@ PAGE = """# How much does a blind robot earn?
 Written by `python studies/blind_study.py` from [blind.json](../../studies/blind.json). A selection may earn much
 because it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot with
 TOSL+SR learns while all places are one state. It has no loop evasion, which looks at states. {n} robots each, seed
-{seed}; mean final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. [The page on a
-better bias](a_better_bias.md#how-the-question-arose) has the averages of SR and QBIASSR that are missing here; its
-robots with VBIASSR, and the blind ones, are the same.
+{seed}; mean final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. SR and QBIASSR were run
+in two of the worlds only.
 
 {table}
 

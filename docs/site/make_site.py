@@ -3,8 +3,8 @@ notebooks nothing is run but what lives on their pages (steppers, the bias explo
 these need; all must come to what is committed.
 
 Sphinx wants all pages below one folder, and the notebooks link to their neighbours as they lie in the repository. So
-docs/_build/source is a copy of what the site shows, in the repository's own order; pages that say what the code says
-already (galleries, API) are written into it. The site is docs/_build/html.
+docs/_build/source is a copy of what the site shows, in the repository's own order; the pages of the API are written
+into it. The site is docs/_build/html.
 """
 
 import shutil
@@ -13,7 +13,6 @@ from pathlib import Path
 
 from api_pages import write_api
 from front_page import write_playground
-from galleries import write_galleries
 from launch import SOURCE, add_buttons, in_colab, write_colab
 from live_pages import enliven
 from stepper_pages import write_steppers
@@ -28,10 +27,8 @@ LITE = (
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "studies/benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "notebooks/homework/*.ipynb",
-    "docs/*.md", "docs/howto/*.md",
-    "docs/pictures/*", "docs/reproduction/*",
-    "studies/**/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "rlrobot_course/**/*.py",
-    "tests/**/*.py", "docs/lite/*.toml",
+    "docs/*.md", "docs/howto/*.md", "docs/studies/*.md", "docs/pictures/*", "docs/reproduction/*",
+    "studies/**/*", "tasks/*", "datasets/**/*", "rlrobot_*/**/*.py", "tests/**/*.py", "docs/lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>
@@ -53,7 +50,6 @@ def write_source(source: Path) -> None:
     root.mkdir()
     (root / "index.html").write_text(TO_THE_SITE, encoding="utf-8")
     write_api(source / "docs/api")
-    write_galleries(source / "docs")
     write_steppers(source / "docs", root / "docs")
     write_playground(source / "docs/index.md", root / "docs")
     for notebook in lessons(source).values():

@@ -1,6 +1,6 @@
-"""What runs where: ``make platforms`` writes the table of docs/howto/platforms.md.
+"""What runs where: ``make platforms`` writes the table of docs/howto/install.md.
 
-For each platform and Python uv chooses what ``.[lab,arm,ros,teach]`` would install, in the versions of constraints.txt
+For each platform and Python uv chooses what ``.[lab,arm,ros]`` would install, in the versions of constraints.txt
 and from wheels only. Nothing is installed, so all platforms can be asked on one computer.
 """
 
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "docs/howto/platforms.md"
+PAGE = ROOT / "docs/howto/install.md"
 PYTHONS = ["3.11", "3.12", "3.13", "3.14"]
 # The oldest macOS, and below the oldest glibc, for which all of these packages have wheels
 MACOS = "14.0"
@@ -25,7 +25,6 @@ PLATFORMS = {
 CAN_BE_MISSING = {
     "numba": {"numba"},
     "PyBullet": {"pybullet", "pybullet-arm64"},
-    "Cyclone DDS": {"cyclonedds"},
 }
 CHOOSE = [
     *(
@@ -37,7 +36,6 @@ CHOOSE = [
         "--extra=lab",
         "--extra=arm",
         "--extra=ros",
-        "--extra=teach",
     ),
     *("--constraints=constraints.txt", "--only-binary=:all:", "--no-python-downloads"),
     *("--quiet", "--no-header", "--no-annotate"),

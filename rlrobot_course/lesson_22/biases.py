@@ -1,6 +1,6 @@
 """Three more biases, each a selection of one's own as VBIASSR is (vbiassr.py): a kernel, and a name for it.
 
-Each changes one thing about QBIASSR, and docs/studies/a_better_bias.md says what that gains.
+Each changes one thing about QBIASSR. docs/studies/a_better_bias.md says what VBIASSR and FBIASSR gain.
 """
 
 import math

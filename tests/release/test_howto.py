@@ -65,17 +65,17 @@ def test_your_own_algorithm_prints_what_its_page_says():
     assert done.stdout == said
 
 
-def test_the_architecture_page_shows_the_layers_that_the_linter_checks():
+def test_the_architecture_page_shows_the_packages_and_layers_that_the_linter_checks():
     tools = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
-    layers = [
-        layer.replace("rlrobot_edu.", "")
-        for layer in tools["importlinter"]["contracts"][0]["layers"]
-    ]
+    packages, layers = tools["importlinter"]["contracts"][:2]
     page = (HOWTO / "architecture.md").read_text(encoding="utf-8")
-    shown = [
-        re.findall("`(.*?)`", row)
-        for row in re.findall(r"^\| \w* ?\| (`[^|]*) \|", page, re.MULTILINE)
+    first, second = page.split("| layer | folder |")
+    assert {name for line in packages["layers"] for name in line.split(" | ")} == set(
+        re.findall(r"^\| `(\w+)`", first, re.MULTILINE)
+    )
+    expected = [
+        sorted(re.split(" [|:] ", layer.replace("rlrobot_edu.", "")))
+        for layer in layers["layers"]
     ]
-    assert [sorted(row) for row in shown] == [
-        sorted(re.split(" [|:] ", layer)) for layer in layers
-    ]
+    rows = re.findall(r"^\| \w* ?\| (`[^|]*) \|", second, re.MULTILINE)
+    assert [sorted(re.findall("`(.*?)`", row)) for row in rows] == expected

@@ -112,11 +112,14 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
     }
     data = (files_in("tasks") | files_in("datasets")) - {
         "tasks/README.md",
+        "datasets/README.md",
         "datasets/make_datasets.py",
     }
 
     data |= {name for name in files_in("notebooks") if re.fullmatch(NOTEBOOK, name)}
-    packages = files_in("rlrobot_edu") | files_in("rlrobot_course")
+    packages = set()
+    for package in ("edu", "ros", "grading", "course"):
+        packages |= files_in(f"rlrobot_{package}")
     assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {
         "rlrobot_course/averages.csv"
     }

@@ -18,6 +18,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_course.authoring.lists import lessons
+from rlrobot_edu.task.task_file import available_tasks
 
 ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
@@ -98,14 +99,12 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
     for notebook in [*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
-    assert set(rl.available_tasks()) <= {
-        anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors
-    }
+    tasks = pages[site / "tasks/README.html"].links
+    for task in available_tasks():
+        assert any(link.endswith(f"/{task}.py") for link in tasks)
+    datasets = pages[site / "datasets/README.html"].links
     for dataset in (ROOT / "datasets").glob("*/README.md"):
-        assert (
-            f"../datasets/{dataset.parent.name}/README.html"
-            in pages[site / "docs/datasets.html"].links
-        )
+        assert f"{dataset.parent.name}/README.html" in datasets
 
 
 def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
@@ -246,7 +245,7 @@ def address(site):
 
 
 @pytest.mark.parametrize(
-    "name", [*MAIN_PAGES, "docs/tasks", "docs/real_robot", "docs/stepper"]
+    "name", [*MAIN_PAGES, "tasks/README", "docs/real_robot", "docs/stepper"]
 )
 def test_a_page_is_quiet_and_open_to_all(address, browser, name):
     """No request leaves the machine, the console is silent, axe-core finds nothing serious, a phone need not scroll."""
@@ -304,6 +303,15 @@ def test_frames_follow_the_switch_between_light_and_dark(
                 until(frame, f"{dark} === {str(theme == 'dark').lower()}")
             page.locator("button.theme-toggle >> visible=true").click()
         assert len(frames) == 1
+    finally:
+        page.close()
+
+
+def test_the_sidebar_shows_at_most_twenty_pages_before_a_click(address, browser):
+    page = browser.new_page(viewport={"width": 1280, "height": 2000})
+    try:
+        page.goto(f"{address}/docs/index.html")
+        assert page.locator(".sidebar-tree a:visible").count() <= 20
     finally:
         page.close()
 

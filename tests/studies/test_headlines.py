@@ -427,8 +427,8 @@ def test_the_pages_picture_is_the_reports(outcomes):
 
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
-    *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), ROOT / REPORT,
-    ROOT / "studies/benchmarks/README.md"))]  # fmt: skip
+    *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), *sorted(DOCS.glob("studies/*.md")), ROOT / REPORT,
+    ROOT / "studies/benchmarks/README.md", ROOT / "datasets/README.md", ROOT / "tasks/README.md"))]  # fmt: skip
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -648,6 +648,6 @@ def test_the_first_hour_tells_the_minutes_of_the_table_of_lessons():
     )
     told = re.findall(
         r"notebooks/(\w+)\.ipynb\), (\d+) minutes",
-        words(prose("docs/howto/first_hour.md")),
+        words(prose("docs/howto/install.md")),
     )
     assert told and all(table[lesson] == minutes for lesson, minutes in told)

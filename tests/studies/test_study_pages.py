@@ -37,6 +37,23 @@ def test_a_page_says_what_its_script_would_write(page, template):
     ] == []
 
 
+INDEX = (DOCS / "studies/index.md").read_text(encoding="utf-8")
+
+
+def test_the_index_has_every_study():
+    pages = {path.name for path in (DOCS / "studies").glob("*.md")} - {"index.md"}
+    assert set(re.findall(r"^\| \[.*?\]\((\w+\.md)\)", INDEX, re.M)) == pages
+
+
+@pytest.mark.parametrize(
+    "page, verdict", re.findall(r"^\| \[.*?\]\((\w+\.md)\).* \| (.*) \|$", INDEX, re.M)
+)
+def test_a_verdict_of_the_index_has_its_numbers_from_its_page(page, verdict):
+    text = (DOCS / "studies" / page).read_text(encoding="utf-8")
+    numbers = re.findall(r"[-−+]?\d+\.\d+", verdict)
+    assert [number for number in numbers if number not in text] == []
+
+
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     assert (DOCS / "studies" / "blind.md").read_text(
@@ -54,40 +71,6 @@ def test_the_registered_page_is_what_its_numbers_say():
         name: {label: better_bias.repetitions(name, label) for label in better_bias.first_labels(name)}
         for name in better_bias_worlds.worlds()
     }  # fmt: skip
-
-
-def first_study(robot: str) -> dict[str, str]:
-    """The means of the first study of biases in a world, by method."""
-    lines = (
-        (DOCS / "studies" / "a_better_bias.md")
-        .read_text(encoding="utf-8")
-        .split("## How the question arose")[1]
-        .splitlines()
-    )
-    head, row = (
-        next(line for line in lines if line.startswith(f"| {begin}"))
-        for begin in ("robot |", f"{robot},")
-    )
-    return dict(
-        zip(
-            *([cell.strip() for cell in line.split("|")] for line in (head, row)),
-            strict=True,
-        )
-    )
-
-
-def test_the_history_of_the_better_bias_has_the_robots_of_the_page_of_the_blind_one():
-    found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
-    for world in ("wander_1k", "wander_4k", "giraff_wander_1k", "giraff_wander_4k"):
-        for label in ("VBIASSR", "blind"):
-            assert (
-                first_study(world)[label]
-                == f"{np.mean(found[world]['finals'][label]):.2f}"
-            )
-    p = blind_study.p_of(found["wander_4k"], "VBIASSR")
-    assert p >= 0.05 and f"(p = {p:.2f})" in (
-        DOCS / "studies" / "a_better_bias.md"
-    ).read_text(encoding="utf-8")
 
 
 def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
