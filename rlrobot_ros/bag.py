@@ -14,10 +14,10 @@ from rlrobot_edu.task.messages import did_you_mean, in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_ros.drive import Drive, Track, transitions_of
+from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.messages import pose_of, velocity_of
 from rlrobot_ros.motions import Motions
 from rlrobot_ros.odometry import pose_readings
-from rlrobot_ros.report import DriveReport
 from rlrobot_ros.scan import Mounting, measured
 
 KINDS = {

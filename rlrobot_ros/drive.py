@@ -14,8 +14,8 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
+from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.motions import Motions
-from rlrobot_ros.report import DriveReport
 from rlrobot_ros.scan import Mounting, Rays, beams_end
 
 SECOND = 10**9  # [ns]

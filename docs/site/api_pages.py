@@ -1,10 +1,12 @@
-"""The pages of the API: the names of rlrobot_edu/__init__.pyi, a page for each folder of the library."""
+"""The pages of the API: the public names of rlrobot_edu and of rlrobot_ros, a page for each folder of the library."""
 
 import ast
 import inspect
 from pathlib import Path
+from types import ModuleType
 
 import rlrobot_edu as rl
+import rlrobot_ros
 
 TITLES = {  # by folder of the library: what one wants to do with its names
     "task": "Describe a task",
@@ -27,18 +29,26 @@ def groups() -> dict[str, list[str]]:
     for node in stub.body:
         if isinstance(node, ast.ImportFrom):
             found[node.module.split(".")[0]].append(node.names[0].name)
+    found["ros"] = list(rlrobot_ros.__all__)
     return found
+
+
+def package_of(name: str) -> ModuleType:
+    """The package that offers the name."""
+    return rlrobot_ros if name in rlrobot_ros.__all__ else rl
 
 
 def described(name: str) -> str:
     """A heading and the directive that writes its docstring."""
-    kind = "autoclass" if inspect.isclass(getattr(rl, name)) else "autofunction"
-    return f"## {name}\n\n```{{eval-rst}}\n.. {kind}:: rlrobot_edu.{name}\n```\n"
+    package = package_of(name)
+    kind = "autoclass" if inspect.isclass(getattr(package, name)) else "autofunction"
+    path = f"{package.__name__}.{name}"
+    return f"## {name}\n\n```{{eval-rst}}\n.. {kind}:: {path}\n```\n"
 
 
 def in_short(folder: str, name: str) -> str:
     """A link to a name, and the first sentence of its docstring."""
-    first, _, _ = inspect.getdoc(getattr(rl, name)).partition("\n")
+    first, _, _ = inspect.getdoc(getattr(package_of(name), name)).partition("\n")
     return f"- [`{name}`]({folder}.md#{name.lower()}): {first}"
 
 
@@ -47,7 +57,7 @@ def write_api(api: Path) -> None:
     lines = [
         "# API by what you want to do",
         "",
-        "All names are in `import rlrobot_edu as rl`.",
+        "All names are in `import rlrobot_edu as rl`, those of real robots in `rlrobot_ros`.",
     ]
     for folder, names in groups().items():
         text = f"# {TITLES[folder]}\n\n" + "\n".join(described(name) for name in names)

@@ -25,7 +25,6 @@ PLATFORMS = {
 CAN_BE_MISSING = {
     "numba": {"numba"},
     "PyBullet": {"pybullet", "pybullet-arm64"},
-    "Cyclone DDS": {"cyclonedds"},
 }
 CHOOSE = [
     *(
