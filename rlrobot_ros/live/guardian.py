@@ -44,6 +44,7 @@ class Guardian:
         with contextlib.suppress(BrokenPipeError):
             settings = json.dumps([address, topic, stamped])
             print(settings, file=self._process.stdin, flush=True)
+        assert self._process.stdout is not None
         answer = self._process.stdout.readline().strip()
         if answer != READY:
             self.close()

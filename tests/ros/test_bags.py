@@ -166,17 +166,12 @@ def test_messages_that_stay_out_make_gaps_and_no_steps(driven, tmp_path):
     ]
     recording = recorded(tmp_path, events)
     report = recording.report
-    assert report.stretches == 4 and report.silences == 1
+    assert report.stretches == 4
     assert report.steps + report.stale + report.cut_short + 9 == 150
     # a step that was kept was lived through, but for readings one message older at the edge of a gap
     assert set(zip(recording.a, recording.s_next, strict=True)) <= set(
         zip(lived.a, lived.s_next, strict=True)
     ) | set(zip(lived.a, lived.s, strict=True))
-    assert recorded_more(tmp_path, max_age=30.0) > report.steps
-
-
-def recorded_more(tmp_path, **options) -> int:
-    return recording_from_bag(tmp_path / "mcap", TASK, **options).report.steps
 
 
 def test_a_command_in_the_middle_of_a_step_cuts_it_short(driven, tmp_path):
@@ -408,17 +403,17 @@ def test_a_missing_or_foreign_topic_is_named_with_those_there_are(driven, tmp_pa
     )
     with pytest.raises(
         ValueError,
-        match=r"'laser_scan' is not in .* give scan='/base/scan'\? The topics are: /base/sc",
+        match=r"scan='laser_scan' must name a topic .* in this bag are: /base/scan \(sensor",
     ):
         recording_from_bag(path, TASK)
     with pytest.raises(
         ValueError,
-        match=r"'cmd_vel' is not in this bag, expected geometry_msgs/msg/Twist or ",
+        match=r"cmd_vel='cmd_vel' must name a topic of type geometry_msgs/msg/Twist or ",
     ):
         recording_from_bag(path, TASK, scan="base/scan")
     with pytest.raises(
         ValueError,
-        match=r"topic 'odom' is of type nav_msgs/msg/Odometry, expected sensor_msgs",
+        match=r"scan='odom' must name a topic of type sensor_msgs/msg/LaserScan; .*Odom",
     ):
         recording_from_bag(path, TASK, scan="odom")
 
@@ -457,7 +452,7 @@ def test_what_is_no_bag_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("option", [
-        {"tolerance": -1}, {"tolerance": math.nan}, {"max_age": 0}, {"max_age": math.nan},
+        {"tolerance": -1}, {"tolerance": math.nan},
         {"mounting": (0, 0)}, {"mounting": None}, {"mounting": (0, 0, math.nan, False)}, {"mounting": "base"},
     ])  # fmt: skip
 def test_options_that_cannot_be_are_refused(driven, tmp_path, option):
