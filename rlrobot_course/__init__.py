@@ -20,8 +20,7 @@ They share: `grading` (exercises and verdicts), `tapes` (recorded transitions wi
 another reward), `clinic` (a task measured against the best loop in it), `my_functions` (right answers are kept; its
 file is read by `sections`), `learners_files` (files that belong to the learner lose nothing), `progress` (how far a
 learner is), and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades
-notebooks that are handed in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens
-the learner's copies of the notebooks.
+notebooks that are handed in, by the same checks. `my_course` opens the learner's copies of the notebooks.
 Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and

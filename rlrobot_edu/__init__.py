@@ -17,7 +17,6 @@ On top of this core:
 
 widgets/      what a notebook shows and a learner touches
 tools/        new-task, check-task and doctor; transfer/ and credit/
-ros/          real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them
 """
 
 import sys

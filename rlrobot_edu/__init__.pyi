@@ -22,9 +22,6 @@ from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
 from .robots.realism import Realism as Realism
 from .robots.robot_env import RobotEnv as RobotEnv
-from .ros.bag import recording_from_bag as recording_from_bag
-from .ros.live.link import RobotLink as RobotLink
-from .ros.live.served_robot import ServedRobot as ServedRobot
 from .show.curves import plot_learning as plot_learning
 from .show.film import Film as Film
 from .show.film import film as film

@@ -67,7 +67,7 @@ def make_env(
     render_mode : RenderMode, optional
         ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`.
     link : RobotLink, optional
-        A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
+        A robot that is on now, a ``rlrobot_ros.RobotLink``; then nothing is simulated.
     **options
         Further arguments of the robot's class, of ``gymnasium.make`` or of the function.
 

@@ -1,14 +1,21 @@
 """Real robots that speak ROS: their measurements and commands, in the words of a task.
 
-messages.py  ROS's messages, and what they say in numbers
-scan.py      any laser scan as the readings of the robot's eight lasers
-odometry.py  a pose from odometry as x, y and theta
-motions.py   which action of a task a velocity command is
-drive.py     what was received in a drive, step by step as transitions
-report.py    what of a drive could not be used, and why
-bag.py       drives in bags of ROS 1 and ROS 2: `recording_from_bag`; needs the extra "ros"
-live/        a robot that is on now: `RobotLink`
+    from rlrobot_ros import RobotLink, ServedRobot, recording_from_bag
 
-Lengths are in metres, angles in radians, to the left from straight ahead. A robot's ``base_link`` is, as usual in ROS,
-the point midway between its wheels.
+messages.py      the messages of ROS, and what they say in numbers
+scan.py          any laser scan as the readings of the robot's eight lasers
+odometry.py      a pose from odometry as x, y and theta
+motions.py       which action of a task a velocity command is
+drive.py         what was received in a drive, step by step as transitions
+drive_report.py  what of a drive could not be used, and why
+bag.py           drives in bags of ROS 1 and ROS 2: `recording_from_bag`
+live/            a robot that is on now: `RobotLink`; and one that is simulated: `ServedRobot`
+commands.py      the command ``rlrobot-edu serve-robot``
+
+Bags and rosbridge need the extra "ros". Lengths are in metres, angles in radians, to the left from straight ahead. A
+robot's ``base_link`` is, as usual in ROS, the point midway between its wheels.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

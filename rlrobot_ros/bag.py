@@ -1,6 +1,5 @@
 """Drives in bags of ROS 1 and ROS 2 as recordings."""
 
-import importlib
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -10,14 +9,14 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.task.messages import did_you_mean, in_words
+from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_ros.drive import Drive, Track, transitions_of
+from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.messages import pose_of, velocity_of
 from rlrobot_ros.motions import Motions
 from rlrobot_ros.odometry import pose_readings
-from rlrobot_ros.report import DriveReport
 from rlrobot_ros.scan import Mounting, measured
 
 KINDS = {
@@ -49,7 +48,6 @@ def recording_from_bag(
     cmd_vel: str = "cmd_vel",
     mounting: tuple[float, ...] = Mounting(),
     tolerance: float = 0.1,
-    max_age: float | None = None,
 ) -> BagRecording:
     """The drive in a bag of ROS 1 or ROS 2 as a recording of a task.
 
@@ -67,8 +65,6 @@ def recording_from_bag(
         says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
     tolerance : float
         How far a Twist may be from an action's motion, as part of the task's largest speed and largest turning.
-    max_age : float [s], optional
-        Age at which a message no longer counts; None is half a second, or one and a half steps if that is longer.
 
     Returns
     -------
@@ -88,18 +84,20 @@ def recording_from_bag(
     -----
     What counts is when a message was received. A step begins when its command comes and lasts the task's `step_time`
     (±10 %, if another command comes then). The state before and after it, and its reward, come from the latest
-    odometry and scan; a step is dropped where these do not say enough. A Twist that is like no action is dropped. If
+    odometry and scan; a step is dropped where these do not say enough, or are older than half a second, or than one and
+    a half steps if that is longer. A Twist that is like no action is dropped. If
     several actions have the same motion, it takes the one whose outputs are the wheels' speeds, or else the first.
     After a gap a new episode begins.
     """
     task = load_task(task)
-    path, place = Path(path), Mounting.of(mounting)
+    path = Path(path)
+    place = Mounting.of(mounting)
     motions = Motions(task, tolerance)
     with _opened(path) as reader:
-        names = _find(reader, path, {"odom": odom, "scan": scan, "cmd_vel": cmd_vel})
-        drive = _read(reader, path, names, motions.chassis, place)
+        topics = _find(reader, path, {"odom": odom, "scan": scan, "cmd_vel": cmd_vel})
+        drive = _read(reader, path, topics, motions.chassis, place)
     try:
-        transitions, report = transitions_of(task, drive, motions, max_age, list(names))
+        transitions, report = transitions_of(task, drive, motions, list(topics))
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
     return BagRecording(
@@ -111,10 +109,8 @@ def recording_from_bag(
 def _opened(path: Path) -> Iterator[Any]:
     """A reader of the bag. Raises ValueError if it cannot be read, ImportError if rosbags is missing."""
     try:
-        highlevel, typesys = (
-            importlib.import_module(f"rosbags.{name}")
-            for name in ("highlevel", "typesys")
-        )
+        from rosbags.highlevel import AnyReader
+        from rosbags.typesys import Stores, get_typestore
     except ImportError:
         raise ImportError(
             "rosbags is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
@@ -125,9 +121,8 @@ def _opened(path: Path) -> Iterator[Any]:
         path = path.parent
     try:
         # older bags of ROS 2 do not say what their messages look like; these have been the same ever since
-        reader = highlevel.AnyReader(
-            [path], default_typestore=typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
-        )
+        typestore = get_typestore(Stores.ROS2_HUMBLE)
+        reader = AnyReader([path], default_typestore=typestore)
         reader.open()
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
@@ -139,28 +134,17 @@ def _opened(path: Path) -> Iterator[Any]:
 
 def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any]]:
     """Connections of the bag by the name of the topic. Raises ValueError if one is missing or of another type."""
-    there = {connection.topic: connection.msgtype for connection in reader.connections}
     found = {}
     for argument, topic in topics.items():
         connections = [
-            c for c in reader.connections if c.topic.strip("/") == str(topic).strip("/")
+            c for c in reader.connections if c.topic.strip("/") == topic.strip("/")
         ]
-        wrong = [c.msgtype for c in connections if c.msgtype not in KINDS[argument]]
-        if wrong or not connections:
-            kinds = " or ".join(KINDS[argument])
-            problem = f"is of type {wrong[0]}" if wrong else "is not in this bag"
-            fitting = [name for name, kind in there.items() if kind in KINDS[argument]]
-            hint = (
-                f"give {argument}={fitting[0]!r}? "
-                if fitting
-                else did_you_mean(topic, there)
-            )
-            listed = (
-                ", ".join(f"{name} ({kind})" for name, kind in sorted(there.items()))
-                or "none"
-            )
+        kinds = {c.msgtype for c in connections}
+        if not kinds or not kinds <= set(KINDS[argument]):
+            there = {f"{c.topic} ({c.msgtype})" for c in reader.connections}
             raise ValueError(
-                f"{path}: topic {topic!r} {problem}, expected {kinds}; {hint}The topics are: {listed:.2000}"
+                f"{path}: {argument}={topic!r} must name a topic of type {' or '.join(KINDS[argument])}; "
+                f"the topics in this bag are: {', '.join(sorted(there)):.2000}"
             )
         found[connections[0].topic] = connections
     return found
@@ -169,36 +153,37 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
 def _read(
     reader: Any,
     path: Path,
-    names: dict[str, list[Any]],
+    topics: dict[str, list[Any]],
     chassis: Chassis,
     place: Mounting,
 ) -> Drive:
     """All messages of these topics, of odometry, scan and command, as numbers in order of time."""
     drive = Drive()
-    odom, scan, cmd_vel = names
+    odom, scan, cmd_vel = topics
     tracks: dict[str, Track[Any]] = {
         odom: drive.poses,
         scan: drive.scans,
         cmd_vel: drive.twists,
     }
+
+    def read(topic: str, message: Any) -> Any:
+        if topic == odom:
+            return pose_readings(*pose_of(message), chassis)
+        if topic == scan:
+            return drive.lasers_in(measured(message, place.far), chassis, place)
+        return velocity_of(message)
+
+    connections = [c for found in topics.values() for c in found]
     try:
-        for connection, time, raw in reader.messages(
-            [c for found in names.values() for c in found]
-        ):
+        for connection, time, raw in reader.messages(connections):
             topic = connection.topic
-            said: Any = tracks[topic].nothing
             try:
-                message = reader.deserialize(raw, connection.msgtype)
-                if topic == odom:
-                    said = pose_readings(*pose_of(message), chassis)
-                elif topic == scan:
-                    said = drive.lasers_in(measured(message, place.far), chassis, place)
-                else:
-                    said = velocity_of(message)
+                value = read(topic, reader.deserialize(raw, connection.msgtype))
             except Exception as error:  # of damaged bytes anything may be the matter
-                fault = str(error) if isinstance(error, ValueError) else in_words(error)
-                drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, fault
-            tracks[topic].add(time, said)
+                value = tracks[topic].nothing
+                is_ours = isinstance(error, ValueError)
+                drive.add_fault(topic, str(error) if is_ours else in_words(error))
+            tracks[topic].add(time, value)
     except Exception as error:  # of a damaged file, too
         raise ValueError(
             f"{path}: this bag is damaged ({in_words(error)}); copy it again"

@@ -1,20 +1,18 @@
 """The commands of this package: ``rlrobot-edu serve-robot``."""
 
 import contextlib
-from typing import Any
 
 from rlrobot_edu.tools.commands import Commands
 
 
-def serve_robot(task: Any, link: str, port: int, simulated_time: bool) -> None:
-    """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
+def serve_robot(task: str, port: int, simulated_time: bool) -> None:
+    """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with RobotLink."""
     from rlrobot_ros.live.served_robot import ServedRobot
 
-    where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    served = ServedRobot(task, link, simulated_time=simulated_time, **where)
+    served = ServedRobot(task, simulated_time=simulated_time, port=port)
     with served as robot, contextlib.suppress(KeyboardInterrupt):
         print(
-            f"The robot is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.",
+            f"The robot is on: odom, laser_scan and cmd_vel over rosbridge at {robot.address}. Ctrl-C ends it.",
             flush=True,
         )
         robot.wait()
@@ -29,12 +27,7 @@ def add_commands(commands: Commands) -> None:
         default="giraff_wander_simple",
         help="%(default)s if not given",
     )
-    command.add_argument(
-        "--link", default="rosbridge", help="rosbridge (if not given) or dds"
-    )
-    command.add_argument(
-        "--port", type=int, default=9090, help="of rosbridge, 9090 if not given"
-    )
+    command.add_argument("--port", type=int, default=9090, help="9090 if not given")
     command.add_argument(
         "--simulated-time",
         action="store_true",

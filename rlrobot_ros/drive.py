@@ -5,7 +5,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import chain, groupby, pairwise
+from itertools import chain
 from typing import Generic, TypeVar
 
 import numpy as np
@@ -14,17 +14,16 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
+from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.motions import Motions
-from rlrobot_ros.report import DriveReport
 from rlrobot_ros.scan import Mounting, Rays, beams_end
 
 SECOND = 10**9  # [ns]
 SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
-PATIENCE = (
-    0.5,
-    1.5,
-)  # a message is too old after so long [s], or after so many steps if that is longer
+# A message is too old after so long [s], or after so many steps if that is longer
+MAX_AGE = 0.5
+MAX_STEPS = 1.5
 
 FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
 
@@ -74,20 +73,25 @@ class Drive:
     lost: int = 0
     faults: dict[str, tuple[int, str]] = field(default_factory=dict)
 
+    def add_fault(self, topic: str, fault: str) -> None:
+        """Count one more message that says what cannot be."""
+        before, _ = self.faults.get(topic, (0, ""))
+        self.faults[topic] = (before + 1, fault)
+
     def lasers_in(
         self, rays: Rays, chassis: Chassis, mounting: Mounting
     ) -> dict[str, float]:
         """The readings of the lasers that are known in a scan; its rays are counted."""
         self.rays += len(rays.known)
         self.lost += int((~rays.known).sum())
-        near, far = (
-            beams_end(rays, ranges, chassis, mounting)
-            for ranges in (rays.ranges, rays.farthest)
-        )
-        known = [laser for laser in near if near[laser] >= 0 and far[laser] >= 0]
-        return {laser: near[laser] for laser in known} | {
-            f"{FARTHEST}{laser}": far[laser] for laser in known
-        }
+        near = beams_end(rays, rays.ranges, chassis, mounting)
+        far = beams_end(rays, rays.farthest, chassis, mounting)
+        readings = {}
+        for laser in near:
+            if near[laser] >= 0 and far[laser] >= 0:  # false for NaN
+                readings[laser] = near[laser]
+                readings[f"{FARTHEST}{laser}"] = far[laser]
+        return readings
 
 
 def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
@@ -95,9 +99,9 @@ def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
 
     note: what the sentence adds
     """
-    if unseen := [
-        v.name for v in task.inputs if v.name in LASERS and v.name not in seen
-    ]:
+    inputs = [variable.name for variable in task.inputs if variable.name in LASERS]
+    unseen = [laser for laser in inputs if laser not in seen]
+    if unseen:
         raise ValueError(
             f"{task.name} needs {', '.join(unseen)}, where the scanner does not look or never measures anything{note}; "
             f"say how it is mounted, or choose a task that needs only {', '.join(x for x in LASERS if x in seen)}"
@@ -108,7 +112,6 @@ def transitions_of(
     task: Task,
     drive: Drive,
     motions: Motions,
-    max_age: float | None,
     names: Sequence[str],
 ) -> tuple[Transitions, DriveReport]:
     """The steps of `task` that the drive holds, and a report; names: of the topics of pose, scan and twist.
@@ -121,17 +124,8 @@ def transitions_of(
 
     Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
     """
-    given = (
-        max(PATIENCE[0], PATIENCE[1] * task.step_time) if max_age is None else max_age
-    )
-    if not 0 < given < math.inf:
-        raise ValueError(
-            f"max_age must be a positive number of seconds, got {max_age!r:.200}"
-        )
-    age, times_of = (
-        round(given * SECOND),
-        (drive.poses.times, drive.scans.times, drive.twists.times),
-    )
+    age = round(max(MAX_AGE, MAX_STEPS * task.step_time) * SECOND)
+    times_of = (drive.poses.times, drive.scans.times, drive.twists.times)
     received = dict(zip(names, times_of, strict=True))
     for what, times in received.items():
         unreadable, fault = drive.faults.get(what, (0, "there is none at all"))
@@ -150,8 +144,10 @@ def transitions_of(
     )
     jump = JUMP + 2 * motions.max_speed * task.step_time
     rows: list[list[float]] = []
-    since, at_goal, before_end = 0, 0, -1
-    for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
+    since = 0  # steps since the episode began
+    at_goal = 0  # steps at the goal without a break
+    before_end = -1
+    for begin, end, a in _spans(task, _holds(drive, actions, age), counts):
         step = _step(
             task,
             _readings(drive, begin, age, lasers),
@@ -165,27 +161,41 @@ def transitions_of(
             if rows:
                 rows[-1][-1] = not rows[-1][-2]
             counts["stretches"] += 1
-            since = at_goal = 0
+            since = 0
+            at_goal = 0
         s, r, s_next, is_there = step
-        since, before_end = since + 1, end
+        since += 1
+        before_end = end
         at_goal = at_goal + 1 if is_there else 0
         terminated = at_goal >= task.goal_steps
         truncated = not terminated and since == task.episode_steps
         rows.append([s, a, r, s_next, terminated, truncated])
         if terminated or truncated:
-            since = at_goal = 0
-    duration = max(times[-1] for times in received.values()) - min(
-        times[0] for times in received.values()
-    )
+            since = 0
+            at_goal = 0
+    begin_of_drive = min(times[0] for times in received.values())
+    end_of_drive = max(times[-1] for times in received.values())
     report = DriveReport(
-        task.name, duration / SECOND, {what: len(received[what]) for what in received}, drive.faults, len(rows),
-        counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["unknown"], counts["jumps"],
-        counts["silences"], drive.rays, drive.lost, sum(not lasers <= scan.keys() for scan in drive.scans.values),
-        tuple(laser for laser in LASERS if laser not in lasers),
-    )  # fmt: skip
+        task=task.name,
+        duration=(end_of_drive - begin_of_drive) / SECOND,
+        messages={topic: len(times) for topic, times in received.items()},
+        faults=drive.faults,
+        steps=len(rows),
+        stretches=counts["stretches"],
+        unexplained=unexplained,
+        cut_short=counts["cut"],
+        stale=counts["stale"],
+        unknown=counts["unknown"],
+        jumps=counts["jumps"],
+        rays=drive.rays,
+        lost=drive.lost,
+        partial=sum(not lasers <= scan.keys() for scan in drive.scans.values),
+        missing=tuple(laser for laser in LASERS if laser not in lasers),
+    )
     if not rows:
         raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
-    return Transitions(*map(np.array, zip(*rows, strict=True))), report
+    columns = [np.array(column) for column in zip(*rows, strict=True)]
+    return Transitions(*columns), report
 
 
 def _lasers_of(task: Task, drive: Drive) -> set[str]:
@@ -202,7 +212,8 @@ def _lasers_of(task: Task, drive: Drive) -> set[str]:
 
 def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
     """What the robot's sensors said last, as near and as far as it may be: nothing if unknown, None if too old."""
-    pose, scan = drive.poses.at(time, age), drive.scans.at(time, age)
+    pose = drive.poses.at(time, age)
+    scan = drive.scans.at(time, age)
     if pose is None or scan is None:
         return None
     if not pose or not lasers <= scan.keys():
@@ -232,19 +243,19 @@ def _step(
     return steps.pop() if len(steps) == 1 else "unknown"
 
 
-def _holds(
-    drive: Drive, actions: list[int | None], age: int, counts: Counter[str]
-) -> Iterator[_Hold]:
+def _holds(drive: Drive, actions: list[int | None], age: int) -> Iterator[_Hold]:
     """Which action was in force when. A command holds until the next one comes or it is too old."""
-    times, last = drive.twists.times, max(drive.poses.times[-1], drive.scans.times[-1])
-    silent = [after - before > age for before, after in pairwise(times)]
-    counts["silences"] = sum(silent)
-    piece = np.cumsum([0, *silent]).tolist()
-    for _, group in groupby(range(len(times)), key=lambda i: (piece[i], actions[i])):
-        held = list(group)
-        i, upto = held[-1], times[held[-1]] + age
-        end = min(upto, times[i + 1] if i + 1 < len(times) else last)
-        yield actions[i], [times[j] for j in held], end
+    times = drive.twists.times
+    end_of_drive = max(drive.poses.times[-1], drive.scans.times[-1])
+    held: list[int] = []
+    for i, time in enumerate(times):
+        held.append(time)
+        is_last = i + 1 == len(times)
+        following = end_of_drive if is_last else times[i + 1]
+        is_repeated = not is_last and actions[i + 1] == actions[i]
+        if not is_repeated or following - time > age:
+            yield actions[i], held, min(time + age, following)
+            held = []
 
 
 def _spans(

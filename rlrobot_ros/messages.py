@@ -1,21 +1,20 @@
-"""ROS's messages and what they say in numbers.
+"""The messages of ROS, and what they say in numbers.
 
-A message is any object with ROS's fields, from any source: bag, ROS 1, DDS, JSON. To make one, `make(kind, **fields)`
-is handed in: each way to a robot has messages of its own. A kind is named by package and type, as in ROS 1:
-"nav_msgs/Odometry"; header and time have the fields that they have in ROS 2.
+A message that was received is any object with ROS's fields: from a bag, or over rosbridge from ROS 1 or ROS 2. One that
+is sent is a dictionary of these fields, for rosbridge; those of which nothing is known are left out.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from rlrobot_ros.odometry import heading
 
-Make = Callable[..., Any]
-
 ODOMETRY, LASER_SCAN = "nav_msgs/Odometry", "sensor_msgs/LaserScan"
 TWIST, TWIST_STAMPED = "geometry_msgs/Twist", "geometry_msgs/TwistStamped"
 BASE_FRAME = "base_link"
+
+Message = dict[str, Any]
 
 
 def stamp_of(message: Any) -> float:
@@ -66,66 +65,54 @@ def velocity_of(twist: Any) -> tuple[float, float, float]:
         raise ValueError(f"this is no message of type Twist: {twist!r:.200}") from error
 
 
-def make_odometry(make: Make, stamp: float, x: float, y: float, theta: float) -> Any:
-    """A message that ``base_link`` is at x, y [m] and looks in direction theta [rad]."""
-    q = make(
-        "geometry_msgs/Quaternion",
-        x=0.0,
-        y=0.0,
-        z=math.sin(theta / 2),
-        w=math.cos(theta / 2),
-    )
-    pose = make(
-        "geometry_msgs/Pose",
-        position=make("geometry_msgs/Point", x=x, y=y, z=0.0),
-        orientation=q,
-    )
-    unknown = [0.0] * 36
-    return make(
-        ODOMETRY,
-        header=_header(make, stamp, "odom"),
-        child_frame_id=BASE_FRAME,
-        pose=make("geometry_msgs/PoseWithCovariance", pose=pose, covariance=unknown),
-        twist=make(
-            "geometry_msgs/TwistWithCovariance",
-            twist=make_twist(make, 0.0, 0.0),
-            covariance=unknown,
-        ),
-    )
+def make_odometry(stamp: float, x: float, y: float, theta: float) -> Message:
+    """A message that at time `stamp` [s] ``base_link`` is at x, y [m] and looks in direction theta [rad]."""
+    position = {"x": x, "y": y, "z": 0.0}
+    orientation = {
+        "x": 0.0,
+        "y": 0.0,
+        "z": math.sin(theta / 2),
+        "w": math.cos(theta / 2),
+    }
+    pose = {"position": position, "orientation": orientation}
+    return {
+        "header": _header(stamp, "odom"),
+        "child_frame_id": BASE_FRAME,
+        "pose": {"pose": pose},
+    }
 
 
-def make_laser_scan(
-    make: Make, stamp: float, ranges: Sequence[float], range_max: float
-) -> Any:
+def make_laser_scan(stamp: float, ranges: Sequence[float], range_max: float) -> Message:
     """A message of what a scanner on ``base_link`` sees all round [m], the first ray straight ahead."""
     increment = 2 * math.pi / len(ranges)
-    return make(
-        LASER_SCAN, header=_header(make, stamp, BASE_FRAME), angle_min=0.0, angle_max=increment * (len(ranges) - 1),
-        angle_increment=increment, time_increment=0.0, scan_time=0.0, range_min=0.0, range_max=range_max,
-        ranges=list(ranges), intensities=[],
-    )  # fmt: skip
+    return {
+        "header": _header(stamp, BASE_FRAME),
+        "angle_min": 0.0,
+        "angle_max": increment * (len(ranges) - 1),
+        "angle_increment": increment,
+        "range_min": 0.0,
+        "range_max": range_max,
+        "ranges": list(ranges),
+    }
 
 
-def make_twist(make: Make, v: float, omega: float) -> Any:
+def make_twist(v: float, omega: float) -> Message:
     """A message that tells a robot to drive at v [m/s] and to turn to the left at omega [rad/s]."""
-    vector = "geometry_msgs/Vector3"
-    return make(
-        TWIST,
-        linear=make(vector, x=v, y=0.0, z=0.0),
-        angular=make(vector, x=0.0, y=0.0, z=omega),
-    )
+    return {
+        "linear": {"x": v, "y": 0.0, "z": 0.0},
+        "angular": {"x": 0.0, "y": 0.0, "z": omega},
+    }
 
 
-def make_twist_stamped(make: Make, stamp: float, v: float, omega: float) -> Any:
-    """The same with the time [s] from which it holds."""
-    return make(
-        TWIST_STAMPED,
-        header=_header(make, stamp, BASE_FRAME),
-        twist=make_twist(make, v, omega),
-    )
+def make_twist_stamped(v: float, omega: float) -> Message:
+    """The same as a TwistStamped.
+
+    It has no time: rosbridge then puts in the robot's own. That is better, since many robots take a command for
+    outdated whose sender's clock is late.
+    """
+    return {"header": {"frame_id": BASE_FRAME}, "twist": make_twist(v, omega)}
 
 
-def _header(make: Make, stamp: float, frame: str) -> Any:
-    seconds, rest = divmod(round(stamp * 1e9), 10**9)
-    time = make("builtin_interfaces/Time", sec=seconds, nanosec=rest)
-    return make("std_msgs/Header", stamp=time, frame_id=frame)
+def _header(stamp: float, frame: str) -> Message:
+    seconds, nanoseconds = divmod(round(stamp * 1e9), 10**9)
+    return {"stamp": {"sec": seconds, "nanosec": nanoseconds}, "frame_id": frame}

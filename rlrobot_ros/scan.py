@@ -43,22 +43,19 @@ class Mounting(NamedTuple):
     def of(cls, given: Any) -> Self:
         """The mounting that these four or five values say. Raises ValueError if they are none."""
         try:
-            x, y, yaw, upside_down, *far = given
-            mounting = cls(
-                float(x), float(y), float(yaw), bool(upside_down), *map(float, far)
-            )
-            if (
-                np.isfinite(mounting[:3]).all()
-                and upside_down in (False, True)
-                and not mounting.far < 0
-            ):
-                return mounting
+            x, y, yaw, upside_down, *rest = given
+            far = float(rest[0]) if rest else math.inf
+            mounting = cls(float(x), float(y), float(yaw), bool(upside_down), far)
+            is_known = np.isfinite(mounting[:3]).all() and upside_down in (False, True)
+            is_possible = is_known and not far < 0 and len(rest) <= 1
         except (TypeError, ValueError):
-            pass
-        raise ValueError(
-            "mounting must be (x [m], y [m], yaw [rad], upside_down), as in (0.1, 0, 0, False), and may end with what "
-            f"the scanner says for far, got {given!r:.200}"
-        )
+            is_possible = False
+        if not is_possible:
+            raise ValueError(
+                "mounting must be (x [m], y [m], yaw [rad], upside_down), as in (0.1, 0, 0, False), and may end with "
+                f"what the scanner says for far, got {given!r:.200}"
+            )
+        return mounting
 
 
 class Rays(NamedTuple):
@@ -190,32 +187,30 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
         if math.isnan(far)
         else (ranges == far) | ((ranges > most) & (most < far < math.inf))
     )
-    near[np.isnan(near) & says_far] = farthest[np.isnan(farthest) & says_far] = math.inf
+    near[np.isnan(near) & says_far] = math.inf
+    farthest[np.isnan(farthest) & says_far] = math.inf
     return Rays(angle_min, increment, near, farthest, says_far | ~np.isnan(said))
 
 
 def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
     """How near and how far each ray may have got [m], where NaN is between neighbours that are not NaN."""
-    known, rays, turn = (
-        np.flatnonzero(~np.isnan(ranges)),
-        np.arange(len(ranges)),
-        2 * math.pi / increment,
-    )
+    known = np.flatnonzero(~np.isnan(ranges))
+    rays = np.arange(len(ranges))
+    turn = 2 * math.pi / increment
     places = np.concatenate(
         [[-math.inf], known - turn, known, known + turn, [math.inf]]
     )
     values = np.concatenate([[math.nan], np.tile(ranges[known], 3), [math.nan]])
     order = np.argsort(places, kind="stable")  # a scan may be of more than a turn
-    left, right = (
-        order[np.searchsorted(places[order], rays, side) - (side == "right")]
-        for side in ("right", "left")
-    )
+    left = order[np.searchsorted(places[order], rays, "right") - 1]
+    right = order[np.searchsorted(places[order], rays, "left")]
     width = (places[right] - places[left]) * increment
-    is_lost, is_narrow = np.isnan(ranges), width <= GAP + increment + EPSILON
+    is_narrow = width <= GAP + increment + EPSILON
     sides = np.where(is_narrow, [values[left], values[right]], math.nan)
-    return np.where(is_lost, sides.min(axis=0), ranges), np.where(
-        is_lost, sides.max(axis=0), ranges
-    )
+    is_lost = np.isnan(ranges)
+    near = np.where(is_lost, sides.min(axis=0), ranges)
+    far = np.where(is_lost, sides.max(axis=0), ranges)
+    return near, far
 
 
 def directions(
@@ -280,24 +275,20 @@ def _crossing(
     turn = math.remainder(
         math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead) - first, 2 * math.pi
     )
-    sense, turn = (
-        math.copysign(1.0, turn),
-        abs(turn),
-    )  # from now on angles count from its start towards its end
+    # from now on angles count from its start towards its end
+    sense = math.copysign(1.0, turn)
+    turn = abs(turn)
     off = turned(sense * (rays - first), turn / 2)
     crossed = np.flatnonzero((off + half >= 0) & (off - half <= turn))
     crossed = crossed[np.argsort(off[crossed], kind="stable")]
     edges = np.concatenate([[-half], off[crossed], [turn + half]])
     if not len(crossed) or (np.diff(edges) > 2 * half + EPSILON).any():
         return None
-    enter, leave = (
-        _distance(
-            place,
-            (ahead, left),
-            first + sense * np.clip(off[crossed] + side, 0.0, turn),
-        )
-        for side in (-half, half)
-    )
+    way = (ahead, left)
+    begin = first + sense * np.clip(off[crossed] - half, 0.0, turn)
+    end = first + sense * np.clip(off[crossed] + half, 0.0, turn)
+    enter = _distance(place, way, begin)
+    leave = _distance(place, way, end)
     return _Crossing(crossed, enter, leave + EPSILON, along, aside)
 
 
@@ -305,7 +296,8 @@ def _distance(
     place: tuple[float, float], way: tuple[float, float], bearing: Floats
 ) -> Floats:
     """How far from `place` a beam of direction `way` is seen at `bearing` from the scanner [m]."""
-    cos, sin = np.cos(bearing), np.sin(bearing)
+    cos = np.cos(bearing)
+    sin = np.sin(bearing)
     distance: Floats = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)
     return distance
 

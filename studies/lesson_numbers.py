@@ -25,6 +25,7 @@ from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of
 from rlrobot_edu.widgets.playground.cliff import MOVES, cliff_model, greedy_path
+from rlrobot_ros import RobotLink, ServedRobot
 
 HERE = Path(__file__).parent
 Row = tuple[str, str, int, float, float]
@@ -404,10 +405,8 @@ def _lost_over_a_link(name: str, seed: int) -> float:
     alone = rl.learn(
         copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False
     ).rewards.mean()
-    with rl.ServedRobot(name, port=0, simulated_time=True) as served:
-        link = rl.RobotLink(
-            "rosbridge", **served.where, confirmed=True, simulated_time=True
-        )
+    with ServedRobot(name, port=0, simulated_time=True) as served:
+        link = RobotLink(served.address, confirmed=True, simulated_time=True)
         env = rl.make_env(name, link=link, seed=0)
         linked = rl.learn(agent, env, steps=100, progress=False).rewards.mean()
         env.close()

@@ -1,5 +1,6 @@
 """A robot that is nothing but its messages, for tests of what a link makes of them."""
 
+import json
 import math
 import threading
 import time
@@ -10,7 +11,8 @@ from typing import Any
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_ros.live import line, steering
+from rlrobot_ros import RobotLink
+from rlrobot_ros.live import controller, session
 from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
@@ -18,6 +20,12 @@ from rlrobot_ros.messages import (
     make_odometry,
     velocity_of,
 )
+
+
+def received(message: dict[str, Any]) -> Any:
+    """A message as it arrives over rosbridge."""
+    text = json.dumps(message)
+    return json.loads(text, object_hook=lambda fields: SimpleNamespace(**fields))
 
 
 class FakeRobot:
@@ -28,7 +36,7 @@ class FakeRobot:
     """
 
     def __init__(self) -> None:
-        self.lost, self.complaints = None, ()
+        self.lost, self.errors = None, ()
         self.told: list[tuple[float, float, float]] = []
         self.here, self.rays = (0.0, 0.0, 0.0), [1.0] * 8
         self.delay, self.is_silent, self.is_closed = 0.0, False, False
@@ -38,20 +46,17 @@ class FakeRobot:
         self._thread = threading.Thread(target=self._live, daemon=True)
         self._thread.start()
 
-    def make(self, kind: str, **fields: Any) -> Any:
-        return SimpleNamespace(**fields)
-
-    def hear(self, topic: str, kind: str, callback: Callable[[Any], None]) -> None:
+    def subscribe(self, topic: str, kind: str, callback: Callable[[Any], None]) -> None:
         self.topics.append(topic)
         self._callbacks[kind] = callback
 
-    def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
+    def advertise(self, topic: str, kind: str) -> Callable[[Any], None]:
         self.topics.append(topic)
 
         def say(message: Any) -> None:
             if self.lost:
                 raise ConnectionError(self.lost)
-            v, _, omega = velocity_of(message)
+            v, _, omega = velocity_of(received(message))
             self.told.append((time.monotonic(), v, omega))
 
         return say
@@ -80,10 +85,10 @@ class FakeRobot:
         self._callbacks[kind](message)
 
     def pose(self, stamp: float, here: tuple[float, float, float] | None = None) -> Any:
-        return make_odometry(self.make, stamp, *(here or self.here))
+        return received(make_odometry(stamp, *(here or self.here)))
 
     def scan(self, stamp: float) -> Any:
-        return make_laser_scan(self.make, stamp, self.rays, 10.0)
+        return received(make_laser_scan(stamp, self.rays, 10.0))
 
     def _live(self) -> None:
         while not self._ends.wait(0.05):
@@ -116,9 +121,9 @@ def robot(monkeypatch):
     `MAX_AGE` back.
     """
     robot = FakeRobot()
-    monkeypatch.setattr(steering, "MAX_AGE", 8.0)
-    monkeypatch.setattr(line, "connect", lambda link, **where: robot)
-    monkeypatch.setattr(line, "Guardian", FakeGuardian)
+    monkeypatch.setattr(controller, "MAX_AGE", 8.0)
+    monkeypatch.setattr(session, "Rosbridge", lambda address: robot)
+    monkeypatch.setattr(session, "Guardian", FakeGuardian)
     yield robot
     robot.end()
 
@@ -126,12 +131,12 @@ def robot(monkeypatch):
 @pytest.fixture
 def env(robot):
     """An environment of that robot, in which nobody need say yes; commands of a Giraff are 0.0375 m/s at most."""
-    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(confirmed=True))
+    env = rl.make_env("giraff_wander_simple", link=RobotLink(confirmed=True))
     yield env
     env.close()
 
 
-MAX_AGE = steering.MAX_AGE
+MAX_AGE = controller.MAX_AGE
 LEFT, RIGHT, AHEAD = 1, 2, 3  # actions of giraff_wander_simple; 0 is stop
 V, OMEGA = (
     0.0375,

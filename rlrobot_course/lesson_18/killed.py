@@ -3,29 +3,27 @@
 import queue
 import subprocess
 import sys
-from typing import Any
 
-from rlrobot_edu import RobotLink, make_env
-from rlrobot_ros.live.connection import connect
+from rlrobot_edu import make_env
+from rlrobot_ros import RobotLink
+from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.messages import TWIST, velocity_of
 
 PATIENCE = 60.0  # how long it may take until a second process drives [s]
 
 
-def kill_a_driver(where: dict[str, Any]) -> tuple[float, float]:
+def kill_a_driver(address: str) -> tuple[float, float]:
     """The speed [m/s] that a process tells the robot until it is killed, and the next different one that is said.
 
-    where: as for the link rosbridge. Raises queue.Empty if nothing is said.
+    address: of rosbridge. Raises queue.Empty if nothing is said.
     """
     said: queue.SimpleQueue[float] = queue.SimpleQueue()
-    connection = connect("rosbridge", **where)
+    connection = Rosbridge(address)
     try:
-        connection.hear(
+        connection.subscribe(
             "cmd_vel", TWIST, lambda message: said.put(velocity_of(message)[0])
         )
-        with subprocess.Popen(
-            [sys.executable, "-m", __name__, where["address"]]
-        ) as driver:
+        with subprocess.Popen([sys.executable, "-m", __name__, address]) as driver:
             try:
                 before = said.get(timeout=PATIENCE)
             finally:
@@ -40,9 +38,7 @@ def kill_a_driver(where: dict[str, Any]) -> tuple[float, float]:
 
 def drive(address: str) -> None:
     """Drive the robot of wander_1k on and on: this is the process that is killed."""
-    env = make_env(
-        "wander_1k", link=RobotLink("rosbridge", address=address, confirmed=True)
-    )
+    env = make_env("wander_1k", link=RobotLink(address, confirmed=True))
     env.reset()
     while True:
         env.step(8)  # both wheels forward

@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from rlrobot_course.figures.plots import BLACK, BLUE, GREY, SKY, VERMILION, Picture
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
-from rlrobot_ros.live.connection import connect
+from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.messages import LASER_SCAN, ODOMETRY
 from rlrobot_ros.scan import Mounting, laser_readings, measured
 
@@ -18,20 +18,18 @@ PATIENCE = 20.0  # how long a message is waited for [s]
 AHEAD = math.pi / 3  # to each side of straight ahead [rad]
 
 
-def listen(where: dict[str, Any]) -> tuple[Any, Any]:
-    """One message of odometry and one scan of the robot that rosbridge reaches there (see `ServedRobot.where`).
+def listen(address: str) -> tuple[Any, Any]:
+    """One message of odometry and one scan of the robot behind rosbridge at that address.
 
     Raises ConnectionError if nobody is there, queue.Empty if nothing is said.
     """
-    connection = connect("rosbridge", **where)
+    connection = Rosbridge(address)
+    odometry: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    scans: queue.SimpleQueue[Any] = queue.SimpleQueue()
     try:
-        heard: tuple[queue.SimpleQueue[Any], queue.SimpleQueue[Any]] = (
-            queue.SimpleQueue(),
-            queue.SimpleQueue(),
-        )
-        connection.hear("odom", ODOMETRY, heard[0].put)
-        connection.hear("laser_scan", LASER_SCAN, heard[1].put)
-        return heard[0].get(timeout=PATIENCE), heard[1].get(timeout=PATIENCE)
+        connection.subscribe("odom", ODOMETRY, odometry.put)
+        connection.subscribe("laser_scan", LASER_SCAN, scans.put)
+        return odometry.get(timeout=PATIENCE), scans.get(timeout=PATIENCE)
     finally:
         connection.close()
 

@@ -31,7 +31,7 @@ ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing; engine='pybullet' does not work",
     "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
-    "ros": "no bag of ROS can be read, and no robot driven or served over what is missing: rosbridge, or DDS (ROS 2)",
+    "ros": "no bag of ROS can be read, or no robot driven or served over rosbridge",
     "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",
     "all": "recording.to_minari and rl.Recording.from_minari do not work, and Dask's clusters are missing",
 }

@@ -15,49 +15,41 @@ import sys
 import time
 from typing import Any
 
-from rlrobot_ros.live.connection import connect
-from rlrobot_ros.live.voice import Voice
+from rlrobot_ros.live.rosbridge import Rosbridge
+from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 
 READY = "ready"
-STOPS, PAUSE = (
-    3,
-    0.1,
-)  # how often, and how far apart [s]: what the dead process sent last may still be on its way
+STOPS = 3  # more than one: what the dead process sent last may still be on its way
+PAUSE = 0.1  # between two stops [s]
 
 
 class Guardian:
     """The first process's end of it; the guardian waits until this is closed.
 
-    link, where: as for `connect`; topic, stamped: as for `Voice`
+    address: of rosbridge; topic, stamped: as for `VelocityPublisher`
 
     Raises ConnectionError if the second process cannot reach the robot.
     """
 
-    def __init__(
-        self, link: str, where: dict[str, Any], topic: str, stamped: bool
-    ) -> None:
-        command = [sys.executable, "-m", __name__]
+    def __init__(self, address: str, topic: str, stamped: bool) -> None:
         # in a session of its own: what ends the kernel and all that it started shall not end this
         self._process: Any = subprocess.Popen(
-            command,
+            [sys.executable, "-m", __name__],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
             encoding="utf-8",
             start_new_session=True,
         )
-        assert self._process.stdout is not None
         with contextlib.suppress(BrokenPipeError):
-            print(
-                json.dumps([link, where, topic, stamped]),
-                file=self._process.stdin,
-                flush=True,
-            )
-        said = self._process.stdout.readline().strip()
-        if said != READY:
+            settings = json.dumps([address, topic, stamped])
+            print(settings, file=self._process.stdin, flush=True)
+        assert self._process.stdout is not None
+        answer = self._process.stdout.readline().strip()
+        if answer != READY:
             self.close()
             raise ConnectionError(
-                f"no second connection that would stop the robot if this process died: {said}"
+                f"no second connection that would stop the robot if this process died: {answer}"
             )
 
     def close(self) -> None:
@@ -74,20 +66,20 @@ class Guardian:
 
 def watch() -> None:
     """The second process: wait for the end of the first one, and stop the robot."""
-    signal.signal(
-        signal.SIGINT, signal.SIG_IGN
-    )  # Ctrl-C is for the first process, which stops the robot itself
-    link, where, topic, stamped = json.loads(sys.stdin.readline())
+    # Ctrl-C is for the first process, which stops the robot itself
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    address, topic, stamped = json.loads(sys.stdin.readline())
     try:
-        connection = connect(link, **where)
-        voice = Voice(connection, topic, stamped)
-    except (ValueError, OSError, ImportError) as error:
-        sys.exit(print(error))
+        connection = Rosbridge(address)
+        velocity = VelocityPublisher(connection, topic, stamped)
+    except (ValueError, OSError) as error:
+        print(error)
+        sys.exit(1)
     print(READY, flush=True)
     sys.stdin.read()
     with contextlib.suppress(ConnectionError):
         for _ in range(STOPS):
-            voice.say(0.0, 0.0)
+            velocity.publish(0.0, 0.0)
             time.sleep(PAUSE)
     connection.close()
 

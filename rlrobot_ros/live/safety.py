@@ -88,7 +88,7 @@ def confirm(question: str) -> None:
         NotImplementedError,
     ):  # the last is Jupyter's, where a notebook runs by itself
         raise PermissionError(
-            "nobody can be asked whether the robot may move: if that is safe, say rl.RobotLink(…, confirmed=True)"
+            "nobody can be asked whether the robot may move: if that is safe, say RobotLink(…, confirmed=True)"
         ) from None
     if answer.strip().lower() not in ("yes", "y"):
         raise PermissionError(

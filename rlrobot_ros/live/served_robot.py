@@ -1,4 +1,4 @@
-"""One of the toolkit's own robots as if it were a real one that speaks ROS: to rehearse, and to test with."""
+"""One of the toolkit's own robots as if it were a real one behind rosbridge: to rehearse, and to test with."""
 
 import contextlib
 import math
@@ -9,98 +9,73 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_edu.robots.realism import Realism
-from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 from rlrobot_ros import messages
-from rlrobot_ros.live.connection import connect
-from rlrobot_ros.live.rosbridge_router import RosbridgeRouter
-from rlrobot_ros.live.served_body import TICK, ServedBody
+from rlrobot_ros.live.rosbridge import Rosbridge
+from rlrobot_ros.live.rosbridge_server import RosbridgeServer
+from rlrobot_ros.live.simulated_body import RANGE_MAX, TICK, SimulatedBody
 
 WATCHDOG = 0.5  # a robot without a command for so long stops [s]
-REPEAT = (
-    0.2  # where simulated time stands still, what is so is said again after so long [s]
-)
+REPEAT = 0.2  # in simulated time, its messages are repeated after so long [s]
 
 
 class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
-    """The robot of a task, simulated by pymunk, behind ROS. It runs until `close`.
+    """The robot of a task, simulated by pymunk, behind rosbridge. It runs until `close`.
 
     Parameters
     ----------
-    body : str, Path, Task or ServedBody
-        The task of the robot, one on wheels, and of its scene; or a body that exists already.
-    link : str
-        ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more.
+    task : str, Path or Task
+        The task of the robot, one on wheels, and of its scene.
     realism : Realism, optional
         Weaknesses that the robot shall have; its control steps are tenths of a second here.
     seed : int, optional
         Makes them repeatable, in simulated time.
     simulated_time : bool
         Each command takes the robot a tenth of a second on, and nothing else does; else its time is the clock's.
-    odom, scan, cmd_vel : str
-        Names of the topics, the last of type Twist.
-    stamped : bool
-        Whether it hears TwistStamped instead.
     port : int
         Of rosbridge; 0 is one that is free.
-    **where
-        For the other links: ``domain``, ``interface``, ``peers`` or ``master``.
 
     Raises
     ------
     ValueError
-        For a task that cannot be served, or an unknown link.
+        For a task that cannot be served, or what is no port.
     OSError
-        If the port is taken, nobody is there, or there is no such task file.
+        If the port is taken, or if there is no such task file.
 
     Notes
     -----
-    - The robot stops by itself after half a second without a command, as real ones should.
+    - It publishes ``odom`` and ``laser_scan``, and obeys ``cmd_vel``, whether of type Twist or TwistStamped.
+    - It stops by itself after half a second without a command, as real ones should.
     - A command above what its wheels can do is reduced to that.
-    - `where` is how a link reaches it: ``rl.RobotLink(link, **robot.where)``.
+    - A link reaches it by its `address`: ``RobotLink(robot.address)``.
     """
 
     def __init__(
         self,
-        body: str | Path | Task | ServedBody,
-        link: str = "rosbridge",
+        task: str | Path | Task,
         *,
         realism: Realism | None = None,
         seed: int | None = None,
         simulated_time: bool = False,
-        odom: str = "odom",
-        scan: str = "laser_scan",
-        cmd_vel: str = "cmd_vel",
-        stamped: bool = False,
         port: int = 9090,
-        **where: Any,
     ) -> None:
-        self._body = (
-            body if isinstance(body, ServedBody) else ServedBody(body, realism, seed)
-        )
-        self._ranges = (
-            self._body.look()
-        )  # once where it stands: how often it is said must not cost random numbers
-        self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
+        self._body = SimulatedBody(task, realism, seed)
+        # only once where it stands: how often it is published must not cost random numbers
+        self._ranges = self._body.look()
+        self._commands: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
+        self._simulated_time = simulated_time
         self._time = 1.0 if simulated_time else time.time()
-        self._is_simulated, self._problem = simulated_time, ""
-        self._ends, self._has_ended = threading.Event(), threading.Event()
+        self._problem = ""
+        self._ends = threading.Event()
+        self._has_ended = threading.Event()
         with contextlib.ExitStack() as opened:
-            if link == "rosbridge":
-                where["address"] = opened.enter_context(RosbridgeRouter(port)).address
-            connection = connect(link, **where)
+            self.address = opened.enter_context(RosbridgeServer(port)).address
+            connection = Rosbridge(self.address)
             opened.callback(connection.close)
-            self._make = connection.make
-            self._say_pose = connection.speak(odom, messages.ODOMETRY)
-            self._say_scan = connection.speak(scan, messages.LASER_SCAN)
-            connection.hear(
-                cmd_vel,
-                messages.TWIST_STAMPED if stamped else messages.TWIST,
-                self._hear,
-            )
+            self._publish_pose = connection.advertise("odom", messages.ODOMETRY)
+            self._publish_scan = connection.advertise("laser_scan", messages.LASER_SCAN)
+            connection.subscribe("cmd_vel", messages.TWIST, self._receive)
             self._opened = opened.pop_all()
-        self.where = where
-        self.way = f"{link} at {where['address']}" if "address" in where else link
         self._thread = threading.Thread(
             target=self._run, name="served robot", daemon=True
         )
@@ -117,10 +92,9 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         ConnectionError
             If it is cut off.
         """
-        # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
-        while not self._has_ended.wait(
-            1.0
-        ):  # on Windows, Ctrl-C is not heard in a longer wait
+        # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it.
+        # On Windows, Ctrl-C is not heard in a longer wait.
+        while not self._has_ended.wait(1.0):
             pass
         if self._problem:
             raise ConnectionError(self._problem)
@@ -131,60 +105,62 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self._thread.join()
         self._opened.close()
 
-    def _hear(self, message: Any) -> None:
+    def _receive(self, message: Any) -> None:
         """Take in a Twist; one that says nothing that can be is not obeyed."""
         with contextlib.suppress(ValueError):
             v, _, omega = messages.velocity_of(message)
             if math.isfinite(v) and math.isfinite(omega):
-                self._told.put((v, omega))
+                self._commands.put((v, omega))
 
     def _run(self) -> None:
         """Live, in a thread of its own."""
         try:
-            self._say()
-            (self._live_when_told if self._is_simulated else self._live_by_the_clock)()
+            self._publish()
+            if self._simulated_time:
+                self._live_by_commands()
+            else:
+                self._live_by_the_clock()
         except ConnectionError as error:
             self._problem = str(error)
         finally:
             self._has_ended.set()
 
-    def _live_when_told(self) -> None:
-        """Carry out each command for a tick; while there is none, say again what is so."""
+    def _live_by_commands(self) -> None:
+        """Carry out each command for a tick; while there is none, publish the same again."""
         while not self._ends.is_set():
             with contextlib.suppress(queue.Empty):
-                self._move(*self._told.get(timeout=REPEAT))
+                v, omega = self._commands.get(timeout=REPEAT)
+                self._move(v, omega)
                 self._time += TICK
-            self._say()
+            self._publish()
 
     def _live_by_the_clock(self) -> None:
         """Carry out the latest command, tick by tick, until it is too old."""
-        told, said_at = (0.0, 0.0), -math.inf
+        command = (0.0, 0.0)
+        received_at = -math.inf
         due = time.monotonic()
         while True:
-            due = max(
-                due + TICK, time.monotonic()
-            )  # ticks that a busy computer has missed are not made up for
+            # ticks that a busy computer has missed are not made up for
+            due = max(due + TICK, time.monotonic())
             if self._ends.wait(max(due - time.monotonic(), 0.0)):
                 return
-            while not self._told.empty():
-                told, said_at = self._told.get(), time.monotonic()
-            self._move(
-                *(told if time.monotonic() - said_at <= WATCHDOG else (0.0, 0.0))
-            )
+            while not self._commands.empty():
+                command = self._commands.get()
+                received_at = time.monotonic()
+            if time.monotonic() - received_at > WATCHDOG:
+                command = (0.0, 0.0)
+            self._move(*command)
             self._time = time.time()
-            self._say()
+            self._publish()
 
     def _move(self, v: float, omega: float) -> None:
         self._body.move(v, omega)
         self._ranges = self._body.look()
 
-    def _say(self) -> None:
+    def _publish(self) -> None:
         """Tell where the robot is and what its scanner sees."""
-        self._say_pose(
-            messages.make_odometry(self._make, self._time, *self._body.pose())
-        )
-        self._say_scan(
-            messages.make_laser_scan(
-                self._make, self._time, self._ranges, 2 * LASER_RANGE
-            )
+        pose = self._body.pose()
+        self._publish_pose(messages.make_odometry(self._time, *pose))
+        self._publish_scan(
+            messages.make_laser_scan(self._time, self._ranges, RANGE_MAX)
         )

@@ -6,14 +6,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-import rlrobot_edu as rl
 from rlrobot_course.lesson_18 import exercises
 from rlrobot_course.lesson_18.scans import plot_scan
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import WHEELS
+from rlrobot_ros import RobotLink, ServedRobot
+from rlrobot_ros.live.controller import MAX_AGE
 from rlrobot_ros.live.safety import AHEAD, room_ahead
-from rlrobot_ros.live.steering import MAX_AGE
 from rlrobot_ros.scan import Mounting
 
 POINT = Chassis(
@@ -72,7 +72,7 @@ def test_the_nearest_ahead_is_what_the_link_finds_for_a_robot_without_a_body(
 
 def test_the_rules_of_the_exercise_are_those_of_the_link():
     assert MAX_AGE == 0.5
-    assert rl.RobotLink()._settings.limits.safety_distance == 0.18
+    assert RobotLink()._settings.limits.safety_distance == 0.18
     assert exercises.allowed(0.2, 0.3, 0.18, 0.5) == (0.2, 0.3)
     assert exercises.allowed(0.2, 0.3, 0.17, 0.5) == (0.0, 0.3)
     assert (
@@ -92,8 +92,8 @@ def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_run
     )
     from rlrobot_course.lesson_18.scans import listen
 
-    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
-        odom, scan = listen(robot.where)
+    with ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
+        odom, scan = listen(robot.address)
     assert (
         odom.pose.pose.position.x == pytest.approx(PIONEER.axle)
         and len(scan.ranges) == 360
@@ -106,5 +106,5 @@ def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
     )
     from rlrobot_course.lesson_18.killed import kill_a_driver
 
-    with rl.ServedRobot("wander_1k", port=0) as robot:
-        assert kill_a_driver(robot.where) == pytest.approx((0.0975, 0.0))
+    with ServedRobot("wander_1k", port=0) as robot:
+        assert kill_a_driver(robot.address) == pytest.approx((0.0975, 0.0))

@@ -114,11 +114,11 @@ def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
 
 def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
     needs(
-        'cyclonedds>=11; python_version < "3" and extra == "arm"',
+        'pybullet>=3; python_version < "3" and extra == "arm"',
         'rosbags; extra == "ros"',
     )
     assert said("arm").says.startswith(
-        f"no wheel of cyclonedds for Python 3.{sys.version_info.minor} on {sys.platform}"
+        f"no wheel of pybullet for Python 3.{sys.version_info.minor} on {sys.platform}"
     )
     assert COMMAND("arm") not in said("arm").says
 

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
+from rlrobot_ros import recording_from_bag
 
 pytest.importorskip(
     "rosbags.highlevel", reason="rosbags is missing: pip install 'rlrobot-edu[ros]'"
@@ -36,7 +37,7 @@ def test_each_format_gives_the_transitions_that_the_robot_lived_through(
     driven, tmp_path, form
 ):
     events, lived = driven
-    recording = rl.recording_from_bag(write_bag(tmp_path, form, events), TASK)
+    recording = recording_from_bag(write_bag(tmp_path, form, events), TASK)
     assert_same(recording, lived)
     report = recording.report
     assert (report.steps, report.stretches, report.dropped) == (150, 1, 0)
@@ -52,13 +53,13 @@ def test_a_stamped_twist_and_other_names_say_the_same(driven, tmp_path):
     topics = {"odom": "/robot/odom", "scan": "/scan", "cmd_vel": "/robot/cmd_vel"}
     path = write_bag(tmp_path, "mcap", events, topics, stamped=True)
     assert_same(
-        rl.recording_from_bag(
+        recording_from_bag(
             path, TASK, odom="robot/odom", scan="/scan", cmd_vel="/robot/cmd_vel"
         ),
         lived,
     )
     assert_same(
-        rl.recording_from_bag(
+        recording_from_bag(
             path / "mcap.mcap",
             TASK,
             odom="robot/odom",
@@ -74,7 +75,7 @@ def test_a_base_whose_lasers_stand_off_the_scanners_lines_lives_through_the_same
     tmp_path, task
 ):
     events, lived = drive(task, 60, see=full_scan)
-    recording = rl.recording_from_bag(write_bag(tmp_path, "sqlite3", events), task)
+    recording = recording_from_bag(write_bag(tmp_path, "sqlite3", events), task)
     np.testing.assert_array_equal(recording.r, lived.r)
     commands = [
         [lived.task.command_for(a) for a in who.a] for who in (recording, lived)
@@ -90,7 +91,7 @@ def test_a_base_whose_lasers_stand_off_the_scanners_lines_lives_through_the_same
 
 
 def recorded(tmp_path, events, task=TASK, **options):
-    return rl.recording_from_bag(write_bag(tmp_path, "mcap", events), task, **options)
+    return recording_from_bag(write_bag(tmp_path, "mcap", events), task, **options)
 
 
 def test_commands_that_are_late_or_said_ten_times_a_second_mean_the_same(
@@ -149,12 +150,12 @@ def test_the_tolerance_says_how_far_a_twist_may_be_from_an_action(
         for t, kind, said in events
     ]
     path = write_bag(tmp_path, "ros1", events)
-    assert_same(rl.recording_from_bag(path, TASK, tolerance=0.06), lived)
+    assert_same(recording_from_bag(path, TASK, tolerance=0.06), lived)
     with pytest.raises(
         ValueError,
         match="holds no step of giraff_wander_simple: 150 Twists that no action explains",
     ):
-        rl.recording_from_bag(path, TASK, tolerance=0.04)
+        recording_from_bag(path, TASK, tolerance=0.04)
 
 
 def test_messages_that_stay_out_make_gaps_and_no_steps(driven, tmp_path):
@@ -165,17 +166,12 @@ def test_messages_that_stay_out_make_gaps_and_no_steps(driven, tmp_path):
     ]
     recording = recorded(tmp_path, events)
     report = recording.report
-    assert report.stretches == 4 and report.silences == 1
+    assert report.stretches == 4
     assert report.steps + report.stale + report.cut_short + 9 == 150
     # a step that was kept was lived through, but for readings one message older at the edge of a gap
     assert set(zip(recording.a, recording.s_next, strict=True)) <= set(
         zip(lived.a, lived.s_next, strict=True)
     ) | set(zip(lived.a, lived.s, strict=True))
-    assert recorded_more(tmp_path, max_age=30.0) > report.steps
-
-
-def recorded_more(tmp_path, **options) -> int:
-    return rl.recording_from_bag(tmp_path / "mcap", TASK, **options).report.steps
 
 
 def test_a_command_in_the_middle_of_a_step_cuts_it_short(driven, tmp_path):
@@ -329,7 +325,7 @@ def test_a_message_whose_bytes_are_damaged_is_counted_and_the_others_are_read(
             [(numbers[i],) for i in (30, 61)],
         )
         base.commit()
-    report = rl.recording_from_bag(path, TASK).report
+    report = recording_from_bag(path, TASK).report
     assert (
         report.unreadable == 2
         and report.steps == 150 - report.unknown
@@ -360,7 +356,7 @@ def test_a_bag_of_which_nothing_is_left_says_how_much_was_lost(driven, tmp_path)
         ValueError, match=r"no readable message of /odom among 151: the pose \(nan, "
     ):
         recorded(tmp_path / "lost", lost)
-    far = rl.recording_from_bag(tmp_path / "mcap", TASK, mounting=(0, 0, 0, False, 0.0))
+    far = recording_from_bag(tmp_path / "mcap", TASK, mounting=(0, 0, 0, False, 0.0))
     assert (
         len(far) == 150 and len(set(far.s)) == 1
     )  # told that 0 means far, it is free all round
@@ -395,7 +391,7 @@ def test_a_scanner_that_does_not_see_what_the_task_needs_is_named(driven, tmp_pa
         match=r"mcap: giraff_wander_simple needs laser_front_right, where the scanner does",
     ):
         recorded(tmp_path, ahead)
-    turned = rl.recording_from_bag(
+    turned = recording_from_bag(
         tmp_path / "mcap", TASK, mounting=(0.0, 0.0, -math.pi / 4, False)
     )
     assert len(turned) == 150 and "laser_rear" in turned.report.missing
@@ -407,19 +403,19 @@ def test_a_missing_or_foreign_topic_is_named_with_those_there_are(driven, tmp_pa
     )
     with pytest.raises(
         ValueError,
-        match=r"'laser_scan' is not in .* give scan='/base/scan'\? The topics are: /base/sc",
+        match=r"scan='laser_scan' must name a topic .* in this bag are: /base/scan \(sensor",
     ):
-        rl.recording_from_bag(path, TASK)
+        recording_from_bag(path, TASK)
     with pytest.raises(
         ValueError,
-        match=r"'cmd_vel' is not in this bag, expected geometry_msgs/msg/Twist or ",
+        match=r"cmd_vel='cmd_vel' must name a topic of type geometry_msgs/msg/Twist or ",
     ):
-        rl.recording_from_bag(path, TASK, scan="base/scan")
+        recording_from_bag(path, TASK, scan="base/scan")
     with pytest.raises(
         ValueError,
-        match=r"topic 'odom' is of type nav_msgs/msg/Odometry, expected sensor_msgs",
+        match=r"scan='odom' must name a topic of type sensor_msgs/msg/LaserScan; .*Odom",
     ):
-        rl.recording_from_bag(path, TASK, scan="odom")
+        recording_from_bag(path, TASK, scan="odom")
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -440,7 +436,7 @@ def test_a_damaged_bag_is_refused_in_one_sentence(driven, tmp_path, form):
         for damaged in (cut, hit):
             whole.write_bytes(damaged)
             try:
-                rl.recording_from_bag(path, TASK)
+                recording_from_bag(path, TASK)
             except ValueError as error:
                 assert str(error).startswith(str(path)) and "\n" not in str(error)
 
@@ -450,13 +446,13 @@ def test_what_is_no_bag_is_refused(tmp_path):
     (tmp_path / "text.bag").write_text("no bag")
     for name in ("empty", "text.bag"):
         with pytest.raises(ValueError, match="not a whole bag of ROS 1 or ROS 2"):
-            rl.recording_from_bag(tmp_path / name, TASK)
+            recording_from_bag(tmp_path / name, TASK)
     with pytest.raises(FileNotFoundError, match="no such bag"):
-        rl.recording_from_bag(tmp_path / "none.bag", TASK)
+        recording_from_bag(tmp_path / "none.bag", TASK)
 
 
 @pytest.mark.parametrize("option", [
-        {"tolerance": -1}, {"tolerance": math.nan}, {"max_age": 0}, {"max_age": math.nan},
+        {"tolerance": -1}, {"tolerance": math.nan},
         {"mounting": (0, 0)}, {"mounting": None}, {"mounting": (0, 0, math.nan, False)}, {"mounting": "base"},
     ])  # fmt: skip
 def test_options_that_cannot_be_are_refused(driven, tmp_path, option):
@@ -468,13 +464,13 @@ def test_a_task_without_wheels_is_refused(tmp_path):
     with pytest.raises(
         ValueError, match="cmd_vel commands wheels alone, and arm_1k the robot 'arm'"
     ):
-        rl.recording_from_bag(tmp_path, "arm_1k")
+        recording_from_bag(tmp_path, "arm_1k")
 
 
 def test_without_rosbags_one_sentence_says_what_to_install(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
     with pytest.raises(ImportError, match=r"pip install 'rlrobot-edu\[ros\]'"):
-        rl.recording_from_bag(tmp_path, TASK)
+        recording_from_bag(tmp_path, TASK)
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -483,7 +479,7 @@ def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times
 ):
     events, lived = driven
     shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
-    assert_same(rl.recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
+    assert_same(recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
 
 
 def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(
@@ -493,7 +489,7 @@ def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(
     with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
         base.execute("DELETE FROM message_definitions")
         base.commit()
-    assert_same(rl.recording_from_bag(path, TASK), driven[1])
+    assert_same(recording_from_bag(path, TASK), driven[1])
 
 
 def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
@@ -507,7 +503,7 @@ def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
         ValueError,
         match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, ",
     ):
-        rl.recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
+        recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
 
 
 def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
@@ -525,7 +521,5 @@ def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
         ends.append(in_a_row >= 2)
         in_a_row *= not ends[-1]
     assert recording.terminated.tolist() == ends and sum(ends) > 3
-    cut = rl.recording_from_bag(
-        tmp_path / "mcap", replace(lived.task, episode_steps=40)
-    )
+    cut = recording_from_bag(tmp_path / "mcap", replace(lived.task, episode_steps=40))
     assert np.flatnonzero(cut.truncated).tolist() == [39, 79, 119]

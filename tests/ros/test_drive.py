@@ -48,7 +48,7 @@ def test_steps_last_as_long_as_the_tasks_do_not_overlap_and_are_filled_by_their_
         MOTIONS.action(v, omega, aside) for v, aside, omega in drive.twists.values
     ]
     age, counts, before = round(1.5 * SECOND), Counter(), -1
-    for begin, end, a in _spans(TASK, _holds(drive, actions, age, counts), counts):
+    for begin, end, a in _spans(TASK, _holds(drive, actions, age), counts):
         assert 0.9 * SECOND <= end - begin <= 1.1 * SECOND and begin >= before
         before = end
         in_force = [
@@ -68,7 +68,7 @@ def test_whenever_messages_come_there_are_steps_or_one_sentence_and_all_is_count
     drive = received(told, poses, scans)
     try:
         transitions, report = transitions_of(
-            TASK, drive, MOTIONS, None, ("odom", "scan", "cmd_vel")
+            TASK, drive, MOTIONS, ("odom", "scan", "cmd_vel")
         )
     except ValueError as error:
         assert "holds no step" in str(error)

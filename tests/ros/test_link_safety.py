@@ -23,9 +23,11 @@ import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
-from rlrobot_ros.live import line, steering
+from rlrobot_ros import RobotLink, ServedRobot
+from rlrobot_ros.live import controller, session
+from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.live.safety import room_ahead, within
-from rlrobot_ros.live.served_body import ServedBody
+from rlrobot_ros.live.simulated_body import SimulatedBody
 from rlrobot_ros.messages import LASER_SCAN
 from rlrobot_ros.scan import GAP, Mounting
 
@@ -40,7 +42,7 @@ def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(
     begin = time.monotonic()
     with monkeypatch.context() as watched:
         watched.setattr(
-            steering.time,
+            controller.time,
             "sleep",
             lambda seconds: rest(seconds) or rests.append(seconds),
         )
@@ -64,7 +66,7 @@ def test_close_stops_the_robot_and_ends_the_connection(env, robot):
 
 
 def test_a_link_that_nobody_holds_any_more_stops_the_robot(robot):
-    link = rl.RobotLink(confirmed=True)
+    link = RobotLink(confirmed=True)
     env = rl.make_env("giraff_wander_simple", link=link)
     env.reset()
     env.step(AHEAD)
@@ -80,7 +82,7 @@ def test_an_exception_within_a_step_stops_the_robot(env, robot, monkeypatch):
     def fail(seconds):
         raise RuntimeError("of whatever kind")
 
-    monkeypatch.setattr(steering.time, "sleep", fail)
+    monkeypatch.setattr(controller.time, "sleep", fail)
     with pytest.raises(RuntimeError):
         env.step(AHEAD)
     assert robot.motions()[-2:] == [(V, 0.0), (0.0, 0.0)]
@@ -113,7 +115,7 @@ def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
 
 
 def test_nothing_moves_before_a_person_has_said_yes(robot, monkeypatch):
-    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    env = rl.make_env("giraff_wander_simple", link=RobotLink())
     asked = []
     monkeypatch.setattr(
         builtins, "input", lambda question: asked.append(question) or "no"
@@ -135,7 +137,7 @@ def test_nothing_moves_before_a_person_has_said_yes(robot, monkeypatch):
 def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(
     robot, monkeypatch
 ):
-    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    env = rl.make_env("giraff_wander_simple", link=RobotLink())
 
     def no_keyboard(question):
         raise EOFError
@@ -149,7 +151,7 @@ def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(
 
 
 def test_a_new_connection_asks_again(robot, monkeypatch):
-    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    env = rl.make_env("giraff_wander_simple", link=RobotLink())
     asked = []
     monkeypatch.setattr(
         builtins, "input", lambda question: asked.append(question) or "yes"
@@ -162,23 +164,23 @@ def test_a_new_connection_asks_again(robot, monkeypatch):
 
 
 def test_a_dry_run_says_nothing_at_all_and_counts_what_it_would_have_said(robot):
-    link = rl.RobotLink(dry_run=True)
+    link = RobotLink(dry_run=True)
     env = rl.make_env("giraff_wander_simple", link=link)
     env.reset()
     env.step(AHEAD)
     with pytest.raises(ConnectionError, match="not open"):
-        _ = rl.RobotLink().report
+        _ = RobotLink().report
     env.close()
     report = link.report  # it can be read also now
     assert not robot.told and robot.topics == ["odom", "laser_scan"]
-    assert report.said and "this is a dry run" in str(report)
+    assert report.commands and "this is a dry run" in str(report)
 
 
 @pytest.mark.parametrize("what", ["odometry and scan", "odometry", "scan"])
 def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes_on(
     env, robot, what, monkeypatch
 ):
-    monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
+    monkeypatch.setattr(controller, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     env.step(LEFT)
     robot.told.clear()
@@ -212,7 +214,7 @@ def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes
 def test_late_messages_count_as_old_though_the_clocks_do_not_agree(
     env, robot, monkeypatch
 ):
-    monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
+    monkeypatch.setattr(controller, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     env.step(LEFT)
     robot.delay = 0.8
@@ -230,8 +232,8 @@ def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(
 ):
     env.reset()
     robot.is_silent = True
-    monkeypatch.setattr(steering, "PATIENCE", 0.3)
-    monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
+    monkeypatch.setattr(controller, "PATIENCE", 0.3)
+    monkeypatch.setattr(controller, "MAX_AGE", fake_robot.MAX_AGE)
     with pytest.raises(
         TimeoutError,
         match=r"'odom' is \d+\.\d s old; the last message of 'laser_scan' is",
@@ -249,7 +251,7 @@ def test_a_scan_that_shows_nothing_at_all_lets_nothing_move(env, robot, monkeypa
             monkeypatch.context() as hasty,
             pytest.raises(TimeoutError, match="is the scanner on, uncovered"),
         ):
-            hasty.setattr(steering, "PATIENCE", 0.5)
+            hasty.setattr(controller, "PATIENCE", 0.5)
             env.step(AHEAD)
         assert set(robot.motions()) <= {(0.0, 0.0)}
         robot.rays = FREE
@@ -282,9 +284,9 @@ def test_a_task_that_wants_more_than_the_limits_is_refused_before_anything_is_se
         ValueError,
         match=r"giraff_wander_simple\.py: action 3 drives at 0\.0375 m/s .* max_speed=",
     ):
-        rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_speed=0.03))
+        rl.make_env("giraff_wander_simple", link=RobotLink(max_speed=0.03))
     with pytest.raises(ValueError, match="action 1 drives at"):
-        rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_turn=0.1))
+        rl.make_env("giraff_wander_simple", link=RobotLink(max_turn=0.1))
     assert not robot.topics
 
 
@@ -300,7 +302,7 @@ def test_no_motion_exceeds_a_limit_and_its_curve_stays(v, omega, max_speed, max_
 
 
 def test_a_command_above_the_limits_is_slowed_down_on_its_curve(robot):
-    link = rl.RobotLink(confirmed=True, max_speed=0.05)
+    link = RobotLink(confirmed=True, max_speed=0.05)
     env = rl.make_env("giraff_wander_simple", link=link)
     env.reset()
     link.act({"left_wheel": 2.0, "right_wheel": 1.0})  # 0.1125 m/s
@@ -315,7 +317,7 @@ def test_a_command_above_the_limits_is_slowed_down_on_its_curve(robot):
 @pytest.mark.parametrize("name", ["max_speed", "max_turn", "safety_distance"])
 def test_a_limit_must_be_a_positive_number(name, bad):
     with pytest.raises(ValueError, match=f"{name} must be a positive number"):
-        rl.RobotLink(**{name: bad})
+        RobotLink(**{name: bad})
 
 
 def test_room_ahead_is_the_distance_of_the_nearest_thing_from_the_circle_around_the_robot():
@@ -460,7 +462,7 @@ def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(
     env.reset()
     robot.show([dead if math.cos(math.radians(i)) > -0.2 else 2.0 for i in range(360)])
     robot.told.clear()
-    monkeypatch.setattr(steering, "PATIENCE", 0.5)
+    monkeypatch.setattr(controller, "PATIENCE", 0.5)
     with pytest.raises(
         TimeoutError,
         match=r"121 of the 121 rays ahead say nothing \(0, NaN, or above range_max\), 121 of",
@@ -472,31 +474,25 @@ def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(
 
 
 def test_a_served_robot_with_half_a_dead_scanner_is_not_driven(monkeypatch):
-    pytest.importorskip(
-        "websockets",
-        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
-    )
-    body = ServedBody("giraff_wander_simple")
-    look, dead = body.look, threading.Event()
-    monkeypatch.setattr(
-        body,
-        "look",
-        lambda: [
-            math.nan if dead.is_set() and not 90 < i < 270 else r
-            for i, r in enumerate(look())
-        ],
-    )
-    with rl.ServedRobot(body, port=0, simulated_time=True) as served:
-        link = rl.RobotLink(
-            "rosbridge", confirmed=True, simulated_time=True, **served.where
-        )
+    look, dead = SimulatedBody.look, threading.Event()
+
+    def look_with_dead_rays(body):
+        ranges = look(body)
+        if dead.is_set():
+            return [r if 90 < i < 270 else math.nan for i, r in enumerate(ranges)]
+        return ranges
+
+    monkeypatch.setattr(SimulatedBody, "look", look_with_dead_rays)
+    with ServedRobot("giraff_wander_simple", port=0, simulated_time=True) as served:
+        body = served._body
+        link = RobotLink(served.address, confirmed=True, simulated_time=True)
         env = rl.make_env("giraff_wander_simple", link=link)
         env.reset()
         env.step(AHEAD)
         here = body.pose()[0]
         assert here > 0.03
         dead.set()
-        monkeypatch.setattr(steering, "PATIENCE", 1.0)
+        monkeypatch.setattr(controller, "PATIENCE", 1.0)
         for _ in range(3):
             with pytest.raises(TimeoutError, match="nothing is known of laser_front"):
                 env.step(AHEAD)
@@ -526,9 +522,9 @@ def test_a_scan_that_shows_less_than_at_the_reset_is_not_used_but_for_what_is_ne
         "a scan of 5 rays in which nothing is known of laser_front_left"
         in link.report.complaint
     )
-    assert link._line.senses.ahead == pytest.approx(2.0 - 0.23)
+    assert link._session.sensors.room == pytest.approx(2.0 - 0.23)
     short([0.3] * 5)
-    assert link.readings == before and link._line.senses.ahead == pytest.approx(
+    assert link.readings == before and link._session.sensors.room == pytest.approx(
         0.3 - 0.23
     )
 
@@ -553,7 +549,7 @@ def test_a_link_can_be_neither_copied_nor_sent_away():
     import copy
     import pickle
 
-    link = rl.RobotLink()
+    link = RobotLink()
     for way in (copy.copy, copy.deepcopy, pickle.dumps):
         with pytest.raises(TypeError, match="there is one robot"):
             way(link)
@@ -562,24 +558,19 @@ def test_a_link_can_be_neither_copied_nor_sent_away():
 @pytest.mark.parametrize("end", ["SIGKILL", "SIGTERM", "SIGINT", "exit", "exception"])
 def test_however_the_process_ends_the_robot_is_stopped(end):
     """What counts is that it is told so: its own watchdog would stop it in the end, too."""
-    pytest.importorskip(
-        "websockets",
-        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
-    )
     if not hasattr(signal, end) and end.startswith("SIG"):
         pytest.skip(f"no {end} on this system")
-    from rlrobot_ros.live.rosbridge import Rosbridge
-
-    with rl.ServedRobot("wander_1k", port=0) as served:
+    with ServedRobot("wander_1k", port=0) as served:
         heard = []
-        listener = Rosbridge(**served.where)
-        listener.hear(
+        listener = Rosbridge(served.address)
+        listener.subscribe(
             "cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x)
         )
         last = {"exit": "import sys; sys.exit()", "exception": "1 / 0"}.get(end, "")
         program = f"""
             import rlrobot_edu as rl
-            env = rl.make_env("wander_1k", link=rl.RobotLink("rosbridge", confirmed=True, **{served.where!r}))
+            from rlrobot_ros import RobotLink
+            env = rl.make_env("wander_1k", link=RobotLink({served.address!r}, confirmed=True))
             env.reset()
             while True:
                 env.step(8)  # both wheels forward
@@ -608,15 +599,11 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
 
 def test_the_guardian_ends_with_the_link_and_leaves_nothing_behind():
     psutil = pytest.importorskip("psutil")
-    pytest.importorskip(
-        "websockets",
-        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
-    )
     before = {child.pid for child in psutil.Process().children(recursive=True)}
-    with rl.ServedRobot("giraff_wander_simple", port=0) as served:
+    with ServedRobot("giraff_wander_simple", port=0) as served:
         env = rl.make_env(
             "giraff_wander_simple",
-            link=rl.RobotLink("rosbridge", confirmed=True, **served.where),
+            link=RobotLink(served.address, confirmed=True),
         )
         env.reset()
         env.step(RIGHT)
@@ -651,8 +638,8 @@ def test_without_a_second_connection_nothing_moves(robot, monkeypatch):
         def __init__(self, *settings):
             raise ConnectionError("no second connection that would stop the robot")
 
-    monkeypatch.setattr(line, "Guardian", Unreachable)
-    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(confirmed=True))
+    monkeypatch.setattr(session, "Guardian", Unreachable)
+    env = rl.make_env("giraff_wander_simple", link=RobotLink(confirmed=True))
     env.reset()
     with pytest.raises(ConnectionError, match="no second connection"):
         env.step(AHEAD)
@@ -664,16 +651,10 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
     """As JupyterLab does it: Stop, and then a shutdown that does not ask."""
     manager = pytest.importorskip("jupyter_client.manager")
     pytest.importorskip("ipykernel")
-    pytest.importorskip(
-        "websockets",
-        reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'",
-    )
-    from rlrobot_ros.live.rosbridge import Rosbridge
-
-    with rl.ServedRobot("wander_1k", port=0) as served:
+    with ServedRobot("wander_1k", port=0) as served:
         heard = []
-        listener = Rosbridge(**served.where)
-        listener.hear(
+        listener = Rosbridge(served.address)
+        listener.subscribe(
             "cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x)
         )
         kernel, client = manager.start_new_kernel()
@@ -683,9 +664,10 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
             output_hook=lambda message: None,
         )
         try:
-            link = f"rl.RobotLink('rosbridge', **{served.where!r}"
+            link = f"RobotLink({served.address!r}"
             run(
-                f"import rlrobot_edu as rl; env = rl.make_env('wander_1k', link={link})); env.reset()"
+                "import rlrobot_edu as rl; from rlrobot_ros import RobotLink; "
+                f"env = rl.make_env('wander_1k', link={link})); env.reset()"
             )
             reply = run("env.step(8)")
             assert reply["content"]["ename"] == "PermissionError" and not heard

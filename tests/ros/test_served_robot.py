@@ -13,6 +13,7 @@ from waiting import eventually
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_ros import ServedRobot
 from rlrobot_ros.messages import (
     LASER_SCAN,
     ODOMETRY,
@@ -33,15 +34,15 @@ class Listener:
     """Somebody who hears a served robot and can tell it what to do."""
 
     def __init__(self, robot):
-        self.connection = Rosbridge(**robot.where)
+        self.connection = Rosbridge(robot.address)
         self.poses, self.scans = [], []
-        self.connection.hear("odom", ODOMETRY, self.poses.append)
-        self.connection.hear("laser_scan", LASER_SCAN, self.scans.append)
-        self._say = self.connection.speak("cmd_vel", TWIST)
+        self.connection.subscribe("odom", ODOMETRY, self.poses.append)
+        self.connection.subscribe("laser_scan", LASER_SCAN, self.scans.append)
+        self._say = self.connection.advertise("cmd_vel", TWIST)
         eventually(lambda: self.poses and self.scans)
 
     def tell(self, v, omega):
-        self._say(make_twist(self.connection.make, v, omega))
+        self._say(make_twist(v, omega))
 
     def __enter__(self):
         return self
@@ -52,7 +53,7 @@ class Listener:
 
 def test_in_simulated_time_each_command_takes_the_robot_a_tenth_of_a_second_on():
     with (
-        rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
+        ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
         Listener(robot) as listener,
     ):
         begin, (x, y, theta) = stamp_of(listener.poses[-1]), pose_of(listener.poses[-1])
@@ -67,7 +68,7 @@ def test_in_simulated_time_each_command_takes_the_robot_a_tenth_of_a_second_on()
 
 
 def test_it_stops_by_itself_when_it_is_told_nothing_more():
-    with rl.ServedRobot("wander_1k", port=0) as robot, Listener(robot) as listener:
+    with ServedRobot("wander_1k", port=0) as robot, Listener(robot) as listener:
         x = pose_of(listener.poses[-1])[0]
         eventually(
             lambda: pose_of(listener.poses[-1])[0] != x, lambda: listener.tell(0.1, 0.0)
@@ -77,11 +78,11 @@ def test_it_stops_by_itself_when_it_is_told_nothing_more():
 
 def test_a_twist_that_says_nothing_that_can_be_is_not_obeyed():
     with (
-        rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
+        ServedRobot("wander_1k", port=0, simulated_time=True) as robot,
         Listener(robot) as listener,
     ):
         begin = stamp_of(listener.poses[-1])
-        send = listener.connection.speak("cmd_vel", TWIST)
+        send = listener.connection.advertise("cmd_vel", TWIST)
         for wrong in (
             {},
             {"linear": {"x": "fast"}},
@@ -107,7 +108,7 @@ def test_its_scan_shows_what_its_lasers_see():
         ),  # here a wall's end may hide what a laser sees
     ):
         with (
-            rl.ServedRobot(task, port=0, simulated_time=True) as robot,
+            ServedRobot(task, port=0, simulated_time=True) as robot,
             Listener(robot) as listener,
         ):
             scan = listener.scans[-1]
@@ -126,7 +127,7 @@ def test_realism_shows_in_its_scans_and_in_its_motion():
     noisy = rl.Realism(laser_noise=0.05, wheel_slip=0.2)
     ends = []
     for realism in (None, noisy):
-        robot = rl.ServedRobot(
+        robot = ServedRobot(
             "wander_1k", realism=realism, seed=1, port=0, simulated_time=True
         )
         with robot, Listener(robot) as listener:
@@ -150,7 +151,7 @@ def test_realism_shows_in_its_scans_and_in_its_motion():
 def test_with_a_seed_and_in_simulated_time_noise_is_the_same_however_long_one_waits():
     ends = []
     for pause in (0.0, 0.6):  # meanwhile, it says again and again what is so
-        robot = rl.ServedRobot(
+        robot = ServedRobot(
             "wander_1k",
             realism=rl.Realism(laser_noise=0.05),
             seed=1,
@@ -172,11 +173,9 @@ def test_with_a_seed_and_in_simulated_time_noise_is_the_same_however_long_one_wa
 
 def test_only_a_robot_on_wheels_that_pymunk_simulates_can_be_served():
     with pytest.raises(ValueError, match="cmd_vel commands wheels alone"):
-        rl.ServedRobot("arm_1k", port=0)
+        ServedRobot("arm_1k", port=0)
     with pytest.raises(ValueError, match=r"lag must be below .*, a control step"):
-        rl.ServedRobot("wander_1k", port=0, realism=rl.Realism.vrep())
-    with pytest.raises(ValueError, match="no link is called 'bluetooth'"):
-        rl.ServedRobot("wander_1k", "bluetooth")
+        ServedRobot("wander_1k", port=0, realism=rl.Realism.vrep())
 
 
 @pytest.mark.skipif(
@@ -201,9 +200,7 @@ def test_the_command_serves_until_ctrl_c_and_leaves_without_a_trace():
 
 
 def test_the_command_says_in_one_sentence_what_is_wrong():
-    command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link"]
-    done = subprocess.run(
-        [*command, "zigbee"], capture_output=True, text=True, timeout=600
-    )
-    said = "no link is called 'zigbee'"
+    command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--port", "-1"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
+    said = "a port is a whole number from 0 to 65535"
     assert done.returncode == 1 and said in done.stderr and done.stderr.count("\n") == 1

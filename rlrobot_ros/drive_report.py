@@ -19,7 +19,6 @@ class DriveReport(Tabled):
     stale: steps dropped, since odometry or scan was too old at their beginning or end
     unknown: steps dropped, since the latest odometry or scan at their beginning or end does not say enough
     jumps: steps dropped, since odometry tells of too long a way in them
-    silences: how often cmd_vel fell silent, so that no command was in force
     rays, lost: of all scans, and how many of them measured nothing
     partial: scans in which a laser is unknown that counts
     missing: lasers that do not count: the scanner cannot stand for them, or they are unknown in most scans
@@ -36,7 +35,6 @@ class DriveReport(Tabled):
     stale: int
     unknown: int
     jumps: int
-    silences: int
     rays: int
     lost: int
     partial: int
@@ -92,7 +90,6 @@ class DriveReport(Tabled):
                 self.jumps,
                 "it tells of too long a way",
             ),
-            ("silences of cmd_vel", self.silences, ""),
             *(
                 (f"unreadable messages of {topic}", n, fault)
                 for topic, (n, fault) in self.faults.items()

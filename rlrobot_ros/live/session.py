@@ -1,18 +1,17 @@
-"""An open connection to one robot, with all that hears it, speaks to it and guards it."""
+"""An open connection to one robot, with all that hears it, moves it and guards it."""
 
 import threading
 from dataclasses import dataclass
-from typing import Any
 
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.task.task import Task
-from rlrobot_ros.live.connection import connect
+from rlrobot_ros.live.controller import PERIOD, Controller, Limits
 from rlrobot_ros.live.guardian import Guardian
 from rlrobot_ros.live.link_report import LinkReport
+from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.live.safety import confirm
-from rlrobot_ros.live.senses import Senses
-from rlrobot_ros.live.steering import PERIOD, Limits, Steering
-from rlrobot_ros.live.voice import Voice
+from rlrobot_ros.live.sensors import Sensors
+from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 from rlrobot_ros.messages import LASER_SCAN, ODOMETRY
 from rlrobot_ros.scan import Mounting
 
@@ -21,8 +20,7 @@ from rlrobot_ros.scan import Mounting
 class Settings:
     """How a robot is reached, and what it may do: see `RobotLink`."""
 
-    link: str
-    where: dict[str, Any]
+    address: str
     odom: str
     scan: str
     cmd_vel: str
@@ -34,29 +32,33 @@ class Settings:
     simulated_time: bool
 
 
-class Line:
-    """A connection that is open until `close`. Its last word to the robot is stop.
+class Session:
+    """A connection that is open until `close`. The last command to the robot is stop.
 
-    Raises what `connect` raises.
+    Raises what `Rosbridge` raises.
     """
 
     def __init__(self, settings: Settings, chassis: Chassis) -> None:
         self._settings = settings
-        self.connection = connect(settings.link, **settings.where)
-        self.senses = Senses(chassis, settings.mounting, settings.odom, settings.scan)
+        self.connection = Rosbridge(settings.address)
+        self.sensors = Sensors(chassis, settings.mounting, settings.odom, settings.scan)
         try:
-            self._voice = Voice(
+            self._velocity = VelocityPublisher(
                 self.connection, settings.cmd_vel, settings.stamped, settings.dry_run
             )
-            self.connection.hear(settings.odom, ODOMETRY, self.senses.hear_odometry)
-            self.connection.hear(settings.scan, LASER_SCAN, self.senses.hear_scan)
+            self.connection.subscribe(
+                settings.odom, ODOMETRY, self.sensors.receive_odometry
+            )
+            self.connection.subscribe(
+                settings.scan, LASER_SCAN, self.sensors.receive_scan
+            )
         except BaseException:
             self.connection.close()
             raise
-        self._steering = Steering(
+        self._controller = Controller(
             self.connection,
-            self.senses,
-            self._voice,
+            self.sensors,
+            self._velocity,
             settings.limits,
             settings.simulated_time,
         )
@@ -70,10 +72,10 @@ class Line:
         Raises ValueError if the task needs a laser that the scanner cannot stand for.
         """
         self.stop()
-        self.senses.forget()
-        self._steering.wait()
-        self.senses.expect(task)
-        self._steering.wait()
+        self.sensors.forget()
+        self._controller.wait()
+        self.sensors.expect(task)
+        self._controller.wait()
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; then stop, unless one drives on within 0.1 s.
@@ -85,15 +87,14 @@ class Line:
             self._get_leave()
         self._idle.cancel()
         try:
-            self._steering.drive(v, omega, seconds)
+            self._controller.drive(v, omega, seconds)
         except BaseException:
             self.stop()
             if self.connection.lost is not None:
-                self.close()  # the guardian has a connection of its own and may still reach the robot
+                # the guardian has a connection of its own and may still reach the robot
+                self.close()
             raise
-        if (
-            not self._settings.simulated_time
-        ):  # there, nothing moves while nothing is said
+        if not self._settings.simulated_time:  # there nothing moves without a command
             self._idle = threading.Timer(PERIOD, self.stop)
             self._idle.daemon = True
             self._idle.start()
@@ -103,19 +104,19 @@ class Line:
         settings = self._settings
         if not settings.confirmed:
             confirm(
-                f"The robot behind {settings.link} will move by itself, at up to {settings.limits.max_speed:g} m/s. "
+                f"The robot behind {settings.address} will move by itself, at up to {settings.limits.max_speed:g} m/s. "
                 "Is the floor around it free, and your hand at its emergency stop?"
             )
         if not settings.simulated_time:
             self._guardian = Guardian(
-                settings.link, settings.where, settings.cmd_vel, settings.stamped
+                settings.address, settings.cmd_vel, settings.stamped
             )
         self._may_move = True
 
     def stop(self) -> None:
         """Tell the robot to stop, if it was ever told to move."""
         self._idle.cancel()
-        self._voice.stop()
+        self._velocity.stop()
 
     def close(self) -> None:
         """Stop the robot and end the connection, and with it all that was started. It may be called again."""
@@ -125,9 +126,19 @@ class Line:
             self._guardian.close()
 
     def report(self) -> LinkReport:
-        """What was heard and said so far."""
+        """What was received and sent so far."""
+        pose = self.sensors.pose
+        sight = self.sensors.sight
         return LinkReport(
-            self._settings.link, self._settings.dry_run, self.senses.pose.heard, self.senses.sight.heard,
-            self.senses.pose.dropped + self.senses.sight.dropped, self.senses.unreadable, self.senses.complaint,
-            self._voice.said, self._steering.held_back, self._steering.pauses, self._steering.why,
-        )  # fmt: skip
+            address=self._settings.address,
+            is_dry=self._settings.dry_run,
+            odometry=pose.received,
+            scans=sight.received,
+            not_new=pose.dropped + sight.dropped,
+            unreadable=self.sensors.unreadable,
+            complaint=self.sensors.complaint,
+            commands=self._velocity.commands,
+            held_back=self._controller.held_back,
+            pauses=self._controller.pauses,
+            why=self._controller.why,
+        )

@@ -8,38 +8,37 @@ T = TypeVar("T")
 DRIFT = 1e-3  # by which two clocks may run apart [s/s], far more than they do
 
 
-class Latest(Generic[T]):
+class LatestMessage(Generic[T]):
     """The newest of the messages of a topic; those that come twice, or after a newer one, are dropped.
 
     Two clocks that disagree do not show how old a message was when it came. They do show how much longer it took than
-    the quickest ones, and this counts as its age. A message without a time is as old as
-    it is here.
+    the quickest ones, and this counts as its age. A message without a time is as old as it is here.
 
     value: what it says, None before the first one; stamp: its time by the sender's clock [s], 0 if it has none
-    heard: how many messages came; dropped: how many of them were not new
+    received: how many messages came; dropped: how many of them were not new
     """
 
     def __init__(self) -> None:
         self.value: T | None = None
         self.stamp = 0.0
-        self.heard = self.dropped = 0
+        self.received = 0
+        self.dropped = 0
         self._came = -math.inf
         self._quickest = math.inf  # least of (time here − stamp)
 
     def take(self, stamp: float, value: T, now: float) -> None:
         """One more message, at the time `now` by our clock [s]."""
-        self.heard += 1
+        self.received += 1
         if self.value is not None and 0 < stamp <= self.stamp:
             self.dropped += 1
             return
-        if (
-            stamp < self.stamp
-        ):  # after `forget`: the sender began anew, and so did its clock
+        if stamp < self.stamp:  # after `forget` the sender began anew, with its clock
             self._quickest = math.inf
-        self._quickest = min(
-            self._quickest + DRIFT * max(now - self._came, 0.0), now - stamp
-        )
-        self.value, self.stamp, self._came = value, stamp, now
+        drift = DRIFT * max(now - self._came, 0.0)
+        self._quickest = min(self._quickest + drift, now - stamp)
+        self.value = value
+        self.stamp = stamp
+        self._came = now
 
     def age(self, now: float) -> float:
         """How old the newest message is [s]; infinity before the first one."""

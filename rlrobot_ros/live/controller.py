@@ -1,17 +1,17 @@
-"""Moving a robot for a while, told again and again how, and stopping it as soon as nothing is known of it."""
+"""Driving a robot for a while: its command is repeated, and it is stopped as soon as too little is known of it."""
 
 import math
 import time
 from typing import NamedTuple
 
-from rlrobot_ros.live.connection import Connection
+from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.live.safety import within
-from rlrobot_ros.live.senses import Senses
-from rlrobot_ros.live.voice import Voice
+from rlrobot_ros.live.sensors import Sensors
+from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 
-PERIOD = 0.1  # a command is said again after so long [s]
+PERIOD = 0.1  # a command is repeated after so long [s]
 MAX_AGE = 0.5  # of odometry and scan while the robot moves [s]
-PATIENCE = 10.0  # how long a robot is waited for that is silent [s]
+PATIENCE = 10.0  # how long a silent robot is waited for [s]
 JUMP = 0.5  # [m]; a robot that stood still and is then as far away was carried, or started anew
 INSTANT = 1e-3  # [s]
 
@@ -24,73 +24,77 @@ class Limits(NamedTuple):
     safety_distance: float
 
 
-class Steering:
+class Controller:
     """Moves one robot.
 
-    simulated: whether time passes only with the robot's commands, and is what its messages say
+    simulated_time: whether time passes only with the robot's commands, and is what its messages say
     held_back: commands without their forward motion, since something was near
     pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
 
     def __init__(
         self,
-        connection: Connection,
-        senses: Senses,
-        voice: Voice,
+        connection: Rosbridge,
+        sensors: Sensors,
+        velocity: VelocityPublisher,
         limits: Limits,
-        simulated: bool,
+        simulated_time: bool,
     ) -> None:
-        self._connection, self._senses, self._voice = connection, senses, voice
-        self._limits, self._is_simulated = limits, simulated
-        self.held_back = self.pauses = 0
+        self._connection = connection
+        self._sensors = sensors
+        self._velocity = velocity
+        self._limits = limits
+        self._simulated_time = simulated_time
+        self.held_back = 0
+        self.pauses = 0
         self.why = ""
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; while the robot must wait, time does not count.
 
-        Raises ConnectionError or TimeoutError as `wait` does; then the link has sent no stop.
+        Raises ConnectionError or TimeoutError as `wait` does; then no stop has been sent.
         """
-        v, omega = within(v, omega, *self._limits[:2])
+        v, omega = within(v, omega, self._limits.max_speed, self._limits.max_turn)
         left = seconds
         while left > INSTANT:
             if not self._can_go():
                 self.pauses += 1
                 self.why = self._what_is_wrong()
             self.wait()
-            begin, stamp = time.monotonic(), self._senses.pose.stamp
-            is_near = (
-                v > 0 and not self._senses.ahead >= self._limits.safety_distance
-            )  # true for NaN, too
-            self.held_back += is_near
-            self._voice.say(0.0 if is_near else v, omega)
-            if self._is_simulated:
+            begin = time.monotonic()
+            stamp = self._sensors.pose.stamp
+            # true for NaN, too
+            is_near = not self._sensors.room >= self._limits.safety_distance
+            if v > 0 and is_near:
+                self.held_back += 1
+                self._velocity.publish(0.0, omega)
+            else:
+                self._velocity.publish(v, omega)
+            if self._simulated_time:
                 left -= self._wait_for_answer(stamp)
             else:
-                time.sleep(
-                    max(min(left, PERIOD, MAX_AGE - self._senses.age()), INSTANT)
-                )
+                known_for = MAX_AGE - self._sensors.age()
+                time.sleep(max(min(left, PERIOD, known_for), INSTANT))
                 left -= time.monotonic() - begin
 
     def wait(self) -> None:
-        """Come back when the robot is heard and sees something; until then the link commands it to stop.
+        """Return when the robot is heard and sees something; until then it is told to stop.
 
         Raises ConnectionError if the connection is lost, or if the robot is elsewhere then; TimeoutError if it takes
         too long.
         """
         if self._can_go():
             return
-        here = self._senses.pose.value
-        self._voice.stop()
-        with self._senses.news:
-            in_time = self._senses.news.wait_for(self._can_go, PATIENCE)
+        before = self._sensors.pose.value
+        self._velocity.stop()
+        with self._sensors.changed:
+            in_time = self._sensors.changed.wait_for(self._can_go, PATIENCE)
         if not in_time:
             raise TimeoutError(f"the robot was stopped, since {self._what_is_wrong()}")
-        there = self._senses.pose.value
-        if (
-            here
-            and there
-            and math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > JUMP
-        ):
+        after = self._sensors.pose.value
+        if before is None or after is None:
+            return
+        if math.hypot(after["x"] - before["x"], after["y"] - before["y"]) > JUMP:
             raise ConnectionError(
                 "the robot was silent, and its odometry then reported another place: it was carried or restarted; "
                 "begin again with env.reset()"
@@ -99,27 +103,27 @@ class Steering:
     def _can_go(self) -> bool:
         """Whether enough is known of the robot. Raises ConnectionError if the connection is lost."""
         self._check_connection()
-        if self._is_simulated:
-            return self._senses.pose.value is not None and not math.isnan(
-                self._senses.ahead
-            )
-        return self._senses.age() <= MAX_AGE and not math.isnan(self._senses.ahead)
+        if math.isnan(self._sensors.room):
+            return False
+        if self._simulated_time:
+            return self._sensors.pose.value is not None
+        return self._sensors.age() <= MAX_AGE
 
     def _wait_for_answer(self, before: float) -> float:
         """Wait until odometry and scan are newer than `before`; returns how much [s]."""
-        with self._senses.news:
-            in_time = self._senses.news.wait_for(
-                lambda: self._is_newer(before), PATIENCE
-            )
+        sensors = self._sensors
+
+        def is_newer() -> bool:
+            self._check_connection()
+            return min(sensors.pose.stamp, sensors.sight.stamp) > before
+
+        with sensors.changed:
+            in_time = sensors.changed.wait_for(is_newer, PATIENCE)
         if not in_time:
             raise TimeoutError(
                 f"simulated time stood still; --simulated-time left out? {self._what_is_wrong()}"
             )
-        return self._senses.pose.stamp - before
-
-    def _is_newer(self, before: float) -> bool:
-        self._check_connection()
-        return min(self._senses.pose.stamp, self._senses.sight.stamp) > before
+        return sensors.pose.stamp - before
 
     def _check_connection(self) -> None:
         if self._connection.lost is not None:
@@ -128,5 +132,5 @@ class Steering:
             )
 
     def _what_is_wrong(self) -> str:
-        problems = [*self._senses.problems(MAX_AGE), *self._connection.complaints]
+        problems = [*self._sensors.problems(MAX_AGE), *self._connection.errors]
         return "; ".join(problems) or "it was heard only now and then"

@@ -3,7 +3,7 @@
 import math
 import weakref
 from collections.abc import Mapping
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
@@ -12,21 +12,21 @@ from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.task.task import Task
-from rlrobot_ros.live.line import Line, Settings
+from rlrobot_ros.live.controller import Limits
 from rlrobot_ros.live.link_report import LinkReport
 from rlrobot_ros.live.safety import within
-from rlrobot_ros.live.steering import Limits
+from rlrobot_ros.live.session import Session, Settings
 from rlrobot_ros.motions import chassis_of
 from rlrobot_ros.scan import Mounting
 
 
 class RobotLink(Robot):
-    """A robot that is on now, reached over ROS 1 or ROS 2. `rl.make_env(task, link=…)` makes its environment.
+    """A robot that is on now, of ROS 1 or ROS 2 behind rosbridge. `rl.make_env(task, link=…)` makes its environment.
 
     Parameters
     ----------
-    link : str
-        ``rosbridge`` (ROS 1 and ROS 2, from any computer) or ``dds`` (straight to ROS 2).
+    address : str
+        Of rosbridge: ws://, the robot's name or number, a colon and the port.
     odom, scan, cmd_vel : str
         Names of the topics: of type Odometry, LaserScan, and Twist.
     stamped : bool
@@ -47,8 +47,6 @@ class RobotLink(Robot):
         Send nothing to the robot, only listen; `report` counts what would have been sent.
     simulated_time : bool
         For a simulated robot whose time passes only with its commands (``serve-robot --simulated-time``).
-    **where
-        Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS.
 
     Raises
     ------
@@ -69,7 +67,7 @@ class RobotLink(Robot):
 
     def __init__(
         self,
-        link: str = "rosbridge",
+        address: str = "ws://127.0.0.1:9090",
         *,
         odom: str = "odom",
         scan: str = "laser_scan",
@@ -83,13 +81,11 @@ class RobotLink(Robot):
         confirmed: bool = False,
         dry_run: bool = False,
         simulated_time: bool = False,
-        **where: Any,
     ) -> None:
         limits = Limits(max_speed, max_turn, safety_distance)
         for name, limit in limits._asdict().items():
-            if not (
-                isinstance(limit, int | float | np.number) and 0 < limit < math.inf
-            ):
+            is_number = isinstance(limit, int | float | np.number)
+            if not (is_number and 0 < limit < math.inf):
                 raise ValueError(
                     f"{name} must be a positive number, got {limit!r:.200}"
                 )
@@ -99,12 +95,20 @@ class RobotLink(Robot):
             )
         self._own_chassis = chassis
         self._task: Task | None = None
-        self._line: Line | None = None
+        self._session: Session | None = None
         self._last_report: LinkReport | None = None  # once the link has been closed
         self._settings = Settings(
-            link, where, odom, scan, cmd_vel, bool(stamped), Mounting.of(mounting), limits, bool(confirmed),
-            bool(dry_run), bool(simulated_time),
-        )  # fmt: skip
+            address=address,
+            odom=odom,
+            scan=scan,
+            cmd_vel=cmd_vel,
+            stamped=stamped,
+            mounting=Mounting.of(mounting),
+            limits=limits,
+            confirmed=confirmed,
+            dry_run=dry_run,
+            simulated_time=simulated_time,
+        )
 
     def __getstate__(self) -> NoReturn:
         raise TypeError(
@@ -124,17 +128,19 @@ class RobotLink(Robot):
         ValueError
             If the task's robot is not one on wheels, or if one of its actions is above the limits.
         """
-        chassis, limits = self._own_chassis or chassis_of(task), self._settings.limits
+        chassis = self._own_chassis or chassis_of(task)
+        limits = self._settings.limits
         for a in range(task.actions.n):
             v, omega = chassis.twist(task.command_for(a))
-            if within(v, omega, *limits[:2]) != (v, omega):
+            if within(v, omega, limits.max_speed, limits.max_turn) != (v, omega):
                 raise ValueError(
                     f"{task.path}: action {a} drives at {v:.3g} m/s and turns at {omega:.3g} rad/s, above the limits "
                     f"of {limits.max_speed:g} m/s and {limits.max_turn:g} rad/s; choose slower outputs or, if that is "
-                    "safe, rl.RobotLink(…, max_speed=, max_turn=)"
+                    "safe, RobotLink(…, max_speed=, max_turn=)"
                 )
         self.close()
-        self._task, self._chassis = task, chassis
+        self._task = task
+        self._chassis = chassis
 
     @property
     def readings(self) -> dict[str, float]:
@@ -145,18 +151,18 @@ class RobotLink(Robot):
         ConnectionError
             Before the first `reset`.
         """
-        return self._open_line().senses.readings
+        return self._open_session().sensors.readings
 
     @property
     def report(self) -> LinkReport:
-        """What was heard and said since the link was opened, also after `close`.
+        """What was received and sent since the link was opened, also after `close`.
 
         Raises
         ------
         ConnectionError
             Before the first `reset`.
         """
-        return self._last_report or self._open_line().report()
+        return self._last_report or self._open_session().report()
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
         """Stop the robot, connect to it if need be, and wait until it is heard. It stays where it is.
@@ -176,22 +182,20 @@ class RobotLink(Robot):
         OSError
             If nothing answers (ConnectionError), or if the robot is not heard in time (TimeoutError).
         ValueError
-            If the task needs a laser where the scanner does not look, or for an unknown link.
-        ImportError
-            If what the link needs is not installed; it says what to install.
+            If the task needs a laser where the scanner does not look, or for what is no address.
         """
         if self._task is None:
             raise ValueError(
                 "give the link to an environment: rl.make_env(task, link=…)"
             )
-        if self._line is not None and self._line.connection.lost is not None:
+        if self._session is not None and self._session.connection.lost is not None:
             self.close()
-        if self._line is None:
-            self._line, self._last_report = Line(self._settings, self._chassis), None
-            self._end = weakref.finalize(
-                self, self._line.close
-            )  # also when Python ends
-        self._line.begin(self._task)
+        if self._session is None:
+            self._session = Session(self._settings, self._chassis)
+            self._last_report = None
+            # also when Python ends
+            self._end = weakref.finalize(self, self._session.close)
+        self._session.begin(self._task)
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
@@ -215,10 +219,11 @@ class RobotLink(Robot):
             If nobody has confirmed that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
             TimeoutError).
         """
-        line = self._open_line()
+        session = self._open_session()
         assert self._task is not None
         ROBOTS[self._task.robot].check_command(command)
-        line.drive(*self._chassis.twist(command), self._task.step_time)
+        v, omega = self._chassis.twist(command)
+        session.drive(v, omega, self._task.step_time)
         return self.readings
 
     def scene(self) -> Scene:
@@ -234,33 +239,28 @@ class RobotLink(Robot):
         ConnectionError
             Before the first `reset`.
         """
-        readings = (
-            dict.fromkeys(LASERS, 0.0) | self.readings
-        )  # a beam of which nothing is known shows nothing free
+        # a beam of which nothing is known shows nothing free
+        readings = dict.fromkeys(LASERS, 0.0) | self.readings
         x, y = readings["x"], readings["y"]
         here = pose(x, y, 0.0, readings["theta"])
+        front = here @ pose(self._chassis.radius - 0.075, 0, 0.26)
         solids = (
             Solid(
                 "robot/body", *self._chassis.body(), here @ pose(0, 0, 0.16), "robot"
             ),
-            Solid(
-                "robot/nose",
-                "box",
-                (0.14, 0.06, 0.04),
-                here @ pose(self._chassis.radius - 0.075, 0, 0.26),
-                "robot",
-            ),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), front, "robot"),
         )
         bounds = (x - LASER_RANGE, y - LASER_RANGE, x + LASER_RANGE, y + LASER_RANGE)
         return Scene(solids, beams(readings, self._chassis), bounds)
 
     def close(self) -> None:
         """Stop the robot and end the connection; `reset` connects again."""
-        if self._line is not None:
-            self._last_report, self._line = self._line.report(), None
+        if self._session is not None:
+            self._last_report = self._session.report()
+            self._session = None
             self._end()
 
-    def _open_line(self) -> Line:
-        if self._line is None:
+    def _open_session(self) -> Session:
+        if self._session is None:
             raise ConnectionError("the link is not open: call env.reset() first")
-        return self._line
+        return self._session

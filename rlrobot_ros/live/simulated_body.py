@@ -1,4 +1,4 @@
-"""The body of a served robot: it takes a Twist a tenth of a second at a time, and looks around with its scanner."""
+"""The simulated body of a served robot: it drives a tenth of a second at a time, and looks around with its scanner."""
 
 import math
 from pathlib import Path
@@ -16,9 +16,10 @@ from rlrobot_ros.motions import chassis_of
 ROBOT_CLASSES = {"mobile_base": MobileBase, "giraff": Giraff}
 TICK = 0.1  # time between two messages of the robot, and in which it carries out a command [s]
 RAYS = 360  # of its scanner, which stands midway between its wheels
+RANGE_MAX = 2 * LASER_RANGE  # of its scanner [m]
 
 
-class ServedBody:
+class SimulatedBody:
     """The robot of a task in pymunk, as `ServedRobot` serves it, and without ROS.
 
     realism: its weaknesses, in control steps of a tenth of a second; seed: makes them repeatable
@@ -27,38 +28,34 @@ class ServedBody:
     """
 
     def __init__(
-        self,
-        task: str | Path | Task,
-        realism: Realism | None = None,
-        seed: int | None = None,
+        self, task: str | Path | Task, realism: Realism | None, seed: int | None
     ) -> None:
-        self.task = task = load_task(task)
-        self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
+        task = load_task(task)
         realism = realism or Realism()
+        self.chassis = chassis_of(task)
+        self._card = ROBOTS[task.robot]
         self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, realism=realism)
         self._robot = RealisticRobot(self._base, self._card, realism)
-        self._rng, self._noise = np.random.default_rng(seed), realism.laser_noise
+        self._rng = np.random.default_rng(seed)
+        self._noise = realism.laser_noise
         self._robot.reset(self._rng)
 
     def move(self, v: float, omega: float) -> None:
         """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
-        wheels = self.chassis.wheel_speeds(v, omega)
-        self._robot.act(
-            {
-                wheel: min(max(wheels[wheel], c.low), c.high)
-                for wheel, c in self._card.commands.items()
-            }
-        )
+        speeds = self.chassis.wheel_speeds(v, omega)
+        possible = {}
+        for wheel, command in self._card.commands.items():
+            possible[wheel] = min(max(speeds[wheel], command.low), command.high)
+        self._robot.act(possible)
 
     def pose(self) -> tuple[float, float, float]:
         """Where odometry says the point midway between its wheels is: x, y [m], theta [rad]."""
-        readings, axle = self._robot.readings, self.chassis.axle
+        readings = self._robot.readings
+        axle = self.chassis.axle
         theta = readings["theta"]
-        return (
-            readings["x"] + axle * math.cos(theta),
-            readings["y"] + axle * math.sin(theta),
-            theta,
-        )
+        x = readings["x"] + axle * math.cos(theta)
+        y = readings["y"] + axle * math.sin(theta)
+        return x, y, theta
 
     def look(self) -> list[float]:
         """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""
@@ -66,4 +63,5 @@ class ServedBody:
         if self._noise:
             ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3)
         # JSON cannot distinguish infinity from NaN
-        return [min(r, 2 * LASER_RANGE) for r in ranges.tolist()]
+        shortened: list[float] = np.minimum(ranges, RANGE_MAX).tolist()
+        return shortened
