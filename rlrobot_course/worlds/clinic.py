@@ -9,9 +9,9 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.value_iteration import value_iteration
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task

@@ -10,12 +10,12 @@ import joblib
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
+from rlrobot_edu.checks import difference
 from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
-from rlrobot_edu.learning.fingerprint import code_of
+from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
-from rlrobot_edu.task.messages import difference
 from rlrobot_edu.task.task import Task
 
 DESCRIPTION, MODEL = "experiment.json", "model.npz"

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import check_pair, check_transition, difference, expect, known
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
@@ -22,9 +23,7 @@ from rlrobot_edu.learning.planning.experience import (
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
-from rlrobot_edu.learning.validation import check_pair, check_transition
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -196,7 +195,7 @@ class Agent:
         ValueError
             If the agent has no such state.
         """
-        s, _ = check_pair(self.memory, s)
+        s, _ = check_pair(self.memory.q.shape, s)
         begin_episode(self.memory)
         return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
@@ -220,7 +219,7 @@ class Agent:
         ValueError
             If there is no such state or action, or if the reward is not finite.
         """
-        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
+        s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
         if self.experience is None:
             a_next, delta = make_step(self.method).learn_step(self.memory, *real)
@@ -251,7 +250,7 @@ class Agent:
         ValueError
             As `learn_step`.
         """
-        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
+        s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
         _, a_next = check_pair(
             self.memory, s_next, 0 if terminated else a_next
         )  # after the end nothing is chosen

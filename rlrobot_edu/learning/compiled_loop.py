@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import borrowed, compiled
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.observations import Left, place_of
 from rlrobot_edu.learning.planning.experience import with_room

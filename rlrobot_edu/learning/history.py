@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import all_exist, expect
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import all_exist, expect
 
 # All other columns are integers
 DTYPES = {

@@ -10,6 +10,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.methods import parse_method
@@ -17,7 +18,6 @@ from rlrobot_edu.learning.observations import WALK, Left, place_of, state_number
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.checks import WHOLE, existing
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.task.messages import WHOLE, existing
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
 WALK = "_walk_of_an_agent"

@@ -7,13 +7,13 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import existing
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import NEVER, make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, begin, draw_outcome, draw_start, outcome
 from rlrobot_edu.seeds import ENVIRONMENT, generator
-from rlrobot_edu.task.messages import existing
 
 Info = dict[str, Any]
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
@@ -18,7 +19,6 @@ from rlrobot_edu.models.data_package import (
     to_files,
 )
 from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
-from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 

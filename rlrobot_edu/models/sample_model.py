@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import LARGEST_NUMBER, all_exist, existing, expect
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
@@ -323,7 +323,7 @@ class SampleModel:
         ----------
         Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
         """
-        from rlrobot_edu.models.planning import best_average_reward
+        from rlrobot_edu.models.value_iteration import best_average_reward
 
         return best_average_reward(self)
 

@@ -9,9 +9,9 @@ import gymnasium
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rlrobot_edu.checks import check_count, difference
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_count, difference
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers

@@ -8,9 +8,9 @@ from typing import Self
 
 import numpy as np
 
+from rlrobot_edu.checks import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.messages import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
 ODOMETRY = ("x", "y", "theta")

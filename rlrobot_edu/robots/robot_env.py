@@ -10,14 +10,14 @@ from typing import Any, Literal, get_args
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.checks import existing, known
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.kernel_robot import kernels_of, world_of
+from rlrobot_edu.robots.engines.kinematic.robot import kernels_of, world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator
-from rlrobot_edu.task.messages import existing, known
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
 

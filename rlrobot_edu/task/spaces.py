@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.checks import existing
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
 MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables

@@ -8,8 +8,8 @@ from typing import Any
 
 import cloudpickle
 
+from rlrobot_edu.checks import check_between, check_count, in_words, known, where
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_between, check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers

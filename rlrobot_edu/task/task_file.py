@@ -6,8 +6,8 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
+from rlrobot_edu.checks import in_words, known, where
 from rlrobot_edu.files import sha256, shipped
-from rlrobot_edu.task.messages import in_words, known, where
 from rlrobot_edu.task.task import Task
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
 
-from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
+from rlrobot_edu.checks import LARGEST_NUMBER, existing
 
 MOST_BINS = 100_000  # of one variable
 

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from string import Template
 
+from rlrobot_edu.checks import known
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
 TEMPLATES = (

@@ -5,7 +5,7 @@ import inspect
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from rlrobot_edu.task.messages import did_you_mean, known
+from rlrobot_edu.checks import did_you_mean, known
 
 LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds"}
 

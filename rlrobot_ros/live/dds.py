@@ -29,7 +29,7 @@ except ImportError:
         "on ARM); rosbridge works without it"
     ) from None
 
-from rlrobot_edu.task.messages import did_you_mean, in_words
+from rlrobot_edu.checks import did_you_mean, in_words
 from rlrobot_ros.live.dds_types import TYPES
 from rlrobot_ros.messages import LASER_SCAN
 

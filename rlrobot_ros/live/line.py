@@ -4,7 +4,7 @@ import threading
 from dataclasses import dataclass
 from typing import Any
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.task import Task
 from rlrobot_ros.live.connection import connect
 from rlrobot_ros.live.guardian import Guardian

@@ -16,7 +16,7 @@ from contextlib import ExitStack
 from types import SimpleNamespace
 from typing import Any
 
-from rlrobot_edu.task.messages import in_words
+from rlrobot_edu.checks import in_words
 from rlrobot_ros.messages import TWIST_STAMPED
 
 try:

@@ -9,8 +9,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_18 import exercises
 from rlrobot_course.lesson_18.scans import plot_scan
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.robots.chassis import GIRAFF, PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_ros.live.safety import AHEAD, room_ahead
 from rlrobot_ros.live.steering import MAX_AGE

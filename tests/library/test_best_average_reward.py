@@ -7,7 +7,7 @@ import pytest
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.models.planning import expected_outcomes
+from rlrobot_edu.models.value_iteration import expected_outcomes
 
 
 def best_of_all_policies(model):

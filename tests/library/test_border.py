@@ -124,7 +124,7 @@ def test_a_function_is_known_by_what_it_does_and_by_what_it_reaches():
         exec(text, namespace)
         return code_of(namespace["f"])
 
-    from rlrobot_edu.learning.fingerprint import code_of
+    from rlrobot_edu.jit.fingerprint import code_of
 
     one = "def g(x):\n    return x > LIMIT\ndef f(x):\n    return g(x) + 1"
     assert made(1, one) == made(1, "\n\n" + one)
@@ -140,7 +140,7 @@ def test_a_function_is_known_by_what_it_does_and_by_what_it_reaches():
         == 4
     )
     command = f"exec({one!r}, space := {{'LIMIT': 1}})\nprint(code_of(space['f']))"
-    command = f"from rlrobot_edu.learning.fingerprint import code_of\n{command}"
+    command = f"from rlrobot_edu.jit.fingerprint import code_of\n{command}"
     assert subprocess.check_output(
         [sys.executable, "-c", command], text=True
     ).strip() == made(1, one)

@@ -18,7 +18,7 @@ from rlrobot_edu.files import shipped
 from rlrobot_edu.learning import jit
 
 numba = pytest.importorskip("numba")
-kernel_cache = pytest.importorskip("rlrobot_edu.learning.kernel_cache")
+kernel_cache = pytest.importorskip("rlrobot_edu.jit.caching")
 pytestmark = pytest.mark.skipif(
     numba.config.DISABLE_JIT, reason="needs kernels that are compiled"
 )

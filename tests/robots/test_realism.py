@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.chassis import PIONEER
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import (

@@ -22,7 +22,7 @@ from rlrobot_course.unknown_robot.scoring import Score, rulers, save_log, score
 from rlrobot_course.unknown_robot.secret import unlock
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.giraff import RADIUS
+from rlrobot_edu.robots.chassis import GIRAFF
 from rlrobot_edu.robots.realism import Realism
 
 TASK = "giraff_wander_1k"
@@ -68,9 +68,13 @@ def test_each_secret_has_all_weaknesses_in_sizes_and_a_wall_of_its_own_away_from
     assert all(len(set(column)) == 200 for column in np.delete(sizes, 3, axis=1).T)
     arena = ARENAS["hexagon_giraff"]
     for secret in secrets:
-        (wall,) = secret.with_wall(arena, RADIUS).walls[len(arena.walls) :]
-        assert min(np.hypot(*corner) for corner in wall.corners()) > RADIUS + 0.05
-        assert secret.with_wall(arena, RADIUS) == secret.with_wall(arena, RADIUS)
+        (wall,) = secret.with_wall(arena, GIRAFF.radius).walls[len(arena.walls) :]
+        assert (
+            min(np.hypot(*corner) for corner in wall.corners()) > GIRAFF.radius + 0.05
+        )
+        assert secret.with_wall(arena, GIRAFF.radius) == secret.with_wall(
+            arena, GIRAFF.radius
+        )
 
 
 def test_the_rewards_in_the_log_are_those_of_the_true_readings():

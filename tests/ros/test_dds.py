@@ -258,7 +258,7 @@ def test_lidars_of_both_manners_are_heard(two, qos):
 
 
 def test_what_is_heard_becomes_readings(two):
-    from rlrobot_edu.robots.wheels import CHASSIS
+    from rlrobot_edu.robots.chassis import CHASSIS
     from rlrobot_ros.scan import Mounting, laser_readings
 
     heard, ranges = [], [1.0 + i / 128 for i in range(360)]

@@ -21,7 +21,7 @@ from ros2 import claimed
 from waiting import eventually
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.giraff import GIRAFF
+from rlrobot_edu.robots.chassis import GIRAFF
 from rlrobot_ros.live import steering
 from rlrobot_ros.live.latest import Latest
 from rlrobot_ros.live.senses import Senses

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
 
 NOW = np.dtype(

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from rlrobot_edu.jit.dispatcher import borrowed, compiled
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.planning.experience import meet
 from rlrobot_edu.learning.step import make_step

@@ -14,13 +14,13 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import in_words
 from rlrobot_edu.files import LARGEST, sha256, write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, check_rows, to_csv
 from rlrobot_edu.models.data_package import Parts, read_package, recorded_task, to_files
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.robots.arm.arm_body import (
     HOME,
     OBJECT_PLACE,
@@ -20,7 +20,7 @@ from rlrobot_edu.robots.arm.arm_body import (
     solids_of,
 )
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
-from rlrobot_edu.robots.kernel_robot import KinematicRobot
+from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 

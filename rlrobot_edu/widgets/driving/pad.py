@@ -12,6 +12,7 @@ import ipywidgets
 import numpy as np
 from PIL import Image
 
+from rlrobot_edu.checks import known
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
@@ -23,7 +24,6 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
-from rlrobot_edu.task.messages import known
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
 

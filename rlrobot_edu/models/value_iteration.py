@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.task.messages import check_between
+from rlrobot_edu.checks import check_between
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.sample_model import SampleModel

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import IS_PLAIN, compiled
 from rlrobot_edu.learning.compiled_loop import NEVER
-from rlrobot_edu.learning.jit import IS_PLAIN, compiled
-from rlrobot_edu.robots.compiled_task import INPUT, judge_of, state_of
+from rlrobot_edu.robots.engines.kinematic.compiled_task import INPUT, judge_of, state_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.task import Task
 

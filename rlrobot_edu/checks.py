@@ -1,4 +1,4 @@
-"""Checks and words that error messages share: the nearest known name, the line of a task's file, what went wrong."""
+"""Checks of arguments, and the words that error messages share: the nearest known name, the line of a file."""
 
 import difflib
 import traceback
@@ -34,6 +34,24 @@ def existing(kind: str, number: int, n: int) -> int:
             f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers"
         )
     return int(number)
+
+
+def check_pair(shape: tuple[int, ...], s: int, a: int = 0) -> tuple[int, int]:
+    """(s, a) as ints. Raises ValueError for a state or an action that a table of this `shape` does not have."""
+    n_states, n_actions = shape
+    return existing("state", s, n_states), existing("action", a, n_actions)
+
+
+def check_transition(
+    shape: tuple[int, ...], s: int, a: int, r: Any, s_next: int
+) -> tuple[int, int, float, int]:
+    """(s, a, r, s_next) in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
+    s, a = check_pair(shape, s, a)
+    s_next = existing("state", s_next, shape[0])
+    if isinstance(r, np.generic | np.ndarray) and r.ndim == 0:
+        r = r.item()
+    check_between("a reward", r, -LARGEST_NUMBER, LARGEST_NUMBER)
+    return s, a, float(r), s_next
 
 
 def check_count(

@@ -16,7 +16,7 @@ try:
 except ImportError:
     numba = None
 else:
-    from rlrobot_edu.learning.kernel_cache import KernelCache
+    from rlrobot_edu.jit.caching import KernelCache
 
 
 PACKAGE = Path(__file__).parents[1]
