@@ -6,7 +6,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rlrobot_edu.checks import did_you_mean, in_words
+from rlrobot_edu.checks import describe_error, did_you_mean
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
@@ -131,7 +131,7 @@ def _opened(path: Path) -> Iterator[Any]:
         reader.open()
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
-            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})"
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(error)})"
         ) from error
     with closing(reader):
         yield reader
@@ -196,11 +196,15 @@ def _read(
                 else:
                     said = velocity_of(message)
             except Exception as error:  # of damaged bytes anything may be the matter
-                fault = str(error) if isinstance(error, ValueError) else in_words(error)
+                fault = (
+                    str(error)
+                    if isinstance(error, ValueError)
+                    else describe_error(error)
+                )
                 drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, fault
             tracks[topic].add(time, said)
     except Exception as error:  # of a damaged file, too
         raise ValueError(
-            f"{path}: this bag is damaged ({in_words(error)}); copy it again"
+            f"{path}: this bag is damaged ({describe_error(error)}); copy it again"
         ) from error
     return drive

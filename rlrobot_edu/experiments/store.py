@@ -10,7 +10,7 @@ import joblib
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
-from rlrobot_edu.checks import difference
+from rlrobot_edu.checks import first_difference
 from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
 from rlrobot_edu.jit.fingerprint import code_of
@@ -70,7 +70,9 @@ class Store:
         Raises ValueError that says what differs if the folder has another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
-            if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
+            if differ := first_difference(
+                Store.at(self.folder).facts, self.facts, "store"
+            ):
                 raise ValueError(
                     f"{self.folder} has another experiment: {differ} in this call; take another"
                 )
@@ -142,7 +144,7 @@ class Store:
                     f"{self.folder}: it was made in {named}, which it lacks; give it as world="
                 )
         world = as_world(world)
-        if differ := difference(
+        if differ := first_difference(
             self.facts, self.facts | Store("", facts_of(world)).facts, "store"
         ):
             raise ValueError(

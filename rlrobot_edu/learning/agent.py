@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import check_pair, check_transition, difference, expect, known
+from rlrobot_edu.checks import (
+    check_name,
+    check_pair,
+    check_parts,
+    check_transition,
+    first_difference,
+)
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
@@ -251,9 +257,9 @@ class Agent:
             As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
-        _, a_next = check_pair(
-            self.memory, s_next, 0 if terminated else a_next
-        )  # after the end nothing is chosen
+        if terminated:
+            a_next = 0  # after the end nothing is chosen
+        _, a_next = check_pair(self.memory.q.shape, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
@@ -298,7 +304,7 @@ class Agent:
                 f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent"
             )
         for name in parameters:
-            known(name, Parameters.__annotations__, "parameter", "an agent")
+            check_name(name, Parameters.__annotations__, "parameter", "an agent")
         self.parameters = self._checked(
             dataclasses.replace(self.parameters, **parameters)
         )
@@ -381,7 +387,7 @@ class Agent:
                 )
             its_method = method or parse_method(name, planner)
             given = {"the method": its_method.name} | made_of(its_method)
-            if differ := difference(about["method"], given, "file"):
+            if differ := first_difference(about["method"], given, "file"):
                 return f"this agent's method is not the one that was given: {differ} in this call"
             agent = cls(
                 Size(about["shape"], about["n_actions"]),
@@ -389,7 +395,7 @@ class Agent:
                 **about["settings"],
             )
             agent.rng.bit_generator.state = about["rng"]
-            expect(
+            check_parts(
                 "agent",
                 [
                     (name, arrays[name].shape == agent.q.shape)
@@ -398,7 +404,7 @@ class Agent:
             )
             np.copyto(agent.q, arrays["q"], casting="equiv")
             np.copyto(agent.visits, arrays["visits"], casting="equiv")
-            expect("agent", [("q or visits", agent._is_sound())])
+            check_parts("agent", [("q or visits", agent._is_sound())])
             return agent
 
         agent = load_arrays(path, "agent", make)

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import all_exist, expect
+from rlrobot_edu.checks import all_in_range, check_parts
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.size import Size
@@ -243,7 +243,7 @@ class History:
             )
             learned = Learned._make(arrays[name] for name in Learned._fields)
             history = cls(transitions=transitions, learned=learned, **about)
-            expect("history", history._parts())
+            check_parts("history", history._parts())
             return history
 
         return load_arrays(path, "history", make)
@@ -271,7 +271,7 @@ class History:
             )
             yield (
                 name,
-                is_right and (name not in limits or all_exist(column, limits[name])),
+                is_right and (name not in limits or all_in_range(column, limits[name])),
             )
 
     def _ends(self) -> np.ndarray:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from rlrobot_edu.checks import did_you_mean, known
+from rlrobot_edu.checks import check_name, did_you_mean
 from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
@@ -80,7 +80,7 @@ def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
     """What is given, or the toolkit's part of this name."""
     if isinstance(given, kind):
         return given
-    return toolkits[known(given, toolkits, kind.__name__.lower(), "the toolkit")]
+    return toolkits[check_name(given, toolkits, kind.__name__.lower(), "the toolkit")]
 
 
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:

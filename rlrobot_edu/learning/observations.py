@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.checks import WHOLE, existing
+from rlrobot_edu.checks import WHOLE, check_index
 from rlrobot_edu.learning.size import Env, Size
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
@@ -44,7 +44,7 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
     def number(*observation: int) -> int:
         s = 0
         for bin, low, n in zip(observation, first, bins, strict=True):
-            s = s * n + existing("bin", bin - low, n)
+            s = s * n + check_index("bin", bin - low, n)
         return s
 
     def state_number(observation: Any) -> int:

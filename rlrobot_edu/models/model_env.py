@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import existing
+from rlrobot_edu.checks import check_index
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import NEVER, make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
@@ -112,8 +112,8 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        s = existing("state", self.state, self.model.n_states)
-        a = existing("action", action, self.model.n_actions)
+        s = check_index("state", self.state, self.model.n_states)
+        a = check_index("action", action, self.model.n_actions)
         s_next, r, terminated = draw_outcome(
             self._tables, s, a, *self.np_random.random(2)
         )

@@ -9,10 +9,15 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import LARGEST_NUMBER, all_exist, existing, expect
+from rlrobot_edu.checks import (
+    LARGEST_NUMBER,
+    all_in_range,
+    check_index,
+    check_parts,
+    check_table,
+)
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
 if TYPE_CHECKING:
@@ -100,13 +105,13 @@ class SampleModel:
         limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
         numbers = (*self.shape, self.n_actions, *limits)
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
-        expect(
+        check_parts(
             "sample model", [("shape, n_actions, episode_steps or time_limit", whole)]
         )
         check_table(self.n_states, self.n_actions)
         for name, dtype in DTYPES.items():
             array = np.asarray(getattr(self, name))
-            expect(
+            check_parts(
                 "sample model",
                 [
                     (
@@ -119,7 +124,7 @@ class SampleModel:
             vars(self)[name] = np.ascontiguousarray(
                 array, dtype
             )  # one type for numba, compiled once
-        expect("sample model", self._contents())
+        check_parts("sample model", self._contents())
 
     def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
@@ -131,8 +136,11 @@ class SampleModel:
         yield "rewards", (np.diff(self.rewards) > 0).all()
         yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
-        yield "s_next", all_exist(self.s_next, self.n_states)
-        yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
+        yield "s_next", all_in_range(self.s_next, self.n_states)
+        yield (
+            "starts",
+            len(self.starts) > 0 and all_in_range(self.starts, self.n_states),
+        )
         yield (
             "offsets",
             len(self.offsets) == self.n_states * self.n_actions + 1
@@ -145,7 +153,7 @@ class SampleModel:
         # floats add numbers below 2**53, too, and differences of larger ones turn round
         yield (
             "cumulative",
-            len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53),
+            len(self.cumulative) == outcomes and all_in_range(self.cumulative, 2**53),
         )
         yield "cumulative", (self.count >= 1).all()
 
@@ -276,8 +284,8 @@ class SampleModel:
             If there is no such state or action.
         """
         s, a = (
-            existing("state", s, self.n_states),
-            existing("action", a, self.n_actions),
+            check_index("state", s, self.n_states),
+            check_index("action", a, self.n_actions),
         )
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
         columns = (self.s_next, self.r, self.terminated, self.count)

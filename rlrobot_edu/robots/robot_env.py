@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.checks import existing, known
+from rlrobot_edu.checks import check_index, check_name
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
@@ -198,7 +198,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        command = self._commands[existing("action", action, len(self._commands))]
+        command = self._commands[check_index("action", action, len(self._commands))]
         before = self._readings
         observation, info = self._see(self.robot.act(command))
         reward = self.task.reward_for(before, self._readings)
@@ -328,7 +328,7 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         if one != "realism"
     ]
     for option in options:
-        known(
+        check_name(
             option,
             ["engine", "realism", "render_mode", "link", *its_own],
             "setting",

@@ -5,7 +5,7 @@ import inspect
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from rlrobot_edu.checks import did_you_mean, known
+from rlrobot_edu.checks import check_name, did_you_mean
 
 LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds"}
 
@@ -52,5 +52,5 @@ def connect(link: str, **where: Any) -> Connection:
         importlib.import_module(f"{__package__}.{module}"), name
     )
     for argument in where:
-        known(argument, inspect.signature(kind).parameters, "argument", link)
+        check_name(argument, inspect.signature(kind).parameters, "argument", link)
     return kind(**where)

@@ -29,7 +29,7 @@ except ImportError:
         "on ARM); rosbridge works without it"
     ) from None
 
-from rlrobot_edu.checks import did_you_mean, in_words
+from rlrobot_edu.checks import describe_error, did_you_mean
 from rlrobot_ros.live.dds_types import TYPES
 from rlrobot_ros.messages import LASER_SCAN
 
@@ -142,7 +142,7 @@ class Dds:
                     self._mouths[number].write(message)
                 except core.DDSException as error:  # who hears it takes nothing more
                     raise ConnectionError(
-                        f"a message could not be sent over DDS ({in_words(error)})"
+                        f"a message could not be sent over DDS ({describe_error(error)})"
                     ) from error
 
         return send
@@ -175,7 +175,7 @@ class Dds:
         try:
             self._call_back()
         except Exception as error:  # whatever a callback raised
-            self.lost = f"a message could not be dealt with ({in_words(error)})"
+            self.lost = f"a message could not be dealt with ({describe_error(error)})"
         with self._lock:
             self._is_open = False
             self._ears.clear()

@@ -16,7 +16,7 @@ from contextlib import ExitStack
 from types import SimpleNamespace
 from typing import Any
 
-from rlrobot_edu.checks import in_words
+from rlrobot_edu.checks import describe_error
 from rlrobot_ros.messages import TWIST_STAMPED
 
 try:
@@ -83,7 +83,8 @@ class Rosbridge:
             WebSocketException,
         ) as error:  # ValueError: a name that cannot be
             raise ConnectionError(
-                f"no rosbridge answers at {address} ({in_words(error)}); is it running on the robot? Start it with "
+                f"no rosbridge answers at {address} ({describe_error(error)}); is it running on the robot? "
+                "Start it with "
                 "roslaunch rosbridge_server rosbridge_websocket.launch (ROS 1) or "
                 "ros2 launch rosbridge_server rosbridge_websocket_launch.xml (ROS 2)"
             ) from None
@@ -186,7 +187,7 @@ class Rosbridge:
             try:
                 callback(message)
             except Exception as error:  # the next message may be better
-                self.complaints.append(in_words(error))
+                self.complaints.append(describe_error(error))
 
 
 def to_json(value: Any) -> str:

@@ -14,7 +14,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import in_words
+from rlrobot_edu.checks import describe_error
 from rlrobot_edu.files import LARGEST, sha256, write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -109,7 +109,7 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
         source = None if KEY in about else _source(about, env, transitions)
     except Exception as error:  # of a damaged file anything may be the matter
         what = "this is not a whole Minari dataset of counted steps"
-        raise ValueError(f"{folder}: {what} ({in_words(error)})") from error
+        raise ValueError(f"{folder}: {what} ({describe_error(error)})") from error
     digits = None
     if source is None:
         source, _, digits = read_package(json.dumps(about[KEY]), str(folder))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.checks import check_count, existing
+from rlrobot_edu.checks import check_count, check_index
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
@@ -57,8 +57,8 @@ class Credit:
         ValueError
             If there is no such state or action.
         """
-        existing("state", s, self.q.shape[0])
-        existing("action", a, self.q.shape[1])
+        check_index("state", s, self.q.shape[0])
+        check_index("action", a, self.q.shape[1])
         made: Linear | float = self._made_of[s, a]
         return made.weights if isinstance(made, Linear) else np.zeros(len(self.steps))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from rlrobot_edu.checks import known
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.memory import SETTINGS
@@ -158,8 +158,8 @@ def playground(
     OSError
         If the file cannot be written.
     """
-    known(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
-    known(method, METHODS, "method", "the playground")
+    check_name(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
+    check_name(method, METHODS, "method", "the playground")
     page = Playground({"task": task, "method": method})
     if path is not None:
         page.save(path)
