@@ -18,6 +18,7 @@ from rlrobot_edu.models.data_package import (
     read_folder,
     to_files,
 )
+from rlrobot_edu.models.formats import minari_dataset
 from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -183,9 +184,7 @@ class Recording:
         Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data
         package, which says what they mean, stands under ``rlrobot_edu`` in metadata.json.
         """
-        from rlrobot_edu.models.formats import minari_dataset
-
-        minari_dataset.write(self, dataset_id, root)
+        minari_dataset.write(self.transitions, self.source, dataset_id, root)
 
     @classmethod
     def from_minari(
@@ -218,8 +217,6 @@ class Recording:
         ImportError
             If Minari is missing; it says what to install.
         """
-        from rlrobot_edu.models.formats import minari_dataset
-
         return cls(
             *minari_dataset.read(
                 dataset_id, root, None if task is None else load_task(task)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,9 @@ from rlrobot_edu.checks import (
     check_table,
 )
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.models.diagnosis import Diagnosis, Suspects, find_loops
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.task import Task
-
-if TYPE_CHECKING:
-    from rlrobot_edu.models.diagnosis import Diagnosis
 
 Unseen = Literal["uniform", "stay", "siblings"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
@@ -291,49 +289,46 @@ class SampleModel:
         columns = (self.s_next, self.r, self.terminated, self.count)
         return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
-    def diagnose(self) -> "Diagnosis":
+    def diagnose(self) -> Diagnosis:
         """What the model does not know, and where it may promise too much.
+
+        A pair is suspect if all its recorded outcomes lead to one state, with a mean reward above the recording's
+        mean, and there are at most three of them. See `Loop` for what suspect pairs can make.
 
         Returns
         -------
         Diagnosis
             Coverage and suspect loops; it shows itself in words.
         """
-        from rlrobot_edu.models.diagnosis import diagnose
+        pair_count = self.pair_count.ravel()
+        reward = self.sum_by_pair(self.r)
+        mean_reward = reward.sum() / pair_count.sum()
 
-        return diagnose(self)
-
-    def best_average_reward(self) -> float:
-        r"""The largest average reward a step that a policy can reach in the model, a ruler for curves.
-
-        .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
-
-        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its
-        goal counted as in `History.last_episode`.
-
-        Returns
-        -------
-        float
-            The average reward.
-
-        Raises
-        ------
-        ValueError
-            If its episodes are too long to plan.
-
-        Notes
-        -----
-        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next
-        episode begins in one of the starts. It is right to about 1e-8 of the largest reward for each step
-        that a detour takes.
-
-        References
-        ----------
-        Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
-        """
-        from rlrobot_edu.models.value_iteration import best_average_reward
-
-        return best_average_reward(self)
+        seen = np.flatnonzero(pair_count)
+        first = self.offsets[seen].astype(np.intp)
+        lowest = np.minimum.reduceat(self.s_next, first)
+        highest = np.maximum.reduceat(self.s_next, first)
+        ends = np.add.reduceat(self.terminated, first) > 0
+        is_certain = (lowest == highest) & ~ends
+        is_good = reward[seen] / pair_count[seen] > mean_reward
+        is_rare = pair_count[seen] <= 3
+        is_suspect = is_certain & is_good & is_rare
+        suspects = Suspects(
+            pair=seen[is_suspect],
+            s=seen[is_suspect] // self.n_actions,
+            s_next=lowest[is_suspect],
+            samples=pair_count[seen[is_suspect]],
+            reward=reward[seen[is_suspect]],
+        )
+        return Diagnosis(
+            n_states=self.n_states,
+            states_seen=len(np.union1d(seen // self.n_actions, self.s_next)),
+            n_pairs=pair_count.size,
+            pairs_seen=len(seen),
+            pairs_seen_once=int((pair_count == 1).sum()),
+            mean_reward=float(mean_reward),
+            loops=find_loops(suspects, self.n_states, self.n_actions),
+        )
 
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all.

@@ -8,7 +8,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -18,14 +18,11 @@ from rlrobot_edu.checks import describe_error
 from rlrobot_edu.files import LARGEST, sha256, write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, check_rows, to_csv
+from rlrobot_edu.models.columns import REMEDY, check_rows, count_episodes, to_csv
 from rlrobot_edu.models.data_package import Parts, read_package, recorded_task, to_files
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks
-
-if TYPE_CHECKING:
-    from rlrobot_edu.models.recording import Recording
 
 ROWS, ABOUT = "main_data.hdf5", "metadata.json"  # Minari's own names
 COLUMNS = ("observations", "actions", "rewards", "terminations", "truncations")
@@ -34,28 +31,29 @@ KEY = (
 )
 
 
-def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> None:
+def write(
+    transitions: Transitions, source: Source, dataset_id: str, root: str | Path | None
+) -> None:
     """What `Recording.to_minari` does."""
     minari = _needed("minari")
     storages = _needed("minari.dataset.minari_storage")
     folder = _folder(dataset_id, root)
-    source = recording.source
-    breaks = (recording.s_next[:-1] != recording.s[1:]) & (recording.step[1:] > 0)
+    s, s_next = transitions.s, transitions.s_next
+    _, step = count_episodes(transitions)
+    breaks = (s_next[:-1] != s[1:]) & (step[1:] > 0)
     if breaks.any():
         row = int(breaks.argmax()) + 1
-        begins = f"row {row} of the recording begins in state {recording.s[row]}"
-        before = f"the row before ended in state {recording.s_next[row - 1]}"
+        begins = f"row {row} of the recording begins in state {s[row]}"
+        before = f"the row before ended in state {s_next[row - 1]}"
         raise ValueError(
             f"{begins}, {before}: Minari keeps one state a step, so use Recording.save"
         )
     buffers = []
-    for rows in np.split(
-        np.arange(len(recording)), np.flatnonzero(recording.step == 0)[1:]
-    ):
-        states = np.append(recording.s[rows], recording.s_next[rows[-1]])
+    for rows in np.split(np.arange(len(s)), np.flatnonzero(step == 0)[1:]):
+        states = np.append(s[rows], s_next[rows[-1]])
         observations = np.stack(np.unravel_index(states, source.states.shape), axis=1)
         others = (
-            getattr(recording, name)[rows]
+            getattr(transitions, name)[rows]
             for name in ("a", "r", "terminated", "truncated")
         )
         columns = dict(zip(COLUMNS, (observations, *others), strict=True))
@@ -73,7 +71,7 @@ def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> N
             data_format="hdf5",
         )
         about = {"dataset_id": dataset_id, "minari_version": minari.__version__}
-        package = json.loads(to_files(source, recording.transitions)[1])
+        package = json.loads(to_files(source, transitions)[1])
         storage.update_metadata(
             {**about, "algorithm_name": source.method, KEY: package}
         )
