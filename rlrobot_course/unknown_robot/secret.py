@@ -30,9 +30,9 @@ class Secret(NamedTuple):
     def realism(self) -> Realism:
         """The robot's weaknesses, in control steps of a tenth of a second."""
         rng = np.random.default_rng([0, *self.key])
+        laser_noise, _ = rng.uniform([0.005, 0.0], [0.02, 0.004])
         return Realism(
-            laser_noise=rng.uniform(0.005, 0.02),
-            odometry_noise=rng.uniform(0.0, 0.004),
+            laser_noise=laser_noise,
             wheel_slip=rng.uniform(0.1, 0.5),
             delay=int(rng.integers(1, 5)),
             lag=rng.uniform(0.0, 0.08),
