@@ -108,8 +108,8 @@ def test_a_part_of_an_extra_that_is_missing_is_named_with_what_it_disables(absen
 
 
 def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
-    absent("h5py")  # minari[hdf5]
-    assert "h5py is missing" in said("all").says
+    absent("websockets")  # rlrobot-edu[ros]
+    assert "websockets is missing" in said("all").says
 
 
 def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
