@@ -19,7 +19,8 @@ a softmax. methods.py lists them all and says what a method is. step.py makes on
 and a selection.
 
 agent.py keeps the memory and writes what was learned to a file. loop.py lets the agent act, under a bar (progress.py),
-and observations.py numbers the states that an environment shows. compiled_loop.py is the same loop as one kernel.
+and observations.py numbers the states that an environment shows.
+resume.py says where an agent left its episode. compiled_loop.py is the same loop as one kernel.
 The folder jit, beside this one, compiles the kernels where numba is installed.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Four selections

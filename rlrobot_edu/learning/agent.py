@@ -19,7 +19,6 @@ from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
-from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import (
     Experience,
@@ -27,6 +26,7 @@ from rlrobot_edu.learning.planning.experience import (
     with_room,
 )
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
+from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.seeds import generator
@@ -141,7 +141,9 @@ class Agent:
         self.pending: tuple[int, int] | None = (
             None  # state and chosen action of an episode that still runs
         )
-        self.left: Left | None = None  # where it can go on; None within a step, too
+        self.resume_point: ResumePoint | None = (
+            None  # where it can go on; None within a step, too
+        )
 
     def __repr__(self) -> str:
         size = "{} states, {} actions".format(*self.q.shape)

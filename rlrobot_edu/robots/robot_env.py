@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import cache, cached_property, partial
 from inspect import signature
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 import gymnasium
 import numpy as np
@@ -64,7 +64,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
     """
 
-    metadata = {"render_modes": [*get_args(RenderMode)], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, *get_args(RenderMode)):
+        if render_mode not in (None, "rgb_array"):
             advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.meshcat"
             raise ValueError(
                 f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}"

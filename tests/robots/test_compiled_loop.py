@@ -84,7 +84,14 @@ def told(agent, env, *histories):
     )
     streams = agent.rng.bit_generator.state, env.np_random.bit_generator.state
     return repr(
-        (columns, memory, place, streams, agent.pending, agent.left and agent.left[:2])
+        (
+            columns,
+            memory,
+            place,
+            streams,
+            agent.pending,
+            agent.resume_point and agent.resume_point[:2],
+        )
     )
 
 

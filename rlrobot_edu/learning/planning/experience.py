@@ -79,7 +79,7 @@ def with_room(x: Experience, n: int) -> Experience:
 
 
 @compiled
-def meet(x, pair, s_next, r, terminated):
+def count_outcome(x, pair, s_next, r, terminated):
     """Count what happened after `pair`. There must be room for one outcome more."""
     if x.tries[pair] == 0:
         x.tried[x.now.pairs] = pair

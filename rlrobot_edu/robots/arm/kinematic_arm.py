@@ -108,7 +108,7 @@ class KinematicArm(KinematicRobot):
         """The place at which each episode begins, array (3,)."""
         return np.array(HOME)
 
-    in_numbers = staticmethod(speeds_of)
+    command_array = staticmethod(speeds_of)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""

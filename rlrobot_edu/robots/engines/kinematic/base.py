@@ -141,7 +141,7 @@ class KinematicBase(KinematicRobot, MobileBase):
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone
 
-    def in_numbers(self, command: Mapping[str, float]) -> Array:
+    def command_array(self, command: Mapping[str, float]) -> Array:
         """Speed ahead [m/s] and turning to the left [rad/s], array (2,)."""
         return np.array(self.chassis.twist(command))
 
