@@ -53,24 +53,18 @@ class MobileBase(SimulatedRobot):
         super().__init__(ROBOTS[self.name])
         realism = realism or Realism()
         realism.check(self._card, "pymunk", step_time)
-        self.chassis, self._step_time = chassis or self.chassis, step_time
-        self.arena, self._friction = arena_of(scene), realism.wall_friction
-        self._times = [
-            seconds for seconds in (realism.lag, step_time - realism.lag) if seconds
-        ]
-        inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
+        self.chassis = chassis or self.chassis
+        self.arena = arena_of(scene)
+        self._step_time = step_time
+        self._lag = realism.lag
+        self._friction = realism.wall_friction
+        inset = self.chassis.inset
+        reach = inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there
         for laser, (x, y, angle) in zip(LASERS, self.chassis.lasers, strict=True):
             ahead, aside = math.cos(angle), math.sin(angle)
-            self._rays.append(
-                (
-                    laser,
-                    x - inset * ahead,
-                    y - inset * aside,
-                    reach * ahead,
-                    reach * aside,
-                )
-            )
+            start = x - inset * ahead, y - inset * aside
+            self._rays.append((laser, *start, reach * ahead, reach * aside))
         self.reset()
 
     def _begin(self, rng: np.random.Generator) -> None:
@@ -85,16 +79,16 @@ class MobileBase(SimulatedRobot):
         # Its position is that of the axle: so the wheels' velocities are the body's own.
         axle, radius = self.chassis.axle, self.chassis.radius
         hull = [(x - axle, y) for x, y in self.chassis.hull]
-        moment = (
-            pymunk.moment_for_poly(1.0, hull)
-            if hull
-            else pymunk.moment_for_circle(1.0, 0.0, radius)
-        )
-        self._body = pymunk.Body(1.0, moment)
-        self._outline = (
-            pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
-        )
-        self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
+        self._outline: pymunk.Shape
+        if hull:
+            self._body = pymunk.Body(1.0, pymunk.moment_for_poly(1.0, hull))
+            self._outline = pymunk.Poly(self._body, hull)
+        else:
+            moment = pymunk.moment_for_circle(1.0, 0.0, radius)
+            self._body = pymunk.Body(1.0, moment)
+            self._outline = pymunk.Circle(self._body, radius)
+        self._outline.friction = self._friction
+        self._outline.filter = _NOT_ITSELF
         self._space.add(self._body, self._outline)
         x, y, theta = self.arena.start
         self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
@@ -104,17 +98,13 @@ class MobileBase(SimulatedRobot):
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
-        space, body, outline = (
-            self._space._space,
-            self._body._body,
-            self._outline._shape,
-        )
+        space, body = self._space._space, self._body._body
+        outline = self._outline._shape
         chipmunk.cpSpaceRemoveShape(space, outline)
         chipmunk.cpSpaceAddShape(space, outline)
-        for wheels, seconds in zip(
-            (self._former, command)[-len(self._times) :], self._times, strict=True
-        ):
-            self._roll(*self.chassis.twist(wheels), seconds)
+        if self._lag:
+            self._roll(*self.chassis.twist(self._former), self._lag)
+        self._roll(*self.chassis.twist(command), self._step_time - self._lag)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
