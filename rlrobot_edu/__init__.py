@@ -9,9 +9,12 @@ environments  `make_env`, with which most programs begin
 task/         what a robot senses, does and is rewarded for
 learning/     algorithms and selections, a file each; the agent, its memory, the loop
 robots/       the environment of a task: robots, arenas, realism; arm/, engines/
-models/       recordings and sample models, what they do not know, planning; formats/
+models/       recordings and sample models, what they do not know, value iteration
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above; in3d/
+
+Below it, for all: checks.py (arguments and error messages), files.py (written whole or not at all), seeds.py, and
+jit/ (the compiler of the kernels).
 
 On top of this core:
 

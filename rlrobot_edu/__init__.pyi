@@ -14,12 +14,12 @@ from .learning.loop import evaluate as evaluate
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method
-from .models.formats.reading import read_recording as read_recording
 from .models.model_env import SampleModelEnv as SampleModelEnv
-from .models.planning import value_iteration as value_iteration
+from .models.read_recording import read_recording as read_recording
 from .models.recording import Recording as Recording
 from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
+from .models.value_iteration import value_iteration as value_iteration
 from .robots.realism import Realism as Realism
 from .robots.robot_env import RobotEnv as RobotEnv
 from .show.curves import plot_learning as plot_learning

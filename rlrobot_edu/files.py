@@ -5,14 +5,16 @@ import glob
 import hashlib
 import io
 import json
+import math
 import os
 import re
+import shutil
 import stat
 import time
 import uuid
 import zipfile
-from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -29,13 +31,11 @@ BEGINNINGS = {
     ".png": rb"\x89PNG",
     ".html": rb"\s*<",
     ".json": rb"\s*[\[{]",
-}
-BEGINNINGS |= {
-    ".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)",
+    ".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)",  # not as what is no text
     ".mp4": rb"....ftyp",
-}  # csv: not as what is no text
-# What the system says too shortly where a file cannot be written
-BLOCKED = {
+}
+# Where the message of the system is too short
+ADVICE = {
     errno.EACCES: "not writable; choose a folder of your own",
     errno.ENOTDIR: "part of it is a file",
 }
@@ -50,7 +50,7 @@ def shipped(folder: str) -> Path:
 
 
 def write_whole(path: str | Path, data: str | bytes) -> None:
-    """Write one file whole or not at all, see `write_together`; text becomes UTF-8 with its line ends as they are."""
+    """Write one file whole or not at all, see `write_together`."""
     write_together({path: data})
 
 
@@ -58,87 +58,89 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     """Write several files, each whole or not at all, and put them in place in the given order.
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
-    interruption while writing leaves every old file as it was. Missing folders are made. Old temporary files
-    of these names, from processes that were killed, are removed.
+    interruption while writing leaves every old file as it was. Text becomes UTF-8 with its line ends as they are.
+    Missing folders are made. Old temporary files of these names, from processes that were killed, are removed.
 
     A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
-    one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
+    one (hard links) keep the old content.
 
-    Raises OSError that names the file, for root also if it is read-only; ValueError if the file's ending belongs to
-    another kind of file.
+    Raises OSError that names the file if it cannot be written, is read-only (for root, too), a folder, a device or a
+    pipe; ValueError if the file's ending belongs to another kind of file.
     """
-    temporary: dict[Path, Path] = {}
+    places: dict[Path, Path] = {}  # where each temporary file goes
     is_first_in_place = False
     try:
         for path, data in files.items():
-            data = data.encode() if isinstance(data, str) else data
-            fits = [
-                ending
-                for ending, beginning in BEGINNINGS.items()
-                if re.match(beginning, data)
-            ]
-            if Path(path).suffix in BEGINNINGS.keys() - fits:
-                raise ValueError(
-                    f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}"
-                )
-            old = _what_is_at(Path(path))
-            if old and not stat.S_ISREG(old.st_mode):
-                # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
-                with open(
-                    os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb"
-                ) as file:
-                    os.set_blocking(file.fileno(), True)
-                    file.write(data)
-                continue
-            place = Path(os.path.realpath(path))
-            place.parent.mkdir(parents=True, exist_ok=True)
-            # The same folder, because a rename is atomic only within one file system.
-            part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
-            temporary[part] = place
-            with open(part, "xb") as file:
-                if old:
-                    part.chmod(stat.S_IMODE(old.st_mode))
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-        for part, place in temporary.items():
-            os.replace(part, place)
+            if isinstance(data, str):
+                data = data.encode()
+            _check_ending(Path(path), data)
+            with _errors_name(path):
+                _check_replaceable(Path(path))
+                place = Path(os.path.realpath(path))
+                place.parent.mkdir(parents=True, exist_ok=True)
+                # The same folder, because a rename is atomic only within one file system.
+                part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
+                places[part] = place
+                _write_part(part, place, data)
+        for part, place in places.items():
+            with _errors_name(place):
+                part.replace(place)
             is_first_in_place = True
-            remove_old(
-                parts_of(place), ABANDONED
-            )  # those of a writer at work are seconds old
-    except OSError as error:
-        if error.errno is not None and (
-            error.filename is None or str(error.filename).endswith(".part")
-        ):
-            error.filename = str(path)  # a full disk does not say what did not fit
-        error.strerror = BLOCKED.get(error.errno or 0, error.strerror)
-        raise
+            remove_old(parts_of(place), ABANDONED)
     finally:
-        if (
-            not is_first_in_place
-        ):  # afterwards, a part that is left completes what has begun
-            remove_old(
-                temporary, -float("inf")
-            )  # of any age; what is not there, or cannot go, is no fault here
+        # Once a file is in place, a part that is left completes what has begun.
+        if not is_first_in_place:
+            remove_old(places, age=-math.inf)
 
 
-def _what_is_at(path: Path) -> os.stat_result | None:
-    """What is known of a file to be written; None if there is none. Raises OSError for a folder or a protected file."""
+def _check_ending(path: Path, data: bytes) -> None:
+    """Raises ValueError if the name ends as those of another kind of file."""
+    kinds = [kind for kind, begins in BEGINNINGS.items() if re.match(begins, data)]
+    if path.suffix in BEGINNINGS and path.suffix not in kinds:
+        raise ValueError(
+            f"{path}: its content is no {path.suffix} but {' or '.join(kinds)}"
+        )
+
+
+def _check_replaceable(path: Path) -> None:
+    """Raises OSError if what is at `path` is no file, or must not be replaced."""
     try:
-        old = path.stat()
+        mode = path.stat().st_mode
     except FileNotFoundError:
-        return None
-    if stat.S_ISDIR(old.st_mode):
-        raise IsADirectoryError(
-            errno.EISDIR, "this is a folder; give the name of a file", str(path)
-        )
+        return
+    if stat.S_ISDIR(mode):
+        fault, advice = errno.EISDIR, "this is a folder; give the name of a file"
+        raise IsADirectoryError(fault, advice, str(path))
+    if not stat.S_ISREG(mode):
+        advice = "this is a device or a pipe; give the name of a file"
+        raise OSError(errno.EINVAL, advice, str(path))
+    is_read_only = not mode & 0o222
     # root may write everywhere, but had better not
-    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
-        raise PermissionError(
-            errno.EPERM, "protected from writing; give another name", str(path)
-        )
-    return old
+    if is_read_only or not os.access(path, os.W_OK):
+        fault, advice = errno.EPERM, "protected from writing; give another name"
+        raise PermissionError(fault, advice, str(path))
+
+
+def _write_part(part: Path, place: Path, data: bytes) -> None:
+    """Write the temporary file `part`, with the mode of the file that it will replace."""
+    with open(part, "xb") as file:
+        if place.exists():
+            shutil.copymode(place, part)
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+@contextmanager
+def _errors_name(path: str | Path) -> Iterator[None]:
+    """An OSError names this file, not its temporary one; a full disk would name none."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno is not None:
+            error.filename = str(path)
+            error.strerror = ADVICE.get(error.errno, error.strerror)
+        raise
 
 
 def parts_of(path: Path) -> list[Path]:
@@ -171,18 +173,18 @@ def save_arrays(
     kind: what the file is, such as "agent"; `load_arrays` asks for it; packed: whether it should rather be small than
     quick to write
     """
-    buffer = io.BytesIO()
-    text = json.dumps(
-        {"kind": kind, **about}, default=np.generic.item
-    )  # NumPy's numbers become Python's
+    # NumPy's numbers become Python's
+    text = json.dumps({"kind": kind, **about}, default=np.generic.item)
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
-    if (
-        sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST
-    ):  # headers; packing may add, too
+    # each has a header, and packing may add a thousandth
+    size = sum(1000 + 1.001 * array.nbytes for array in columns.values())
+    if size > LARGEST:
         raise ValueError(
-            f"{path}: more than {LARGEST >> 20} MB of one {kind} would not be read again"
+            f"{path}: this {kind} is larger than a file may be, {LARGEST >> 20} MB"
         )
-    (np.savez_compressed if packed else np.savez)(buffer, **columns)
+    buffer = io.BytesIO()
+    save = np.savez_compressed if packed else np.savez
+    save(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
 
@@ -191,14 +193,14 @@ def load_arrays(
     kind: str,
     make: Callable[[dict[str, Any], dict[str, np.ndarray]], T],
 ) -> T:
-    """What `make` builds of (about, arrays), which `save_arrays` wrote. Nothing is unpickled.
+    """What `make` builds of (about, arrays), which `save_arrays` wrote. Reading it unpickles nothing.
 
     Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;
     FileNotFoundError if there is none.
     """
     path = Path(path)
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
+        raise FileNotFoundError(f"{path}: there is no such {kind} file")
     try:
         with zipfile.ZipFile(path) as archive:
             claimed = sum(entry.file_size for entry in archive.infolist())
@@ -207,8 +209,9 @@ def load_arrays(
         with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
-        if (its_kind := about.pop("kind")) != kind:
-            raise ValueError(f"it is the file of one {its_kind!r:.100}")
+        its_kind = about.pop("kind")
+        if its_kind != kind:
+            raise ValueError(f"it holds {its_kind!r:.100}, not {kind!r}")
         return make(about, arrays)
     except Exception as error:  # a damaged file may raise anything
         fault = f"this {kind} is damaged, or of another version of the toolkit ({error!s:.200})"

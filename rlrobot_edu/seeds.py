@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.checks import check_count
 
 ENVIRONMENT = (1,)  # so that no robot is moved by the numbers that its agent has drawn
 

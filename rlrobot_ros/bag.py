@@ -5,11 +5,12 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.checks import describe_error, did_you_mean
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
-from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.task.messages import in_words
+from rlrobot_edu.robots.chassis import Chassis
+from rlrobot_edu.checks import describe_error
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_ros.drive import Drive, Track, transitions_of
@@ -126,7 +127,7 @@ def _opened(path: Path) -> Iterator[Any]:
         reader.open()
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
-            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})"
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(error)})"
         ) from error
     with closing(reader):
         yield reader
@@ -182,10 +183,10 @@ def _read(
             except Exception as error:  # of damaged bytes anything may be the matter
                 value = tracks[topic].nothing
                 is_ours = isinstance(error, ValueError)
-                drive.add_fault(topic, str(error) if is_ours else in_words(error))
+                drive.add_fault(topic, str(error) if is_ours else describe_error(error))
             tracks[topic].add(time, value)
     except Exception as error:  # of a damaged file, too
         raise ValueError(
-            f"{path}: this bag is damaged ({in_words(error)}); copy it again"
+            f"{path}: this bag is damaged ({describe_error(error)}); copy it again"
         ) from error
     return drive

@@ -11,7 +11,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_ros.drive_report import DriveReport

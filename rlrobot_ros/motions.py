@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 
-from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.robots.wheels import CHASSIS
+from rlrobot_edu.robots.chassis import CHASSIS, Chassis
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 

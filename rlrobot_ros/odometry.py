@@ -2,7 +2,7 @@
 
 import math
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 
 EARTH = 4e7  # around it [m]: no odometry is further from where it began
 

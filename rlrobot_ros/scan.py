@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 EPSILON = 1e-6  # what rounding makes of angles [rad] and lengths [m] that were single precision

@@ -16,14 +16,14 @@ import gymnasium
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.jit import borrowed, compiled
+from rlrobot_edu.jit.dispatcher import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.arenas import Arena
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
-from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import FRONT_LASERS, LASER_RANGE, LASERS
 
 COLLISION = 0.05  # of wander_1k, 4k and 12k [m]

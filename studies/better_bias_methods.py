@@ -7,8 +7,8 @@ states that the biases share it among. The relatives take VBIASSR apart.
 import math
 
 from rlrobot_course.lesson_22.vbiassr import VBIASSR, next_input, softmax_with_bias
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.qbiassr import compute_bias
 from rlrobot_edu.learning.selections.softmax import softmax
 from rlrobot_edu.learning.traces import remember

@@ -20,7 +20,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.task.reward_parts import no_reversing
+from rlrobot_edu.task.wheel_commands import no_reversing
 from rlrobot_edu.tools.blind import BLIND as SEES_NOTHING
 
 HERE = Path(__file__).parent

@@ -1,8 +1,8 @@
 """A method that sees little, two bins an input, beside the one that sees nothing (rlrobot_edu/tools/blind.py)."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.algorithms.true_online_sarsa import update
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.selections.softmax import softmax_regression
 

@@ -12,7 +12,7 @@ import numpy as np
 import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
-from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.robots.chassis import PIONEER, Chassis
 from rlrobot_edu.robots.robot_env import RobotEnv
 
 TASK, SCENE = "wander_1k", "maze_6x6"

@@ -21,7 +21,7 @@ Differs from the paper: the arm is our own drawing of the WidowX, and slower. In
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import approach_reward, gripper_to_object
+from rlrobot_edu.task.rewards import approach_reward, gripper_to_object
 
 X_CUTS = [0.23, 0.26, 0.29]
 Y_CUTS = [-0.12, -0.08, -0.04, 0.0, 0.04, 0.08, 0.12]

@@ -19,7 +19,8 @@ Differs from the paper: the paper drove the real robot; ours is simulated, a dis
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import no_reversing, wander_reward
+from rlrobot_edu.task.rewards import wander_reward
+from rlrobot_edu.task.wheel_commands import no_reversing
 
 CUTS = [0.08, 0.17, 0.25]
 

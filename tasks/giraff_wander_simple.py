@@ -17,7 +17,7 @@ Differs from the paper: the paper drove the real robot, on wander_1k alone. One 
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import distance_moved
+from rlrobot_edu.task.rewards import distance_moved
 
 
 def command(wheels):

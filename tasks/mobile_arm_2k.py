@@ -18,7 +18,7 @@ Differs from the paper: the paper has both robots on one body, but no task that 
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import gripper_to_object
+from rlrobot_edu.task.rewards import gripper_to_object
 
 
 def command(speeds):

@@ -23,11 +23,8 @@ Differs from the paper: all bins of x, y and theta can be reached; those of the 
 from math import hypot
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import (
-    approach_reward,
-    collision_reward,
-    no_reversing,
-)
+from rlrobot_edu.task.rewards import approach_reward, collision_reward
+from rlrobot_edu.task.wheel_commands import no_reversing
 
 GOAL_X, GOAL_Y, GOAL_RADIUS = 1.65, 1.575, 0.5  # as the scene draws it [m]
 

@@ -18,7 +18,8 @@ Differs from the paper: the paper has no task of this size. It shows what more s
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import no_reversing, wander_reward
+from rlrobot_edu.task.rewards import wander_reward
+from rlrobot_edu.task.wheel_commands import no_reversing
 
 CUTS = [0.20, 0.40, 0.60, 0.80]
 REAR_CUTS = [0.27, 0.53, 0.80]

@@ -17,7 +17,8 @@ Differs from the paper: robot and maze have the measures of those in the paper's
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.reward_parts import no_reversing, wander_reward
+from rlrobot_edu.task.rewards import wander_reward
+from rlrobot_edu.task.wheel_commands import no_reversing
 
 CUTS = [0.27, 0.53, 0.80]
 

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
 from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, VERMILION, Picture, plain
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.task import Task
 
 Motion = Callable[[float, float, float, float], tuple[float, float]]

@@ -20,7 +20,7 @@ from rlrobot_course.figures.plots import (
     plain,
 )
 from rlrobot_edu import InputVariable, Task
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.robot_cards import LASERS

@@ -15,7 +15,7 @@ from rlrobot_course.lesson_11.motions import (
     motion_of,
 )
 from rlrobot_course.lesson_11.rings import draw_sector, legend_of
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 

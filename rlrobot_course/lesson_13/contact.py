@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from rlrobot_edu.task.reward_parts import gripper_to_object
+from rlrobot_edu.task.rewards import gripper_to_object
 from rlrobot_edu.task.task import Task
 
 TOUCHED, NOT_TOUCHED = 10.0, -0.02

@@ -5,7 +5,7 @@ The pair in place i stands below the one in place (i − 1) // 2; `place` says w
 Source: Cormen, Leiserson, Rivest & Stein, *Introduction to Algorithms*, chapter 6.
 """
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 
 
 @compiled

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_course.lesson_17.heap import pop, put
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import compiled
 
 # A pair whose value is wrong by no more than this share of Qmax waits. Softmax sees Q in hundredths of Qmax, so at the
 # temperature 1 such an error changes the ratio of two probabilities by 1 % at the most.

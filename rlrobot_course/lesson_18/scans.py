@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.figures.plots import BLACK, BLUE, GREY, SKY, VERMILION, Picture
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.messages import LASER_SCAN, ODOMETRY

@@ -6,8 +6,8 @@ Each changes one thing about QBIASSR. docs/studies/a_better_bias.md says what VB
 import math
 
 from rlrobot_course.lesson_22.vbiassr import VBIASSR, next_input, softmax_with_bias
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.qbiassr import compute_bias
 
 

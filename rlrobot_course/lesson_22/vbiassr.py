@@ -1,7 +1,7 @@
 """Visit-weighed biased softmax regression (VBIASSR): QBIASSR, but who has tried an action more has more say in it."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.softmax import softmax
 
 

@@ -22,7 +22,7 @@ from rlrobot_edu.robots.arm.arm_body import (
 from rlrobot_edu.robots.arm.kinematic_arm import gripper as the_gripper
 from rlrobot_edu.robots.arm.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.reward_parts import gripper_to_object
+from rlrobot_edu.task.rewards import gripper_to_object
 from rlrobot_edu.task.robot_cards import ROBOTS
 
 Gripper = Callable[[float, float, float], tuple[float, float, float]]

@@ -9,9 +9,9 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.value_iteration import best_average_reward, value_iteration
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -79,7 +79,7 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     return Clinic(
         task,
         check_task(task, steps, seed),
-        model.best_average_reward(),
+        best_average_reward(model),
         planner,
         driven.rewards,
     )

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
@@ -19,7 +20,6 @@ from rlrobot_edu.learning.methods import Method, made_of
 from rlrobot_edu.learning.size import Env, Size, can_end
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
-from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.version import __version__
 

@@ -15,6 +15,7 @@ from rlrobot_edu.experiments.statistics import Anova, Tukey
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.value_iteration import best_average_reward
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
@@ -99,7 +100,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
     def optimum(self) -> float | None:
         """Best achievable average reward in a sample model; None for a robot, where it is unknown."""
         return (
-            self.world.best_average_reward()
+            best_average_reward(self.world)
             if isinstance(self.world, SampleModel)
             else None
         )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from joblib import delayed
 
+from rlrobot_edu.checks import check_count, check_name
 from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
@@ -21,7 +22,6 @@ from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
@@ -37,7 +37,7 @@ def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
             "each repetition has a seed of its own; leave seed out of an agent's settings"
         )
     for name in settings:
-        known(
+        check_name(
             name,
             ["method", "planner", *Parameters.__annotations__],
             "setting",

@@ -10,12 +10,12 @@ import joblib
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
+from rlrobot_edu.checks import first_difference
 from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
-from rlrobot_edu.learning.fingerprint import code_of
+from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
-from rlrobot_edu.task.messages import difference
 from rlrobot_edu.task.task import Task
 
 DESCRIPTION, MODEL = "experiment.json", "model.npz"
@@ -70,7 +70,9 @@ class Store:
         Raises ValueError that says what differs if the folder has another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
-            if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
+            if differ := first_difference(
+                Store.at(self.folder).facts, self.facts, "store"
+            ):
                 raise ValueError(
                     f"{self.folder} has another experiment: {differ} in this call; take another"
                 )
@@ -142,7 +144,7 @@ class Store:
                     f"{self.folder}: it was made in {named}, which it lacks; give it as world="
                 )
         world = as_world(world)
-        if differ := difference(
+        if differ := first_difference(
             self.facts, self.facts | Store("", facts_of(world)).facts, "store"
         ):
             raise ValueError(

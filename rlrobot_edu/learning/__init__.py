@@ -19,9 +19,9 @@ a softmax. methods.py lists them all and says what a method is. step.py makes on
 and a selection.
 
 agent.py keeps the memory and writes what was learned to a file. loop.py lets the agent act, under a bar (progress.py),
-and observations.py numbers the states that an environment shows. compiled_loop.py is the same loop as one kernel.
-validation.py checks the numbers that reach a kernel. jit.py compiles the kernels where numba is installed, and
-kernel_cache.py keeps them, each under a name that fingerprint.py makes of its code.
+and observations.py numbers the states that an environment shows.
+resume.py says where an agent left its episode. compiled_loop.py is the same loop as one kernel.
+The folder jit, beside this one, compiles the kernels where numba is installed.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Four selections
 and a planner made like that are in rlrobot_course: lesson_22 and lesson_17/sweeping.py.

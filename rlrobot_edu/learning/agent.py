@@ -8,11 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import (
+    check_name,
+    check_pair,
+    check_parts,
+    check_transition,
+    first_difference,
+)
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
-from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import (
     Experience,
@@ -20,11 +26,10 @@ from rlrobot_edu.learning.planning.experience import (
     with_room,
 )
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
+from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
-from rlrobot_edu.learning.validation import check_pair, check_transition
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -136,7 +141,9 @@ class Agent:
         self.pending: tuple[int, int] | None = (
             None  # state and chosen action of an episode that still runs
         )
-        self.left: Left | None = None  # where it can go on; None within a step, too
+        self.resume_point: ResumePoint | None = (
+            None  # where it can go on; None within a step, too
+        )
 
     def __repr__(self) -> str:
         size = "{} states, {} actions".format(*self.q.shape)
@@ -196,7 +203,7 @@ class Agent:
         ValueError
             If the agent has no such state.
         """
-        s, _ = check_pair(self.memory, s)
+        s, _ = check_pair(self.memory.q.shape, s)
         begin_episode(self.memory)
         return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
@@ -220,7 +227,7 @@ class Agent:
         ValueError
             If there is no such state or action, or if the reward is not finite.
         """
-        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
+        s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
         if self.experience is None:
             a_next, delta = make_step(self.method).learn_step(self.memory, *real)
@@ -251,10 +258,10 @@ class Agent:
         ValueError
             As `learn_step`.
         """
-        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        _, a_next = check_pair(
-            self.memory, s_next, 0 if terminated else a_next
-        )  # after the end nothing is chosen
+        s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
+        if terminated:
+            a_next = 0  # after the end nothing is chosen
+        _, a_next = check_pair(self.memory.q.shape, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
@@ -299,7 +306,7 @@ class Agent:
                 f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent"
             )
         for name in parameters:
-            known(name, Parameters.__annotations__, "parameter", "an agent")
+            check_name(name, Parameters.__annotations__, "parameter", "an agent")
         self.parameters = self._checked(
             dataclasses.replace(self.parameters, **parameters)
         )
@@ -382,7 +389,7 @@ class Agent:
                 )
             its_method = method or parse_method(name, planner)
             given = {"the method": its_method.name} | made_of(its_method)
-            if differ := difference(about["method"], given, "file"):
+            if differ := first_difference(about["method"], given, "file"):
                 return f"this agent's method is not the one that was given: {differ} in this call"
             agent = cls(
                 Size(about["shape"], about["n_actions"]),
@@ -390,7 +397,7 @@ class Agent:
                 **about["settings"],
             )
             agent.rng.bit_generator.state = about["rng"]
-            expect(
+            check_parts(
                 "agent",
                 [
                     (name, arrays[name].shape == agent.q.shape)
@@ -399,7 +406,7 @@ class Agent:
             )
             np.copyto(agent.q, arrays["q"], casting="equiv")
             np.copyto(agent.visits, arrays["visits"], casting="equiv")
-            expect("agent", [("q or visits", agent._is_sound())])
+            check_parts("agent", [("q or visits", agent._is_sound())])
             return agent
 
         agent = load_arrays(path, "agent", make)

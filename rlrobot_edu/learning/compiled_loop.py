@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import borrowed, compiled
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.observations import Left, place_of
 from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.planning.planned_step import make_planned_step
+from rlrobot_edu.learning.resume import ResumePoint, place_of
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -103,11 +103,11 @@ def run_slices(
     )
     for first in range(0, len(log.r), size):
         part = log.part(slice(first, first + size))
-        left = agent.left or Left()
+        left = agent.resume_point or ResumePoint()
         agent.experience = x = agent.experience and with_room(
             agent.experience, len(part.r)
         )
-        agent.left = None
+        agent.resume_point = None
         at[3] = 0
         try:
             run(world, agent.memory, x, env.np_random, agent.rng, at, part)
@@ -117,7 +117,7 @@ def run_slices(
             agent.pending = None if a < 0 else (s, a)
             earlier = left.reward if env.episode_step > n else 0.0
             rewards = np.append(earlier, part.r[max(n - env.episode_step, 0) : n])
-            agent.left = Left(
+            agent.resume_point = ResumePoint(
                 env.episode_step, float(rewards.cumsum()[-1]), place_of(env)
             )
         yield n

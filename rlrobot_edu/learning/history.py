@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import all_in_range, check_parts
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.observations import Left
+from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import all_exist, expect
 
 # All other columns are integers
 DTYPES = {
@@ -64,7 +64,7 @@ class History:
         States, actions, largest reward and steps of an episode of the world.
     origin : str
         Which repetition of which experiment it is; empty for any other.
-    before : Left
+    before : ResumePoint
         Of a process that was resumed: ``before.steps``, the steps that its first episode had already had, and
         ``before.reward``, the sum of their rewards. They are not in this history, but count in `returns`, in
         `last_episode`, and in how long the rest of the episode is.
@@ -76,7 +76,7 @@ class History:
     seconds: float
     size: Size
     origin: str = ""
-    before: Left = Left()
+    before: ResumePoint = ResumePoint()
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -152,7 +152,7 @@ class History:
         """
         ends = self._ends()
         first = ends[-2] + 1 if len(ends) > 1 else 0
-        before = Left() if len(ends) > 1 else self.before
+        before = ResumePoint() if len(ends) > 1 else self.before
         last = ends[-1] if len(ends) else len(self) - 1
         after, rest = self._rest()
         goal = np.repeat(after[last : last + 1], rest[last : last + 1])
@@ -237,13 +237,13 @@ class History:
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             about["size"] = Size.of(Size(*about["size"]))
-            about["before"] = Left(*about["before"])
+            about["before"] = ResumePoint(*about["before"])
             transitions = Transitions._make(
                 arrays[name] for name in Transitions._fields
             )
             learned = Learned._make(arrays[name] for name in Learned._fields)
             history = cls(transitions=transitions, learned=learned, **about)
-            expect("history", history._parts())
+            check_parts("history", history._parts())
             return history
 
         return load_arrays(path, "history", make)
@@ -271,7 +271,7 @@ class History:
             )
             yield (
                 name,
-                is_right and (name not in limits or all_exist(column, limits[name])),
+                is_right and (name not in limits or all_in_range(column, limits[name])),
             )
 
     def _ends(self) -> np.ndarray:

@@ -10,14 +10,15 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.methods import parse_method
-from rlrobot_edu.learning.observations import WALK, Left, place_of, state_numbers
+from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
+from rlrobot_edu.learning.resume import WALK, ResumePoint, place_of
 from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 
@@ -96,8 +97,8 @@ def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[
     """The loop itself, which `steps` and `learn` share. looks: whether a step tells how its action was chosen."""
     state_number = state_numbers(env)
     for t in range(n_steps):
-        left = (agent.pending and agent.left) or Left()
-        agent.left = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
+        left = (agent.pending and agent.resume_point) or ResumePoint()
+        agent.resume_point = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
         if agent.pending is None:
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
@@ -128,7 +129,9 @@ def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[
             *selection,
         )
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
+        agent.resume_point = ResumePoint(
+            left.steps + 1, left.reward + step.r, place_of(env)
+        )
         yield step
 
 
@@ -197,8 +200,8 @@ def learn(
         raise ValueError(
             f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True"
         )
-    _prepare(agent, env, resume)
-    before = (agent.pending and agent.left) or Left()
+    size = _prepare(agent, env, resume)
+    before = (agent.pending and agent.resume_point) or ResumePoint()
     log = Transitions.empty(int(steps))
     n = 0
     start = time.perf_counter()
@@ -211,10 +214,16 @@ def learn(
         raise Interrupted(
             f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept."
         ) from None
-    log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
-    about = time.perf_counter() - start, Size.of(env)
+    log = log.part(slice(n))
+    if not keep:
+        log = log.without_states()
     return History(
-        agent.method.name, log, Learned.of(agent.q, agent.visits), *about, before=before
+        method=agent.method.name,
+        transitions=log,
+        learned=Learned.of(agent.q, agent.visits),
+        seconds=time.perf_counter() - start,
+        size=size,
+        before=before,
     )
 
 
@@ -273,24 +282,30 @@ def _learn(
             return
 
 
-def _prepare(agent: Agent, env: Env, resume: bool) -> None:
-    """Check that the agent fits the environment, and that there is an episode to resume, or else drop the last one."""
+def _prepare(agent: Agent, env: Env, resume: bool) -> Size:
+    """Check that the agent fits the environment, whose size is returned, and that there is an episode to resume.
+
+    Without `resume`, the last one is dropped.
+    """
     check_pair_of(agent, env)
     made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
-    found = "states {} and {} actions".format(*Size.of(env))
+    size = Size.of(env)
+    found = f"states {size.shape} and {size.n_actions} actions"
     if made_for != found:
         raise ValueError(
             f"the agent was made for {made_for}, this world has {found}; make both of one task"
         )
     if not resume:
-        agent.left = None  # first, for Ctrl-C may come between these lines
+        agent.resume_point = None  # first, for Ctrl-C may come between these lines
         agent.pending = None
-        agent.left = Left()
-    elif agent.left is None or (agent.pending and agent.left.place != place_of(env)):
+        agent.resume_point = ResumePoint()
+    elif agent.resume_point is None or (
+        agent.pending and agent.resume_point.place != place_of(env)
+    ):
         gone = "its environment was reset or stepped by somebody else since then, or this is another one"
         why = (
             gone
-            if agent.left
+            if agent.resume_point
             else "it has begun no episode, or was interrupted within a step"
         )
         raise ValueError(
@@ -300,6 +315,7 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
         # by this an agent knows whether others have acted here since
         vars(env.unwrapped)[WALK] = uuid4().int
     agent.method = parse_method(agent.method)  # as its code is now
+    return size
 
 
 def check_pair_of(agent: object, env: object) -> None:

@@ -1,6 +1,6 @@
 """Low-reward-loop evasion (LRLE): a robot that goes round in circles for nothing gets restless."""
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 
 MAX_TEMPERATURE = 50.0  # the temperature rises no further
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.jit import IS_PLAIN
+from rlrobot_edu.jit.dispatcher import IS_PLAIN
 from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 
 _NUMBERS: list[Any] = [

@@ -3,19 +3,19 @@
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from rlrobot_edu.checks import check_name, did_you_mean
+from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
 from rlrobot_edu.learning.algorithms.q_learning import Q_LEARNING
 from rlrobot_edu.learning.algorithms.sarsa import SARSA
 from rlrobot_edu.learning.algorithms.sarsa_lambda import SARSA_LAMBDA
 from rlrobot_edu.learning.algorithms.true_online_sarsa import TRUE_ONLINE_SARSA
-from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.planning.dyna import DYNA
 from rlrobot_edu.learning.selections.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.selections.least_explored import EGLE
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR
 from rlrobot_edu.learning.selections.softmax import SR
-from rlrobot_edu.task.messages import did_you_mean, known
 
 ALGORITHMS = {
     a.name: a
@@ -80,7 +80,7 @@ def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
     """What is given, or the toolkit's part of this name."""
     if isinstance(given, kind):
         return given
-    return toolkits[known(given, toolkits, kind.__name__.lower(), "the toolkit")]
+    return toolkits[check_name(given, toolkits, kind.__name__.lower(), "the toolkit")]
 
 
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:

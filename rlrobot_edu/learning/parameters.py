@@ -6,7 +6,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from rlrobot_edu.task.messages import LARGEST_NUMBER
+from rlrobot_edu.checks import LARGEST_NUMBER
 
 INFINITE = float("inf")
 Traces = Literal["reduced", "full"]

@@ -8,8 +8,7 @@ import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
-from rlrobot_edu.task.messages import check_count
-from rlrobot_edu.task.spaces import check_table
+from rlrobot_edu.checks import check_count, check_table
 from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.loop_evasion import forget_loops, watch_for_loops
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.traces import forget

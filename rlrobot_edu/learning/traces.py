@@ -1,6 +1,6 @@
 """The register of eligibility traces in an agent's memory `m`: which states have one, what they learn, how it fades."""
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 
 
 @compiled

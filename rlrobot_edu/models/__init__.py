@@ -14,8 +14,8 @@ Begin with recording.py (`Recording`, `record`) and sample_model.py. Then, as yo
 
 source.py, columns.py, data_package.py  how a recording is checked, written and read
 sampling.py, model_env.py               how an agent acts in a sample model
-planning.py                             the best that can be done in it
+value_iteration.py                      the best that can be done in it
 diagnosis.py                            what it does not know
+read_recording.py                       recordings by name, from a folder, or in the paper's own format
 
-`read_recording`, which also knows the toolkit's own recordings and the paper's format, is in formats/.
 """

@@ -14,6 +14,7 @@ from pathlib import Path
 from types import UnionType
 from typing import Any
 
+from rlrobot_edu.checks import check_numbers
 from rlrobot_edu.files import sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import CHANGED, REMEDY, from_csv, to_csv
@@ -22,7 +23,7 @@ from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
@@ -149,7 +150,11 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
             [_variable(OutputVariable, fields) for fields in values.pop("outputs")]
         )
         source = Source(
-            task_name, states, actions, numbers("rlrobot.rewards", rewards), **values
+            task_name,
+            states,
+            actions,
+            check_numbers("rlrobot.rewards", rewards),
+            **values,
         )
     except (json.JSONDecodeError, RecursionError) as error:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error

@@ -1,12 +1,10 @@
 """A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import sparse
-
-if TYPE_CHECKING:
-    from rlrobot_edu.models.sample_model import SampleModel
 
 
 class Loop(NamedTuple):
@@ -50,52 +48,45 @@ loops of high reward that rest on few samples: {len(self.loops)}
   between several       {len(self.loops) - len(one)}"""
 
 
-def diagnose(model: "SampleModel") -> Diagnosis:
-    """Look for what was not seen and for loops that look too good.
+class Suspects(NamedTuple):
+    """Pairs (s, a) that look better than their few samples can tell, see `SampleModel.diagnose`.
 
-    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's
-    mean, and there are at most three of them. Such a pair is a loop by itself if it leads back to its own
-    state; several are one if they lead from each of their states to every other (a strongly connected
-    component).
+    pair, s, s_next: arrays (n,), number of the pair, its state, and the only state that it was seen to lead to
+    samples, reward: arrays (n,), how often it was seen, and the sum of its rewards
     """
-    n_states, n_actions = model.n_states, model.n_actions
-    pair_count = model.pair_count.ravel()
-    seen = np.flatnonzero(pair_count)
-    reward = model.sum_by_pair(model.r)
-    mean_reward = reward.sum() / pair_count.sum()
 
-    first = model.offsets[seen].astype(np.intp)
-    lowest = np.minimum.reduceat(model.s_next, first)
-    highest = np.maximum.reduceat(model.s_next, first)
-    ends = np.add.reduceat(model.terminated, first) > 0
-    suspect = (
-        (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
-    )
-    suspect &= pair_count[seen] <= 3
-    s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
+    pair: NDArray[np.intp]
+    s: NDArray[np.intp]
+    s_next: NDArray[np.int64]
+    samples: NDArray[np.int64]
+    reward: NDArray[np.float64]
 
-    graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))
+
+def find_loops(suspects: Suspects, n_states: int, n_actions: int) -> tuple[Loop, ...]:
+    """The loops that suspect pairs make.
+
+    A pair is a loop by itself if it leads back to its own state. Several are one if they lead from each of their
+    states to every other (a strongly connected component).
+    """
+    pair, s, s_next, samples, reward = suspects
+    graph = sparse.csr_array((np.ones(len(s)), (s, s_next)), shape=(n_states, n_states))
     _, group = sparse.csgraph.connected_components(
         graph, directed=True, connection="strong"
     )
-    is_inside = group[s] == group[target]
+    is_inside = group[s] == group[s_next]
     # a pair that leads back to its own state is a loop by itself
-    loop = np.where(s == target, np.arange(-len(s), 0), group[s])
+    loop = np.where(s == s_next, np.arange(-len(s), 0), group[s])
     loops = []
     for number in np.unique(loop[is_inside]):
-        members = pair[is_inside & (loop == number)]
-        samples = int(pair_count[members].sum())
-        states = tuple(np.unique(members // n_actions).tolist())
-        its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
+        is_in_loop = is_inside & (loop == number)
+        its_pairs = tuple(divmod(p, n_actions) for p in pair[is_in_loop].tolist())
+        its_samples = int(samples[is_in_loop].sum())
         loops.append(
-            Loop(states, its_pairs, float(reward[members].sum() / samples), samples)
+            Loop(
+                states=tuple(np.unique(s[is_in_loop]).tolist()),
+                pairs=its_pairs,
+                reward=float(reward[is_in_loop].sum() / its_samples),
+                samples=its_samples,
+            )
         )
-    states_seen = len(np.union1d(seen // n_actions, model.s_next))
-    coverage = (
-        n_states,
-        states_seen,
-        pair_count.size,
-        len(seen),
-        int((pair_count == 1).sum()),
-    )
-    return Diagnosis(*coverage, float(mean_reward), tuple(loops))
+    return tuple(loops)

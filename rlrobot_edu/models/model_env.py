@@ -7,13 +7,13 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import check_index
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import NEVER, make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, begin, draw_outcome, draw_start, outcome
 from rlrobot_edu.seeds import ENVIRONMENT, generator
-from rlrobot_edu.task.messages import existing
 
 Info = dict[str, Any]
 
@@ -112,8 +112,8 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        s = existing("state", self.state, self.model.n_states)
-        a = existing("action", action, self.model.n_actions)
+        s = check_index("state", self.state, self.model.n_states)
+        a = check_index("action", action, self.model.n_actions)
         s_next, r, terminated = draw_outcome(
             self._tables, s, a, *self.np_random.random(2)
         )

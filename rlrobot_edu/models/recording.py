@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
@@ -18,7 +19,6 @@ from rlrobot_edu.models.data_package import (
     to_files,
 )
 from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
-from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -28,8 +28,6 @@ DTYPES = {
     "terminated": np.bool_,
     "truncated": np.bool_,
 }  # all other columns are np.int64
-
-Known = str | Path | Task | None  # a task, its name or its path
 
 
 class Recording:
@@ -134,7 +132,9 @@ class Recording:
         )
 
     @classmethod
-    def load(cls, path: str | Path, task: Known = None) -> "Recording":
+    def load(
+        cls, path: str | Path, task: str | Path | Task | None = None
+    ) -> "Recording":
         """The recording that `save` wrote.
 
         Parameters
@@ -159,72 +159,6 @@ class Recording:
         path = Path(path)
         folder = path.parent if path.name in (CSV_NAME, PACKAGE_NAME) else path
         return cls(*read_folder(folder, None if task is None else load_task(task)))
-
-    def to_minari(self, dataset_id: str, root: str | Path | None = None) -> None:
-        """Write the recording as a Minari dataset, whole or not at all.
-
-        Parameters
-        ----------
-        dataset_id : str
-            Minari's name for it, such as ``wander_1k/tosl-v0``. A dataset of this name is replaced.
-        root : str or Path, optional
-            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
-
-        Raises
-        ------
-        ValueError
-            If Minari does not take the name, or if a step begins neither an episode nor in the state in which
-            the one before has ended.
-        ImportError
-            If Minari is missing; it says what to install.
-
-        Notes
-        -----
-        Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data
-        package, which says what they mean, stands under ``rlrobot_edu`` in metadata.json.
-        """
-        from rlrobot_edu.models.formats import minari_dataset
-
-        minari_dataset.write(self, dataset_id, root)
-
-    @classmethod
-    def from_minari(
-        cls, dataset_id: str, root: str | Path | None = None, task: Known = None
-    ) -> "Recording":
-        """The recording in a Minari dataset on this computer; nothing is downloaded.
-
-        Parameters
-        ----------
-        dataset_id : str
-            Its name, such as ``wander_1k/tosl-v0``. It may be anybody's dataset in hdf5 whose observations
-            and actions can be counted, MultiDiscrete or Discrete.
-        root : str or Path, optional
-            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
-        task : str, Path or Task, optional
-            The task that the recording must be of; without it, another program's dataset has inputs without
-            names, and the rewards that were seen.
-
-        Returns
-        -------
-        Recording
-            Every row, checked.
-
-        Raises
-        ------
-        ValueError
-            In one sentence, for a dataset that is not whole and right or that is of another task.
-        FileNotFoundError
-            If there is no such dataset.
-        ImportError
-            If Minari is missing; it says what to install.
-        """
-        from rlrobot_edu.models.formats import minari_dataset
-
-        return cls(
-            *minari_dataset.read(
-                dataset_id, root, None if task is None else load_task(task)
-            )
-        )
 
 
 def record(

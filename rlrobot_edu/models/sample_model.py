@@ -4,19 +4,22 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import (
+    LARGEST_NUMBER,
+    all_in_range,
+    check_index,
+    check_parts,
+    check_table,
+)
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.models.diagnosis import Diagnosis, Suspects, find_loops
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
-from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
-
-if TYPE_CHECKING:
-    from rlrobot_edu.models.diagnosis import Diagnosis
 
 Unseen = Literal["uniform", "stay", "siblings"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
@@ -100,13 +103,13 @@ class SampleModel:
         limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
         numbers = (*self.shape, self.n_actions, *limits)
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
-        expect(
+        check_parts(
             "sample model", [("shape, n_actions, episode_steps or time_limit", whole)]
         )
         check_table(self.n_states, self.n_actions)
         for name, dtype in DTYPES.items():
             array = np.asarray(getattr(self, name))
-            expect(
+            check_parts(
                 "sample model",
                 [
                     (
@@ -119,7 +122,7 @@ class SampleModel:
             vars(self)[name] = np.ascontiguousarray(
                 array, dtype
             )  # one type for numba, compiled once
-        expect("sample model", self._contents())
+        check_parts("sample model", self._contents())
 
     def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
@@ -131,8 +134,11 @@ class SampleModel:
         yield "rewards", (np.diff(self.rewards) > 0).all()
         yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
-        yield "s_next", all_exist(self.s_next, self.n_states)
-        yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
+        yield "s_next", all_in_range(self.s_next, self.n_states)
+        yield (
+            "starts",
+            len(self.starts) > 0 and all_in_range(self.starts, self.n_states),
+        )
         yield (
             "offsets",
             len(self.offsets) == self.n_states * self.n_actions + 1
@@ -145,7 +151,7 @@ class SampleModel:
         # floats add numbers below 2**53, too, and differences of larger ones turn round
         yield (
             "cumulative",
-            len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53),
+            len(self.cumulative) == outcomes and all_in_range(self.cumulative, 2**53),
         )
         yield "cumulative", (self.count >= 1).all()
 
@@ -276,56 +282,53 @@ class SampleModel:
             If there is no such state or action.
         """
         s, a = (
-            existing("state", s, self.n_states),
-            existing("action", a, self.n_actions),
+            check_index("state", s, self.n_states),
+            check_index("action", a, self.n_actions),
         )
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
         columns = (self.s_next, self.r, self.terminated, self.count)
         return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
-    def diagnose(self) -> "Diagnosis":
+    def diagnose(self) -> Diagnosis:
         """What the model does not know, and where it may promise too much.
+
+        A pair is suspect if all its recorded outcomes lead to one state, with a mean reward above the recording's
+        mean, and there are at most three of them. See `Loop` for what suspect pairs can make.
 
         Returns
         -------
         Diagnosis
             Coverage and suspect loops; it shows itself in words.
         """
-        from rlrobot_edu.models.diagnosis import diagnose
+        pair_count = self.pair_count.ravel()
+        reward = self.sum_by_pair(self.r)
+        mean_reward = reward.sum() / pair_count.sum()
 
-        return diagnose(self)
-
-    def best_average_reward(self) -> float:
-        r"""The largest average reward a step that a policy can reach in the model, a ruler for curves.
-
-        .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
-
-        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its
-        goal counted as in `History.last_episode`.
-
-        Returns
-        -------
-        float
-            The average reward.
-
-        Raises
-        ------
-        ValueError
-            If its episodes are too long to plan.
-
-        Notes
-        -----
-        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next
-        episode begins in one of the starts. It is right to about 1e-8 of the largest reward for each step
-        that a detour takes.
-
-        References
-        ----------
-        Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
-        """
-        from rlrobot_edu.models.planning import best_average_reward
-
-        return best_average_reward(self)
+        seen = np.flatnonzero(pair_count)
+        first = self.offsets[seen].astype(np.intp)
+        lowest = np.minimum.reduceat(self.s_next, first)
+        highest = np.maximum.reduceat(self.s_next, first)
+        ends = np.add.reduceat(self.terminated, first) > 0
+        is_certain = (lowest == highest) & ~ends
+        is_good = reward[seen] / pair_count[seen] > mean_reward
+        is_rare = pair_count[seen] <= 3
+        is_suspect = is_certain & is_good & is_rare
+        suspects = Suspects(
+            pair=seen[is_suspect],
+            s=seen[is_suspect] // self.n_actions,
+            s_next=lowest[is_suspect],
+            samples=pair_count[seen[is_suspect]],
+            reward=reward[seen[is_suspect]],
+        )
+        return Diagnosis(
+            n_states=self.n_states,
+            states_seen=len(np.union1d(seen // self.n_actions, self.s_next)),
+            n_pairs=pair_count.size,
+            pairs_seen=len(seen),
+            pairs_seen_once=int((pair_count == 1).sum()),
+            mean_reward=float(mean_reward),
+            loops=find_loops(suspects, self.n_states, self.n_actions),
+        )
 
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all.

@@ -3,7 +3,7 @@
 from collections import namedtuple
 from dataclasses import fields
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS = UNSEEN.index("stay"), UNSEEN.index("siblings")

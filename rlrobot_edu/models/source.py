@@ -9,12 +9,12 @@ import gymnasium
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rlrobot_edu.checks import check_count, check_numbers, first_difference
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_count, difference
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 from rlrobot_edu.version import __version__
 
 # Version of the toolkit and kind of computer, of a recording made now.
@@ -54,7 +54,7 @@ class Source:
     time_limit: int | None = None
 
     def __post_init__(self) -> None:
-        numbers("the rewards of a recording", self.rewards, finite=True)
+        check_numbers("the rewards of a recording", self.rewards, finite=True)
         if self.step_time is not None and not 0 < self.step_time < math.inf:
             raise ValueError(
                 f"the step_time of a recording must be None or above 0, got {self.step_time}"
@@ -103,7 +103,9 @@ class Source:
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
-        differ = difference(self._facts(), Source.of_task(task)._facts(), "recording")
+        differ = first_difference(
+            self._facts(), Source.of_task(task)._facts(), "recording"
+        )
         return differ and f"{differ} in the task"
 
     def _facts(self) -> dict[str, object]:

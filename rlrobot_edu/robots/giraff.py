@@ -1,27 +1,12 @@
 """Giraff: a telepresence robot, a screen on a mast, that keeps its distance from walls."""
 
-import math
 from collections.abc import Mapping
 
-import numpy as np
-
-from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
+from rlrobot_edu.robots.chassis import GIRAFF
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
-RADIUS = 0.23  # [m]; it just covers the wheels
-_RIM = tuple(
-    (RADIUS * math.cos(t), RADIUS * math.sin(t), t) for t in np.arange(8) * math.pi / 4
-)
-GIRAFF = Chassis(
-    0.075,
-    wheel_separation=0.46,
-    axle=0.0,
-    lasers=_RIM,
-    inset=RADIUS,
-    hull=(),
-    radius=RADIUS,
-)
 STOP_DISTANCE = 0.18  # [m]
 
 

@@ -2,8 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from itertools import chain
-from typing import NamedTuple
 
 import numpy as np
 import pymunk
@@ -13,91 +11,16 @@ from pymunk._chipmunk import (
 )  # pymunk's library in C: its own wrappers take longer than the physics
 
 from rlrobot_edu.robots.arenas import Place, arena_of
+from rlrobot_edu.robots.chassis import PIONEER, Chassis, laser_beams
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
 
-
-class Chassis(NamedTuple):
-    """Dimensions of a robot on two wheels [m], in the frame whose x, y and theta it senses: x ahead, y to the left.
-
-    wheel_radius, wheel_separation: size and distance of the wheels
-    axle: x of the point midway between the wheels, about which the robot turns on the spot
-    lasers: place and direction (x, y, angle [rad]) of each laser, in the order of LASERS
-    inset: how far behind its laser a ray begins: inside the body, so that a wall in contact is seen
-    hull: corners of the body's outline, counter-clockwise; without any it is a disc
-    radius: of the disc, or of the circle about the frame in which the hull fits
-    """
-
-    wheel_radius: float
-    wheel_separation: float
-    axle: float
-    lasers: tuple[tuple[float, float, float], ...]
-    inset: float
-    hull: tuple[tuple[float, float], ...]
-    radius: float
-
-    def body(self) -> tuple[str, tuple[float, ...]]:
-        """Shape and size of the body as a `Solid`."""
-        if not self.hull:
-            return "cylinder", (self.radius, BODY_HEIGHT)
-        return "prism", (*chain(*self.hull), BODY_HEIGHT)
-
-    def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
-        """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
-        left, right = (wheels[wheel] for wheel in WHEELS)
-        v = self.wheel_radius * (left + right) / 2
-        return v, self.wheel_radius * (right - left) / self.wheel_separation
-
-    def wheel_speeds(self, v: float, omega: float) -> dict[str, float]:
-        """Speeds of the wheels [rad/s] with which the robot drives at v [m/s] and turns at ω [rad/s]."""
-        aside = omega * self.wheel_separation / 2
-        speeds = (v - aside) / self.wheel_radius, (v + aside) / self.wheel_radius
-        return dict(zip(WHEELS, speeds, strict=True))
-
-
-_LEFT = (
-    (0.260, 0.045),
-    (0.225, 0.140),
-    (0.135, 0.208),
-    (-0.099, 0.200),
-    (-0.199, 0.150),
-    (-0.259, 0.050),
-)
-_LASER_X = (0.220, 0.194, 0.0, -0.194, -0.220, -0.194, 0.0, 0.194)
-_LASER_Y = (0.0, 0.094, 0.170, 0.094, 0.0, -0.094, -0.170, -0.094)
-PIONEER = Chassis(  # measured in the paper's V-REP scenes
-    wheel_radius=0.0975,
-    wheel_separation=0.331,
-    axle=0.045,
-    lasers=tuple(
-        (x, y, i * math.pi / 4)
-        for i, (x, y) in enumerate(zip(_LASER_X, _LASER_Y, strict=True))
-    ),
-    inset=0.02,
-    hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
-    radius=0.265,
-)
-LASER_HEIGHT, BODY_HEIGHT = (
-    0.20,
-    0.16,
-)  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
 _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
-
-
-def beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
-    """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
-    here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
-    ends = [
-        here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0)
-        for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True)
-        for r in (0, readings[laser])
-    ]
-    return np.reshape(ends, (-1, 2, 4))[:, :, :3]
 
 
 class MobileBase(SimulatedRobot):
@@ -130,24 +53,18 @@ class MobileBase(SimulatedRobot):
         super().__init__(ROBOTS[self.name])
         realism = realism or Realism()
         realism.check(self._card, "pymunk", step_time)
-        self.chassis, self._step_time = chassis or self.chassis, step_time
-        self.arena, self._friction = arena_of(scene), realism.wall_friction
-        self._times = [
-            seconds for seconds in (realism.lag, step_time - realism.lag) if seconds
-        ]
-        inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
+        self.chassis = chassis or self.chassis
+        self.arena = arena_of(scene)
+        self._step_time = step_time
+        self._lag = realism.lag
+        self._friction = realism.wall_friction
+        inset = self.chassis.inset
+        reach = inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there
         for laser, (x, y, angle) in zip(LASERS, self.chassis.lasers, strict=True):
             ahead, aside = math.cos(angle), math.sin(angle)
-            self._rays.append(
-                (
-                    laser,
-                    x - inset * ahead,
-                    y - inset * aside,
-                    reach * ahead,
-                    reach * aside,
-                )
-            )
+            start = x - inset * ahead, y - inset * aside
+            self._rays.append((laser, *start, reach * ahead, reach * aside))
         self.reset()
 
     def _begin(self, rng: np.random.Generator) -> None:
@@ -162,16 +79,16 @@ class MobileBase(SimulatedRobot):
         # Its position is that of the axle: so the wheels' velocities are the body's own.
         axle, radius = self.chassis.axle, self.chassis.radius
         hull = [(x - axle, y) for x, y in self.chassis.hull]
-        moment = (
-            pymunk.moment_for_poly(1.0, hull)
-            if hull
-            else pymunk.moment_for_circle(1.0, 0.0, radius)
-        )
-        self._body = pymunk.Body(1.0, moment)
-        self._outline = (
-            pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
-        )
-        self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
+        self._outline: pymunk.Shape
+        if hull:
+            self._body = pymunk.Body(1.0, pymunk.moment_for_poly(1.0, hull))
+            self._outline = pymunk.Poly(self._body, hull)
+        else:
+            moment = pymunk.moment_for_circle(1.0, 0.0, radius)
+            self._body = pymunk.Body(1.0, moment)
+            self._outline = pymunk.Circle(self._body, radius)
+        self._outline.friction = self._friction
+        self._outline.filter = _NOT_ITSELF
         self._space.add(self._body, self._outline)
         x, y, theta = self.arena.start
         self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
@@ -181,17 +98,13 @@ class MobileBase(SimulatedRobot):
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
-        space, body, outline = (
-            self._space._space,
-            self._body._body,
-            self._outline._shape,
-        )
+        space, body = self._space._space, self._body._body
+        outline = self._outline._shape
         chipmunk.cpSpaceRemoveShape(space, outline)
         chipmunk.cpSpaceAddShape(space, outline)
-        for wheels, seconds in zip(
-            (self._former, command)[-len(self._times) :], self._times, strict=True
-        ):
-            self._roll(*self.chassis.twist(wheels), seconds)
+        if self._lag:
+            self._roll(*self.chassis.twist(self._former), self._lag)
+        self._roll(*self.chassis.twist(command), self._step_time - self._lag)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
@@ -304,6 +217,6 @@ class MobileBase(SimulatedRobot):
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
         return Scene(
             self.arena.solids() + robot,
-            beams(self._readings, self.chassis),
+            laser_beams(self._readings, self.chassis),
             self.arena.bounds,
         )

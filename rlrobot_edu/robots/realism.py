@@ -1,6 +1,5 @@
 """What an ideal simulator leaves out, on request: noise, wheels that slip, commands that come late, walls that hold."""
 
-import math
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,12 +7,10 @@ from typing import Self
 
 import numpy as np
 
+from rlrobot_edu.checks import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.messages import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.task.robot_cards import LASERS, RobotCard
-
-ODOMETRY = ("x", "y", "theta")
 
 
 @dataclass(frozen=True)
@@ -24,8 +21,6 @@ class Realism:
     ----------
     laser_noise : float [m]
         Standard deviation of each laser reading.
-    odometry_noise : float [m], [rad]
-        Standard deviation of x and y and of theta, afresh in each reading: it does not add up.
     wheel_slip : float
         Standard deviation of each wheel's, or joint's, speed relative to the one commanded.
     delay : int
@@ -46,7 +41,6 @@ class Realism:
     """
 
     laser_noise: float = 0.0
-    odometry_noise: float = 0.0
     wheel_slip: float = 0.0
     delay: int = 0
     lag: float = 0.0
@@ -64,13 +58,7 @@ class Realism:
         return cls(lag=0.1, wall_friction=0.72)
 
     def __post_init__(self) -> None:
-        for name in (
-            "laser_noise",
-            "odometry_noise",
-            "wheel_slip",
-            "lag",
-            "wall_friction",
-        ):
+        for name in ("laser_noise", "wheel_slip", "lag", "wall_friction"):
             check_between(name, getattr(self, name), 0, LARGEST_NUMBER)
         check_count("delay", self.delay, least=0)
 
@@ -101,10 +89,6 @@ class Realism:
                 card.sensors.keys() >= {*LASERS},
                 "this robot has no lasers",
             ),
-            "odometry_noise": (
-                card.sensors.keys() >= {*ODOMETRY},
-                "this robot measures no x, y and theta",
-            ),
             "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
             "lag": on_wheels,
             "wall_friction": on_wheels,
@@ -131,10 +115,6 @@ class RealisticRobot(SimulatedRobot):
     def __init__(self, robot: Robot, card: RobotCard, realism: Realism) -> None:
         super().__init__(card)
         self._robot, self._realism = robot, realism
-        noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))
-        self._noisy = [
-            (name, sigma) for names, sigma in noise if sigma for name in names
-        ]
 
     def _begin(self, rng: np.random.Generator) -> None:
         self._on_the_way = deque(
@@ -155,19 +135,16 @@ class RealisticRobot(SimulatedRobot):
 
     def _slipped(self, name: str, speed: float) -> float:
         _, low, high = self._card.commands[name]
-        return min(
-            max(speed * (1 + self._rng.normal(0.0, self._realism.wheel_slip)), low),
-            high,
-        )
+        slip = self._rng.normal(0.0, self._realism.wheel_slip)
+        return min(max(speed * (1 + slip), low), high)
 
     def _sense(self) -> dict[str, float]:
         readings = self._robot.readings
-        for sensor, sigma in self._noisy:
-            unit, low, high = self._card.sensors[sensor]
-            value = readings[sensor] + self._rng.normal(0.0, sigma)
-            if unit == "rad":
-                value = math.remainder(value, 2 * math.pi)
-            readings[sensor] = min(max(value, low), high)
+        if self._realism.laser_noise:
+            for laser in LASERS:
+                _, low, high = self._card.sensors[laser]
+                noise = self._rng.normal(0.0, self._realism.laser_noise)
+                readings[laser] = min(max(readings[laser] + noise, low), high)
         return readings
 
     def scene(self) -> Scene:

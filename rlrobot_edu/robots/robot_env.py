@@ -5,19 +5,19 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import cache, cached_property, partial
 from inspect import signature
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.checks import check_index, check_name
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.kernel_robot import kernels_of, world_of
+from rlrobot_edu.robots.engines.kinematic.robot import kernels_of, world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator
-from rlrobot_edu.task.messages import existing, known
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
 
@@ -64,7 +64,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
     """
 
-    metadata = {"render_modes": [*get_args(RenderMode)], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, *get_args(RenderMode)):
+        if render_mode not in (None, "rgb_array"):
             advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.meshcat"
             raise ValueError(
                 f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}"
@@ -198,7 +198,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        command = self._commands[existing("action", action, len(self._commands))]
+        command = self._commands[check_index("action", action, len(self._commands))]
         before = self._readings
         observation, info = self._see(self.robot.act(command))
         reward = self.task.reward_for(before, self._readings)
@@ -328,7 +328,7 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         if one != "realism"
     ]
     for option in options:
-        known(
+        check_name(
             option,
             ["engine", "realism", "render_mode", "link", *its_own],
             "setting",

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from PIL import Image
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
@@ -19,7 +20,6 @@ from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.show.picture import FEW_COLOURS, png_of
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera
-from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer

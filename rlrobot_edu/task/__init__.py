@@ -11,8 +11,7 @@ Task                            inputs, outputs, reward and the robot: the learn
 `Drawing` is a room drawn with characters, for a task with a world of its own (drawing.py).
 
 The functions: `load_task` reads a task from its file, `available_tasks` names those that come along (task_file.py).
-Task files share how wheels are commanded and what is rewarded (reward_parts.py), error messages their words
-(messages.py).
+Task files share rewards.py and wheel_commands.py.
 
 Begin with ``tasks/wander_simple.py``, which is a whole task on one page; then variables.py, spaces.py, task.py.
 """

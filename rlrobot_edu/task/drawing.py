@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rlrobot_edu.task.messages import check_between
+from rlrobot_edu.checks import check_between
 
 WALL, FREE, GOAL = "#", ".", "G"
 HEADINGS = {">": 0.0, "^": math.pi / 2, "<": math.pi, "v": -math.pi / 2}  # [rad]

@@ -12,20 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.checks import check_index
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
-
-MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
-
-
-def check_table(n_states: int, n_actions: int) -> int:
-    """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
-    if n_states * n_actions > MOST_PAIRS:
-        limit = f"at most {MOST_PAIRS:,} pairs; use fewer inputs, outputs or bins"
-        raise ValueError(
-            f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}"
-        )
-    return n_states * n_actions
 
 
 def _span(
@@ -48,7 +36,7 @@ def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Place along each axis of `shape` of the state or action (`kind`) with this number."""
     return tuple(
         int(i)
-        for i in np.unravel_index(existing(kind, number, math.prod(shape)), shape)
+        for i in np.unravel_index(check_index(kind, number, math.prod(shape)), shape)
     )
 
 

@@ -8,11 +8,19 @@ from typing import Any
 
 import cloudpickle
 
+from rlrobot_edu.checks import (
+    check_between,
+    check_count,
+    check_name,
+    check_numbers,
+    check_table,
+    describe_error,
+    file_and_line,
+)
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_between, check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
-from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
-from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
+from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
 
 # the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
 STEP_TIME = (1e-6, 600.0)
@@ -88,13 +96,13 @@ class Task:
 
     def __post_init__(self) -> None:
         card, owner = (
-            ROBOTS[known(self.robot, ROBOTS, "robot", "a task")],
+            ROBOTS[check_name(self.robot, ROBOTS, "robot", "a task")],
             f"robot {self.robot!r}",
         )
         if isinstance(self.scene, Drawing) and card.size:
             self.scene.check_start(*card.size)
         else:
-            known(self.scene, card.scenes, "scene", owner)
+            check_name(self.scene, card.scenes, "scene", owner)
         inputs = []
         for v in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, v, owner)
@@ -109,7 +117,7 @@ class Task:
             function = getattr(self, name)
             if not callable(function) and (function is not None or name == "reward"):
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
-        rewards = numbers("rewards", self.rewards, finite=True)
+        rewards = check_numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
             advice = f"add a number to {rewards!s:.200}"
             raise ValueError(
@@ -215,9 +223,9 @@ class Task:
             Exception,
             SystemExit,
         ) as error:  # the task's own function may raise anything
-            mistake = in_words(error, given[-1])
+            mistake = describe_error(error, given[-1])
             raise ValueError(
-                f"{where(self.path, error)}: {what} failed: {mistake}"
+                f"{file_and_line(self.path, error)}: {what} failed: {mistake}"
             ) from error
 
     def __getstate__(self) -> bytes:
@@ -246,7 +254,7 @@ def _quantity(
     kind: str, quantities: Mapping[str, Quantity], variable: Variable, owner: str
 ) -> Quantity:
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
-    quantity = quantities[known(variable.name, quantities, kind, owner)]
+    quantity = quantities[check_name(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
         units = f"the robot's unit is {quantity.unit!r}, not {variable.unit!r}"
         raise ValueError(f"{kind} {variable.name!r}: {units}")

@@ -6,8 +6,8 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
+from rlrobot_edu.checks import check_name, describe_error, file_and_line
 from rlrobot_edu.files import sha256, shipped
-from rlrobot_edu.task.messages import in_words, known, where
 from rlrobot_edu.task.task import Task
 
 
@@ -59,7 +59,7 @@ def load_task(task: str | Path | Task) -> Task:
     if not is_own:
         path = (
             shipped("tasks")
-            / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+            / f"{check_name(str(task), available_tasks(), 'task', 'the toolkit')}.py"
         )
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
@@ -80,9 +80,11 @@ def _task_of(path: Path, text: bytes) -> Task:
     except (
         ValueError
     ) as error:  # most likely one of our own sentences, which says it all
-        raise ValueError(f"{where(path, error)}: {error}") from None
+        raise ValueError(f"{file_and_line(path, error)}: {error}") from None
     except (Exception, SystemExit) as error:  # a task's file may raise anything
-        raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
+        raise ValueError(
+            f"{file_and_line(path, error)}: {describe_error(error)}"
+        ) from error
     finally:
         sys.modules.pop(module.__name__, None)
     defined: object = getattr(module, "task", None)

@@ -2,40 +2,16 @@
 
 import math
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import islice, pairwise
+from itertools import pairwise
 
-from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
-
-MOST_BINS = 100_000  # of one variable
-
-
-def numbers(
-    what: str, given: Sequence[float], finite: bool = False
-) -> tuple[float, ...]:
-    """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
-    try:
-        if isinstance(given, str | bytes | bytearray | Mapping):
-            raise TypeError("its letters or keys are not meant")
-        # unlike float(), ldexp takes no text
-        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))
-    except (TypeError, ValueError, OverflowError):
-        raise ValueError(
-            f"{what} must be a list of numbers, got {given!r:.200}"
-        ) from None
-    if len(floats) > MOST_BINS:
-        raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
-    if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        raise ValueError(
-            f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}"
-        )
-    return floats
+from rlrobot_edu.checks import MOST_BINS, check_index, check_numbers
 
 
 def _different(what: str, given: Sequence[float]) -> tuple[float, ...]:
     """The given numbers, finite and each another one. Raises ValueError that says `what`."""
-    values = numbers(what, given, finite=True)
+    values = check_numbers(what, given, finite=True)
     if len(set(values)) < len(values):
         raise ValueError(
             f"{what} must be different from one another, got {list(values)!s:.200}"
@@ -110,7 +86,7 @@ class InputVariable:
     def __post_init__(self) -> None:
         owner = f"input {self.name!r:.200}"
         _check_texts(owner, self.name, self.unit)
-        numbers(f"{owner}: low and high", (self.low, self.high))
+        check_numbers(f"{owner}: low and high", (self.low, self.high))
         given = [
             kind
             for kind in ("cuts", "sectors", "values")
@@ -122,7 +98,7 @@ class InputVariable:
                 f"{owner}: give exactly one of cuts, sectors and values, not {found}"
             )
         if self.cuts is not None:
-            vars(self)["cuts"] = cuts = numbers(
+            vars(self)["cuts"] = cuts = check_numbers(
                 f"{owner}: cuts", self.cuts, finite=True
             )
             got = f"got {list(cuts)!s:.200}"
@@ -212,7 +188,7 @@ class InputVariable:
         ValueError
             If there is no such bin.
         """
-        index = existing("bin", index, self.n_bins)
+        index = check_index("bin", index, self.n_bins)
         if self.values is not None:
             value = self.values[index]
             return Bin(index, value, value, self.unit, value)

@@ -1,8 +1,8 @@
 """A method that sees nothing: where it earns much, the reward does not ask for what was meant."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.algorithms.true_online_sarsa import update
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.selections.softmax import softmax_regression
 

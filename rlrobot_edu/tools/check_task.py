@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from scipy import stats
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.experiments.repeat import repeat
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
-from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from packaging.requirements import Requirement
 
 import rlrobot_edu
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 
 NAME = "rlrobot-edu"
 WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
@@ -33,7 +33,7 @@ WITHOUT = {
     "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
     "ros": "no bag of ROS can be read, or no robot driven or served over rosbridge",
     "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",
-    "all": "recording.to_minari and rl.Recording.from_minari do not work, and Dask's clusters are missing",
+    "all": "Dask's clusters are missing",
 }
 
 
@@ -117,7 +117,7 @@ def _python() -> Finding:
 
 def _package() -> Finding:
     """The package's version, and where it lies; what pip knows of it may be older than what runs."""
-    says = f"{rlrobot_edu.__version__} in {jit.PACKAGE}"
+    says = f"{rlrobot_edu.__version__} in {dispatcher.PACKAGE}"
     try:
         version = metadata.version(NAME)
     except metadata.PackageNotFoundError:
@@ -135,14 +135,16 @@ def _package() -> Finding:
 
 
 def _kernels() -> Finding:
-    if jit.numba is None or jit.IS_PLAIN:
-        why = "without numba" if jit.numba is None else "as NUMBA_DISABLE_JIT says"
+    if dispatcher.numba is None or dispatcher.IS_PLAIN:
+        why = (
+            "without numba" if dispatcher.numba is None else "as NUMBA_DISABLE_JIT says"
+        )
         return Finding(
             "kernels", f"plain Python, {why}: the same numbers, some 100 times as slow"
         )
-    folder = jit.cache_folder()
+    folder = dispatcher.cache_folder()
     if folder is None:
-        to_do = f"Make {jit.PACKAGE / '__pycache__'} or ~/.cache writable, so that compiled kernels can be kept."
+        to_do = f"Make {dispatcher.PACKAGE / '__pycache__'} or ~/.cache writable, so that compiled kernels can be kept."
         return Finding(
             "kernels",
             "compiled anew by every process: no place to keep them is writable",

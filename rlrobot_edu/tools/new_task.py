@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from string import Template
 
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
 TEMPLATES = (
@@ -43,7 +43,7 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
         )
         raise ValueError(f"the name of a task is made of {expected}; got {name!r:.200}")
     card, path = (
-        ROBOTS[known(robot, ROBOTS, "robot", "a task")],
+        ROBOTS[check_name(robot, ROBOTS, "robot", "a task")],
         Path(folder, f"{name}.py"),
     )
     if path.exists():

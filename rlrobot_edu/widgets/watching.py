@@ -9,6 +9,7 @@ from typing import cast
 
 from IPython.display import display
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import watched
@@ -18,7 +19,6 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d.visualizer import meshcat
 from rlrobot_edu.show.scenes import robot_of
-from rlrobot_edu.task.messages import check_count
 
 LAST = 100  # steps that a saved notebook keeps of those that were watched
 

@@ -7,7 +7,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from rlrobot_edu.robots.mobile_base import Chassis, beams
+from rlrobot_edu.robots.chassis import Chassis, laser_beams
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
@@ -251,7 +251,7 @@ class RobotLink(Robot):
             Solid("robot/nose", "box", (0.14, 0.06, 0.04), front, "robot"),
         )
         bounds = (x - LASER_RANGE, y - LASER_RANGE, x + LASER_RANGE, y + LASER_RANGE)
-        return Scene(solids, beams(readings, self._chassis), bounds)
+        return Scene(solids, laser_beams(readings, self._chassis), bounds)
 
     def close(self) -> None:
         """Stop the robot and end the connection; `reset` connects again."""

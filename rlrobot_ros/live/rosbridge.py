@@ -16,7 +16,7 @@ from contextlib import ExitStack
 from types import SimpleNamespace
 from typing import Any
 
-from rlrobot_edu.task.messages import in_words
+from rlrobot_edu.checks import describe_error
 
 try:
     from websockets.exceptions import ConnectionClosed, WebSocketException
@@ -65,7 +65,8 @@ class Rosbridge:
         # ValueError: a name or a port that cannot be
         except (OSError, EOFError, ValueError, WebSocketException) as error:
             raise ConnectionError(
-                f"no rosbridge answers at {address} ({in_words(error)}); is it running on the robot? Start it with "
+                f"no rosbridge answers at {address} ({describe_error(error)}); is it running on the robot? "
+                "Start it with "
                 "roslaunch rosbridge_server rosbridge_websocket.launch (ROS 1) or "
                 "ros2 launch rosbridge_server rosbridge_websocket_launch.xml (ROS 2)"
             ) from None
@@ -126,7 +127,7 @@ class Rosbridge:
             elif received.op == "status" and received.level == "error":
                 self.errors.append(f"{received.msg!s:.500}")
         except Exception as error:  # the next message may be better
-            self.errors.append(in_words(error))
+            self.errors.append(describe_error(error))
 
 
 def _opened(address: str) -> Any:

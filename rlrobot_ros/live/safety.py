@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_ros.scan import (
     GAP,
     LaserScan,

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.task import Task
 from rlrobot_ros.drive import check_view
 from rlrobot_ros.live.latest_message import LatestMessage

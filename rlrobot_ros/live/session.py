@@ -3,7 +3,7 @@
 import threading
 from dataclasses import dataclass
 
-from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.task import Task
 from rlrobot_ros.live.controller import PERIOD, Controller, Limits
 from rlrobot_ros.live.guardian import Guardian

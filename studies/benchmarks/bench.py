@@ -22,15 +22,15 @@ from pathlib import Path
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.memory import new_memory
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
-from rlrobot_edu.robots.mobile_base import PIONEER
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))

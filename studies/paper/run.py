@@ -28,7 +28,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.formats.reading import read_recording
+from rlrobot_edu.models.read_recording import read_recording
 from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.robot_cards import ROBOTS

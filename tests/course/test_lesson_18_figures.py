@@ -8,8 +8,7 @@ import pytest
 
 from rlrobot_course.lesson_18 import exercises
 from rlrobot_course.lesson_18.scans import plot_scan
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.robots.chassis import GIRAFF, PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_ros import RobotLink, ServedRobot
 from rlrobot_ros.live.controller import MAX_AGE

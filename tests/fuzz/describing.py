@@ -58,7 +58,7 @@ planning = program(
     "usable_model(made)",
     some(
         call("rl.value_iteration", value("made"), gamma=value("0.9", "0"), tolerance=value("1e-9", "1e-300")),
-        call("made.best_average_reward"),
+        call("best_average_reward", value("made")),
         call("made.diagnose", value("3")), call("made.outcomes", STATE, ACTION),
     ),
 )  # fmt: skip

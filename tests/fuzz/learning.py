@@ -51,7 +51,6 @@ agents = program(
 weak = call(
     "realism = rl.Realism",
     laser_noise=NUMBER,
-    odometry_noise=NUMBER,
     wheel_slip=NUMBER,
     delay=value("1", "5"),
 )

@@ -7,7 +7,7 @@ import pytest
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.models.planning import expected_outcomes
+from rlrobot_edu.models.value_iteration import best_average_reward, expected_outcomes
 
 
 def best_of_all_policies(model):
@@ -45,7 +45,7 @@ def random_model(seed, unseen, p_end=0.0, rows=14):
 def test_no_policy_of_a_random_model_is_better_and_one_is_as_good(seed, unseen):
     for p_end in (0.0, 0.3):
         model = random_model(seed, unseen, p_end)
-        assert model.best_average_reward() == pytest.approx(
+        assert best_average_reward(model) == pytest.approx(
             best_of_all_policies(model), abs=1e-5
         )
 
@@ -61,7 +61,7 @@ def test_the_best_loop_counts_only_as_far_as_it_can_be_reached():
     model = rl.SampleModel.from_recording(
         recording_of(rows[:3], rewards=(-1.0, 0.0, 5.0)), unseen="stay"
     )
-    assert model.best_average_reward() == pytest.approx(0.0, abs=1e-5)
+    assert best_average_reward(model) == pytest.approx(0.0, abs=1e-5)
 
     lottery = [
         (0, 0, 0.0, 2, 0),
@@ -72,13 +72,13 @@ def test_the_best_loop_counts_only_as_far_as_it_can_be_reached():
     ]
     model = rl.SampleModel.from_recording(recording_of(lottery), unseen="stay")
     model = model.__class__(**{**vars(model), "starts": np.array([0])})
-    assert model.best_average_reward() == pytest.approx((5 - 1) / 2, abs=1e-5)
+    assert best_average_reward(model) == pytest.approx((5 - 1) / 2, abs=1e-5)
 
 
 def test_a_circle_that_pays_only_now_and_then_is_averaged():
     circle = [(s, 0, 5.0 if s == 5 else 0.0, (s + 1) % 6, 0) for s in range(6)]
     model = rl.SampleModel.from_recording(recording_of(circle), unseen="stay")
-    assert model.best_average_reward() == pytest.approx(5 / 6, abs=1e-5)
+    assert best_average_reward(model) == pytest.approx(5 / 6, abs=1e-5)
 
 
 def test_an_episode_counts_its_goal_for_the_rest_of_its_time():
@@ -87,11 +87,11 @@ def test_an_episode_counts_its_goal_for_the_rest_of_its_time():
     model = model.__class__(
         **{**vars(model), "episode_steps": 10, "starts": np.array([0])}
     )
-    assert model.best_average_reward() == pytest.approx((0 + 9 * 5) / 10)
+    assert best_average_reward(model) == pytest.approx((0 + 9 * 5) / 10)
 
 
 def test_the_optimum_of_the_course_model_is_above_what_agents_reach(wander_model):
-    best = wander_model.best_average_reward()
+    best = best_average_reward(wander_model)
     assert 8 < best <= wander_model.r_max + 1e-9
     assert (
         rl.repeat(wander_model, repetitions=3, steps=3600)[0].average_reward[-1] < best

@@ -23,6 +23,7 @@ from worlds import RandomWorld, recording_of
 import rlrobot_edu as rl
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.models.sample_model import DTYPES
+from rlrobot_edu.models.value_iteration import best_average_reward
 
 TASK = '''"""A task of my own."""
 import rlrobot_edu as rl
@@ -124,7 +125,7 @@ def test_a_function_is_known_by_what_it_does_and_by_what_it_reaches():
         exec(text, namespace)
         return code_of(namespace["f"])
 
-    from rlrobot_edu.learning.fingerprint import code_of
+    from rlrobot_edu.jit.fingerprint import code_of
 
     one = "def g(x):\n    return x > LIMIT\ndef f(x):\n    return g(x) + 1"
     assert made(1, one) == made(1, "\n\n" + one)
@@ -140,7 +141,7 @@ def test_a_function_is_known_by_what_it_does_and_by_what_it_reaches():
         == 4
     )
     command = f"exec({one!r}, space := {{'LIMIT': 1}})\nprint(code_of(space['f']))"
-    command = f"from rlrobot_edu.learning.fingerprint import code_of\n{command}"
+    command = f"from rlrobot_edu.jit.fingerprint import code_of\n{command}"
     assert subprocess.check_output(
         [sys.executable, "-c", command], text=True
     ).strip() == made(1, one)
@@ -477,7 +478,7 @@ def test_plans_end_and_scale_with_the_rewards(scale):
     model = rl.SampleModel.from_recording(
         recording_of(rows, shape=(2, 1), rewards=rewards), unseen="stay"
     )
-    assert model.best_average_reward() == pytest.approx(2.5 * scale)
+    assert best_average_reward(model) == pytest.approx(2.5 * scale)
     assert (
         rl.value_iteration(model, 0.5).v[1]
         == pytest.approx(2 * scale * 5 / 3, rel=1e-6)

@@ -13,7 +13,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 from rlrobot_edu.tools import doctor
 from rlrobot_edu.tools.commands import main
 
@@ -92,7 +92,7 @@ def test_a_healthy_installation_is_well_and_names_all_that_the_package_needs(cap
         main(["doctor"])
     text = capsys.readouterr().out
     assert not end.value.code
-    assert f"{rl.__version__} in {jit.PACKAGE}" in text and (
+    assert f"{rl.__version__} in {dispatcher.PACKAGE}" in text and (
         "All is well." in text or "What to do:" in text
     )
 
@@ -108,8 +108,8 @@ def test_a_part_of_an_extra_that_is_missing_is_named_with_what_it_disables(absen
 
 
 def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
-    absent("h5py")  # minari[hdf5]
-    assert "h5py is missing" in said("all").says
+    absent("websockets")  # rlrobot-edu[ros]
+    assert "websockets is missing" in said("all").says
 
 
 def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
@@ -191,20 +191,20 @@ def test_an_older_version_known_to_pip_is_told(monkeypatch):
 
 
 def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_path):
-    monkeypatch.setattr(jit, "IS_PLAIN", False)
-    monkeypatch.setattr(jit, "numba", jit.numba or jit)
+    monkeypatch.setattr(dispatcher, "IS_PLAIN", False)
+    monkeypatch.setattr(dispatcher, "numba", dispatcher.numba or dispatcher)
     for folder, words in [
         (tmp_path, "not compiled yet"),
         (None, "compiled anew by every process"),
     ]:
-        monkeypatch.setattr(jit, "cache_folder", lambda folder=folder: folder)
+        monkeypatch.setattr(dispatcher, "cache_folder", lambda folder=folder: folder)
         assert words in said("kernels").says
     (tmp_path / "learn.nbc").touch()
-    monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
+    monkeypatch.setattr(dispatcher, "cache_folder", lambda: tmp_path)
     assert said("kernels").says == f"compiled, kept in {tmp_path}"
-    monkeypatch.setattr(jit, "IS_PLAIN", True)
+    monkeypatch.setattr(dispatcher, "IS_PLAIN", True)
     assert "NUMBA_DISABLE_JIT" in said("kernels").says
-    monkeypatch.setattr(jit, "numba", None)
+    monkeypatch.setattr(dispatcher, "numba", None)
     assert "without numba" in said("kernels").says
 
 

@@ -1,10 +1,8 @@
-"""Files in the places of people: links, devices, pipes and modes stay what they are."""
+"""Files in the places of people: links are followed and modes kept; devices and pipes are refused."""
 
 import os
 import stat
 import sys
-import threading
-import time
 from pathlib import Path
 
 import numpy as np
@@ -112,34 +110,20 @@ def test_a_read_only_file_is_refused_even_for_root(tmp_path, protected):
 
 @posix
 @root
-def test_a_device_is_written_to_and_stays_a_device(tmp_path):
-    null, full = tmp_path / "null", tmp_path / "full"
+def test_a_device_is_refused_and_stays_a_device(tmp_path):
+    null = tmp_path / "null"
     os.mknod(null, 0o666 | stat.S_IFCHR, os.makedev(1, 3))
-    os.mknod(full, 0o666 | stat.S_IFCHR, os.makedev(1, 7))
-    rl.Agent("wander_simple").save(null)
-    with pytest.raises(OSError, match=r"[Nn]o space left.*full"):
-        write_whole(full, b"x" * 100_000)
-    assert stat.S_ISCHR(null.lstat().st_mode) and stat.S_ISCHR(full.lstat().st_mode)
-    assert only(tmp_path, "full", "null")
+    with pytest.raises(OSError, match=r"this is a device or a pipe.*null"):
+        rl.Agent("wander_simple").save(null)
+    assert stat.S_ISCHR(null.lstat().st_mode) and only(tmp_path, "null")
 
 
 @posix
-def test_the_reader_of_a_pipe_gets_everything(tmp_path):
-    pipe, got = tmp_path / "pipe", []
+def test_a_pipe_is_refused_and_stays_a_pipe(tmp_path):
+    pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    with pytest.raises(OSError, match="pipe"):  # nobody reads: no endless wait
+    with pytest.raises(OSError, match=r"this is a device or a pipe.*pipe"):
         write_whole(pipe, b"lost")
-    reader = threading.Thread(target=lambda: got.append(pipe.read_bytes()))
-    reader.start()
-    data = bytes(range(256)) * 4000  # more than a pipe holds at once
-    for _ in range(6000):
-        try:
-            write_whole(pipe, data)
-            break
-        except OSError:  # the reader has not come yet
-            time.sleep(0.01)
-    reader.join(timeout=60)
-    assert got == [data]
     assert stat.S_ISFIFO(pipe.lstat().st_mode) and only(tmp_path, "pipe")
 
 

@@ -15,8 +15,8 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.compare import facts_of
 from rlrobot_edu.files import shipped
-from rlrobot_edu.learning.fingerprint import code_of
-from rlrobot_edu.learning.jit import IS_PLAIN, compiled
+from rlrobot_edu.jit.dispatcher import IS_PLAIN, compiled
+from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.methods import made_of
 
 # A program whose `f` is looked at, a text in it, and what stands there in another program

@@ -19,9 +19,9 @@ from rlrobot_edu.learning.memory import NOW, SETTINGS, new_memory
 from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
-from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.widgets.javascript.program import program, program_of
 
 DRIVERS = Path(__file__).parents[1] / "javascript"

@@ -15,10 +15,10 @@ from faults import full_disk, needs_limits
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import shipped
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 
 numba = pytest.importorskip("numba")
-kernel_cache = pytest.importorskip("rlrobot_edu.learning.kernel_cache")
+kernel_cache = pytest.importorskip("rlrobot_edu.jit.caching")
 pytestmark = pytest.mark.skipif(
     numba.config.DISABLE_JIT, reason="needs kernels that are compiled"
 )
@@ -27,11 +27,11 @@ PACKAGE = Path(rl.__file__).parent
 
 
 RULE = """
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 
 FACTOR = 2
 
-@jit.compiled
+@dispatcher.compiled
 def times(x):
     return FACTOR * x
 
@@ -45,9 +45,9 @@ def load(tmp_path, monkeypatch):
     """A function that gives a small kernel as a new process finds it: with its cache, and yet to be compiled."""
     (tmp_path / "package").mkdir()
     (tmp_path / "rule.py").write_text(RULE, encoding="utf-8")
-    monkeypatch.setattr(jit, "PACKAGE", tmp_path / "package")
+    monkeypatch.setattr(dispatcher, "PACKAGE", tmp_path / "package")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
-    monkeypatch.setattr(jit, "FOLDER", jit.cache_folder())
+    monkeypatch.setattr(dispatcher, "FOLDER", dispatcher.cache_folder())
 
     monkeypatch.setattr(
         sys, "dont_write_bytecode", True
@@ -63,7 +63,7 @@ def load(tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, "rule", module)  # where numba looks for it
         spec.loader.exec_module(module)
         kernel_cache._warn_once.cache_clear()
-        return jit.compiled(module.twice)
+        return dispatcher.compiled(module.twice)
 
     return load_kernel
 
@@ -160,11 +160,11 @@ else:
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 agent, env = rl.Agent("worked_example", "Q+SR", seed=0), rl.make_env("worked_example", seed=0)
 rl.learn(agent, env, steps=200, progress=False)
 assert rl.__file__.startswith(sys.argv[2]), rl.__file__
-print(hashlib.sha256(agent.q.tobytes()).hexdigest(), jit.cache_folder() is None)
+print(hashlib.sha256(agent.q.tobytes()).hexdigest(), dispatcher.cache_folder() is None)
 """
 
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.models.planning import expected_outcomes
 from rlrobot_edu.models.sample_model import UNSEEN
+from rlrobot_edu.models.value_iteration import expected_outcomes
 
 NEAR_1 = [0.99, 0.9999, 0.999999, 1 - 1e-9]
 
@@ -127,7 +127,7 @@ def test_gamma_1_is_refused_where_a_reward_comes_again_and_again():
 
 
 def test_gamma_1_with_a_cost_that_never_ends_says_what_still_changes(monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.models.planning.MOST_SWEEPS", 50)
+    monkeypatch.setattr("rlrobot_edu.models.value_iteration.MOST_SWEEPS", 50)
     trap = [(0, 0, -1.0, 0, 0), (0, 1, -1.0, 0, 0), (1, 0, 5.0, 1, 1)]
     model = rl.SampleModel.from_recording(
         recording_of(trap, shape=(2, 1)), unseen="stay"

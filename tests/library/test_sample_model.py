@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.models.planning import expected_outcomes
 from rlrobot_edu.models.sample_model import UNSEEN
+from rlrobot_edu.models.value_iteration import expected_outcomes
 
 ROWS = [
     (0, 0, 5.0, 1, 0), (1, 1, 0.0, 0, 0), (0, 0, 5.0, 1, 0), (1, 1, -1.0, 0, 0), (0, 0, 0.0, 2, 0), (2, 0, 5.0, 2, 0),

@@ -16,7 +16,7 @@ from packaging.utils import canonicalize_name
 from try_wheel import disagreements
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning import jit
+from rlrobot_edu.jit import dispatcher
 
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -218,7 +218,7 @@ def needed_by(name: str, extra: str) -> list[Requirement]:
 def small_package(tmp_path, monkeypatch):
     """An empty package and an empty home, for the cache of compiled kernels."""
     (tmp_path / "package").mkdir()
-    monkeypatch.setattr(jit, "PACKAGE", tmp_path / "package")
+    monkeypatch.setattr(dispatcher, "PACKAGE", tmp_path / "package")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     return tmp_path / "package"
 
@@ -229,11 +229,14 @@ def test_kernels_of_a_read_only_package_are_kept_at_home_and_without_a_home_nowh
     (
         small_package / "__pycache__"
     ).touch()  # a file: nobody, not even root, can make a folder of it
-    assert jit.cache_folder().parent == small_package.parent / "home/.cache/rlrobot_edu"
+    assert (
+        dispatcher.cache_folder().parent
+        == small_package.parent / "home/.cache/rlrobot_edu"
+    )
 
     shutil.rmtree(small_package.parent / "home")
     (small_package.parent / "home").touch()
-    assert jit.cache_folder() is None
+    assert dispatcher.cache_folder() is None
 
 
 def test_no_test_sees_the_home_of_the_person_who_runs_it():
@@ -242,6 +245,6 @@ def test_no_test_sees_the_home_of_the_person_who_runs_it():
         assert not Path(place).expanduser().is_relative_to(theirs) or theirs == Path(
             theirs.anchor
         )
-    assert jit.cache_folder().is_relative_to(
-        jit.PACKAGE
-    ) or jit.cache_folder().is_relative_to(Path.home())
+    assert dispatcher.cache_folder().is_relative_to(
+        dispatcher.PACKAGE
+    ) or dispatcher.cache_folder().is_relative_to(Path.home())

@@ -13,14 +13,11 @@ from scipy.stats import ttest_ind
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.giraff import GIRAFF, STOP_DISTANCE, Giraff
-from rlrobot_edu.task.reward_parts import (
-    approach_reward,
-    collision_reward,
-    no_reversing,
-    wander_reward,
-)
+from rlrobot_edu.robots.chassis import GIRAFF
+from rlrobot_edu.robots.giraff import STOP_DISTANCE, Giraff
+from rlrobot_edu.task.rewards import approach_reward, collision_reward, wander_reward
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
+from rlrobot_edu.task.wheel_commands import no_reversing
 
 # Steps after which ten repetitions (of the slow mobile manipulator, four) tell learning from chance
 STEPS = {

@@ -8,7 +8,8 @@ from test_mobile_base import deepest, exact_lasers, wheels
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, MobileBase
+from rlrobot_edu.robots.chassis import BODY_HEIGHT, PIONEER
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 WHEEL_RADIUS = PIONEER.wheel_radius

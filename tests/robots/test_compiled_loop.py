@@ -14,10 +14,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
+from rlrobot_edu.jit.dispatcher import IS_PLAIN
 from rlrobot_edu.learning import compiled_loop
-from rlrobot_edu.learning.jit import IS_PLAIN
-from rlrobot_edu.robots import compiled_task, robot_env
+from rlrobot_edu.robots import robot_env
 from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.engines.kinematic import compiled_task
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import load_task
@@ -83,7 +84,14 @@ def told(agent, env, *histories):
     )
     streams = agent.rng.bit_generator.state, env.np_random.bit_generator.state
     return repr(
-        (columns, memory, place, streams, agent.pending, agent.left and agent.left[:2])
+        (
+            columns,
+            memory,
+            place,
+            streams,
+            agent.pending,
+            agent.resume_point and agent.resume_point[:2],
+        )
     )
 
 
@@ -225,7 +233,7 @@ def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_
 
 KEPT = """
 import rlrobot_edu as rl
-from rlrobot_edu.robots import compiled_task
+from rlrobot_edu.robots.engines.kinematic import compiled_task
 kernels, compiled = [], compiled_task.compiled
 compiled_task.compiled = lambda function: kernels.append(compiled(function)) or kernels[-1]
 env = rl.make_env("wander_1k", engine="kinematic").unwrapped

@@ -22,7 +22,7 @@ from rlrobot_edu.robots.mobile_base import MobileBase
 NO_PYBULLET = pytest.mark.skipif(
     find_spec("pybullet") is None, reason="pybullet is not installed"
 )
-NOISE = rl.Realism(laser_noise=0.02, odometry_noise=0.01, wheel_slip=0.1, delay=2)
+NOISE = rl.Realism(laser_noise=0.02, wheel_slip=0.1, delay=2)
 WORLDS = {
     "the cell robot": partial(rl.make_env, "worked_example", 3),
     "the base in pymunk": partial(rl.make_env, "wander_simple", 3),

@@ -16,9 +16,10 @@ from test_mobile_base import deepest, exact_lasers, wheels
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Wall, arena_of
+from rlrobot_edu.robots.chassis import GIRAFF, PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase, walls_of
-from rlrobot_edu.robots.giraff import GIRAFF, Giraff
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.giraff import Giraff
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 CORRIDOR = """

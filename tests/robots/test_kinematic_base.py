@@ -26,6 +26,7 @@ from test_mobile_base import (
 import rlrobot_edu as rl
 from rlrobot_edu.robots import mobile_base
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
+from rlrobot_edu.robots.chassis import GIRAFF, PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, KinematicBase, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import (
     cosine,
@@ -35,8 +36,7 @@ from rlrobot_edu.robots.engines.kinematic.motion import (
     ray_to_wall,
     sine,
 )
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 SCENES = ROBOTS["mobile_base"].scenes

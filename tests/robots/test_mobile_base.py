@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.giraff import Giraff
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
 WHEEL_RADIUS = PIONEER.wheel_radius

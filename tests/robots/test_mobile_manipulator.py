@@ -8,7 +8,7 @@ from test_mobile_base import deepest, exact_lasers
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.robot_cards import JOINTS, LASERS, ROBOTS
 
 there = pytest.importorskip(

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.chassis import PIONEER
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import (
@@ -21,7 +22,6 @@ WHEEL_RADIUS = PIONEER.wheel_radius
 ACTIONS = np.random.default_rng(1).integers(9, size=300)
 ALL = {
     "laser_noise": 0.02,
-    "odometry_noise": 0.01,
     "wheel_slip": 0.1,
     "delay": 1,
     "lag": 0.1,
@@ -56,37 +56,22 @@ def test_each_weakness_changes_the_run_and_repeats_with_its_seed(weakness):
     )
 
 
-@pytest.mark.parametrize(
-    ("realism", "sensors", "sigma"),
-    [
-        (rl.Realism(laser_noise=0.02), LASERS, 0.02),
-        (rl.Realism(odometry_noise=0.05), ("x", "y", "theta"), 0.05),
-    ],
-)
-def test_noise_has_the_given_size_acts_on_its_sensors_alone_and_leaves_the_robot_where_it_is(
-    realism, sensors, sigma
-):
-    error = readings_of_a_run(realism) - readings_of_a_run(None)
-    noisy = [column(sensor) for sensor in sensors]
+def test_noise_has_the_given_size_acts_on_lasers_alone_and_leaves_the_robot_where_it_is():
+    sigma = 0.02
+    ideal = readings_of_a_run(None)
+    error = readings_of_a_run(rl.Realism(laser_noise=sigma)) - ideal
+    noisy = [column(laser) for laser in LASERS]
     assert not np.delete(error, noisy, axis=1).any()
-    truth = readings_of_a_run(None)[:, noisy]
-    inside = (
-        error[:, noisy][(truth > 0.1) & (truth < 3)]
-        if sensors is LASERS
-        else error[:, noisy[:2]].ravel()
-    )
+    truth = ideal[:, noisy]
+    inside = error[:, noisy][(truth > 0.1) & (truth < 3)]
     assert np.mean(inside) == pytest.approx(0, abs=5 * sigma / math.sqrt(len(inside)))
     assert np.std(inside) == pytest.approx(sigma, rel=0.1)
 
 
 def test_noisy_readings_stay_within_the_range_of_the_sensor():
-    readings = readings_of_a_run(rl.Realism(laser_noise=3, odometry_noise=3))
-    lasers, theta = (
-        readings[:, [column(laser) for laser in LASERS]],
-        readings[:, column("theta")],
-    )
+    readings = readings_of_a_run(rl.Realism(laser_noise=3))
+    lasers = readings[:, [column(laser) for laser in LASERS]]
     assert lasers.min() == 0 and lasers.max() == LASER_RANGE
-    assert -math.pi <= theta.min() < -2 and 2 < theta.max() <= math.pi
 
 
 def test_slipping_wheels_drive_as_far_as_commanded_on_average():
@@ -201,7 +186,6 @@ def test_readings_are_measured_once_a_step_and_are_the_callers_own():
     [
         *(
             {"laser_noise": -0.1},
-            {"odometry_noise": math.nan},
             {"wheel_slip": math.inf},
         ),
         *({"delay": -1}, {"delay": 0.5}, {"lag": -0.1}, {"wall_friction": math.nan}),
@@ -213,7 +197,7 @@ def test_a_realism_that_cannot_be_is_refused(values):
 
 
 @pytest.mark.parametrize(
-    "weakness", ["laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"]
+    "weakness", ["laser_noise", "wheel_slip", "lag", "wall_friction"]
 )
 def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(
     weakness, wander_model

@@ -13,9 +13,8 @@ import pytest
 from test_tasks import GOOD, write
 
 import rlrobot_edu as rl
+from rlrobot_edu.checks import MOST_BINS, MOST_PAIRS
 from rlrobot_edu.files import shipped
-from rlrobot_edu.task.spaces import MOST_PAIRS
-from rlrobot_edu.task.variables import MOST_BINS
 
 PACKAGE = Path(rl.__file__).parent
 

@@ -20,8 +20,7 @@ from hypothesis import strategies as st
 from waiting import eventually
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.chassis import GIRAFF, PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_ros import RobotLink, ServedRobot
 from rlrobot_ros.live import controller, session

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from waiting import eventually
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.giraff import GIRAFF
+from rlrobot_edu.robots.chassis import GIRAFF
 from rlrobot_ros import RobotLink
 from rlrobot_ros.live import controller
 from rlrobot_ros.live.latest_message import LatestMessage

@@ -11,9 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rlrobot_edu import load_task
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.robots.wheels import CHASSIS
+from rlrobot_edu.robots.chassis import CHASSIS, GIRAFF, PIONEER
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_ros.odometry import heading, pose_readings
 from rlrobot_ros.scan import (

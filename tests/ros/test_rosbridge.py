@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from waiting import eventually
 
-from rlrobot_edu.robots.wheels import CHASSIS
+from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_ros import messages
 from rlrobot_ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED

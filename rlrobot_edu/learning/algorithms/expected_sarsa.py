@@ -1,7 +1,7 @@
 """Expected SARSA (van Seijen et al. 2009): learn the value of the next action on average, whichever will be drawn."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled

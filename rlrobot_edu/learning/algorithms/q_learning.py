@@ -1,7 +1,7 @@
 """Q-learning (Watkins 1989): learn the value of acting greedily from the next state on."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled

@@ -1,7 +1,7 @@
 """SARSA (Rummery & Niranjan 1994): learn the value of the action that will really be taken next."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled

@@ -1,7 +1,7 @@
 """SARSA(λ): every pair visited lately learns from the TD error, the more recent the more."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.traces import pass_on, remember
 
 

@@ -1,7 +1,7 @@
 """True online SARSA(λ), TOSL (van Seijen & Sutton 2014): equal, at every step, to the forward view of λ."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.traces import pass_on, remember
 
 

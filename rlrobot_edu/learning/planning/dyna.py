@@ -1,12 +1,12 @@
 """Dyna-Q (Sutton 1990): between two real steps, learn from some that were met before, as if they happened again."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.algorithms import q_learning
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled
-def draw_met(x, pair, number):
+def draw_outcome(x, pair, number):
     """The outcome of `pair` with this number, counting each as often as it was met."""
     i = x.last_of[pair]
     while number >= x.times[i]:
@@ -29,7 +29,7 @@ def plan(m, x, s, a, n, rng):
     n_actions = m.q.shape[1]
     for _ in range(n):
         pair = x.tried[int(rng.random() * x.now.pairs)]
-        i = draw_met(x, pair, int(rng.random() * x.tries[pair]))
+        i = draw_outcome(x, pair, int(rng.random() * x.tries[pair]))
         q_learning.update(
             m,
             pair // n_actions,

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
 
 NOW = np.dtype(
@@ -79,7 +79,7 @@ def with_room(x: Experience, n: int) -> Experience:
 
 
 @compiled
-def meet(x, pair, s_next, r, terminated):
+def count_outcome(x, pair, s_next, r, terminated):
     """Count what happened after `pair`. There must be room for one outcome more."""
     if x.tries[pair] == 0:
         x.tried[x.now.pairs] = pair

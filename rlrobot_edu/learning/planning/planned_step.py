@@ -4,10 +4,10 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from rlrobot_edu.jit.dispatcher import borrowed, compiled
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.planning.experience import meet
+from rlrobot_edu.learning.planning.experience import count_outcome
 from rlrobot_edu.learning.step import make_step
 
 
@@ -24,7 +24,7 @@ def make_plan(planner: Planner) -> Callable[..., Any]:
         what planning changes there.
         """
         before = 0.0 if terminated else m.q[s_next, a_next]
-        meet(x, s * m.q.shape[1] + a, s_next, r, terminated)
+        count_outcome(x, s * m.q.shape[1] + a, s_next, r, terminated)
         imagine(m, x, s, a, m.parameters.planning_steps, rng)
         if not terminated:
             m.now.q_old += m.q[s_next, a_next] - before

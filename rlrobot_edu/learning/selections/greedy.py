@@ -4,8 +4,8 @@ In each kernel `m` is the agent's memory, see memory.py.
 Source: paper section 3 (ε-greedy); Sutton & Barto, section 2.2.
 """
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled

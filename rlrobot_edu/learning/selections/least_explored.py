@@ -1,7 +1,7 @@
 """ε-greedy towards the least explored action (EGLE): to explore is to try what was tried least."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.greedy import add_share
 
 

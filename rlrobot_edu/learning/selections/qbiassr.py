@@ -1,7 +1,7 @@
 """Q-biased softmax regression (QBIASSR): similar states have a say in the choice of an action."""
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.softmax import softmax
 
 

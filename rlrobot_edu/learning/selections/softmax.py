@@ -2,8 +2,8 @@
 
 import math
 
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.jit import compiled
 
 
 @compiled

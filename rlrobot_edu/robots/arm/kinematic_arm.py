@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.robots.arm.arm_body import (
     HOME,
     OBJECT_PLACE,
@@ -20,7 +20,7 @@ from rlrobot_edu.robots.arm.arm_body import (
     solids_of,
 )
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
-from rlrobot_edu.robots.kernel_robot import KinematicRobot
+from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
@@ -108,7 +108,7 @@ class KinematicArm(KinematicRobot):
         """The place at which each episode begins, array (3,)."""
         return np.array(HOME)
 
-    in_numbers = staticmethod(speeds_of)
+    command_array = staticmethod(speeds_of)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""

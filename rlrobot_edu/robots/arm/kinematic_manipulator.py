@@ -8,7 +8,8 @@ import numpy as np
 from rlrobot_edu.robots.arenas import TABLE_HEIGHT
 from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, Angles, readings_of, solids_of
 from rlrobot_edu.robots.arm.kinematic_arm import gripper, turned
-from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.robots.chassis import PIONEER
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.checks import check_count, check_index
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.step import NO_ACTION
 from rlrobot_edu.learning.traces import forget
-from rlrobot_edu.task.messages import check_count, existing
 from rlrobot_edu.tools.credit.linear import Linear, plain
 
 MOST_NUMBERS = 50_000_000  # 400 MB
@@ -57,8 +57,8 @@ class Credit:
         ValueError
             If there is no such state or action.
         """
-        existing("state", s, self.q.shape[0])
-        existing("action", a, self.q.shape[1])
+        check_index("state", s, self.q.shape[0])
+        check_index("action", a, self.q.shape[1])
         made: Linear | float = self._made_of[s, a]
         return made.weights if isinstance(made, Linear) else np.zeros(len(self.steps))
 

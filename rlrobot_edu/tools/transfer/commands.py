@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.robots.wheels import CHASSIS
+from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 

@@ -12,6 +12,7 @@ import ipywidgets
 import numpy as np
 from PIL import Image
 
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
@@ -23,7 +24,6 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
-from rlrobot_edu.task.messages import known
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
 
@@ -63,7 +63,7 @@ class Pad(Displayed):
     """The robot of `env` under a person's hands; each press is one step of its task."""
 
     def __init__(self, env: Env, view: str = "top") -> None:
-        known(view, VIEWS, "view", "teleoperate")
+        check_name(view, VIEWS, "view", "teleoperate")
         self._robot, self._task = robot_of(env), cast(RobotEnv, env.unwrapped).task
         self._env, self._state_number = env, state_numbers(env)
         self._live = self._in_3d() if view == "3d" else None

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.step import make_step
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import check_count
 
 
 def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:

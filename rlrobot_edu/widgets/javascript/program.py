@@ -5,8 +5,8 @@ from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
 
+from rlrobot_edu.jit.dispatcher import borrowed
 from rlrobot_edu.learning.compiled_loop import make_run
-from rlrobot_edu.learning.jit import borrowed
 from rlrobot_edu.learning.methods import Method, parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sampling import begin, outcome

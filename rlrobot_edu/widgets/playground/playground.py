@@ -11,6 +11,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.memory import SETTINGS
@@ -18,7 +19,6 @@ from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
-from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.playground.framed import Framed
 from rlrobot_edu.widgets.playground.kernels import kernels
@@ -158,8 +158,8 @@ def playground(
     OSError
         If the file cannot be written.
     """
-    known(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
-    known(method, METHODS, "method", "the playground")
+    check_name(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
+    check_name(method, METHODS, "method", "the playground")
     page = Playground({"task": task, "method": method})
     if path is not None:
         page.save(path)

@@ -12,8 +12,8 @@ from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.cell_robot import BOX_MOVES, CELLS, CellRobot
+from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
-from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import Bin

@@ -17,10 +17,10 @@ from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sampling import draw_outcome, draw_start
 from rlrobot_edu.robots.cell_robot import CellRobot
+from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.robot_env import RobotEnv
-from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.playground.worlds import (
     World,

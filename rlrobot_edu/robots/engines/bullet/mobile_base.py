@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from rlrobot_edu.robots.arenas import Arena, Place
+from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
-from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import WHEELS
 
 URDF = Path(__file__).with_name("mobile_base.urdf")

@@ -1,7 +1,9 @@
-"""The mobile base as kernels, without a physics engine: where it differs, docs/studies/kinematic_base.md.
+"""Robots as kernels, without a physics engine: where the mobile base differs, docs/studies/kinematic_base.md.
 
-motion.py    arcs, and what a wall makes of them; rays to the walls
-base.py      KinematicBase, the robot that moves by them
+motion.py         arcs, and what a wall makes of them; rays to the walls
+base.py           KinematicBase, the robot that moves by them
+robot.py          KinematicRobot, what such robots share: learning with one is one kernel
+compiled_task.py  a task's rewards, goal and commands in that kernel
 
 Begin with motion.py.
 """

@@ -9,11 +9,12 @@ import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.robots.arenas import Arena, Place
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
-from rlrobot_edu.robots.kernel_robot import KinematicRobot
-from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
+from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
+from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 
 Array = NDArray[np.float64]
@@ -140,7 +141,7 @@ class KinematicBase(KinematicRobot, MobileBase):
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone
 
-    def in_numbers(self, command: Mapping[str, float]) -> Array:
+    def command_array(self, command: Mapping[str, float]) -> Array:
         """Speed ahead [m/s] and turning to the left [rad/s], array (2,)."""
         return np.array(self.chassis.twist(command))
 

@@ -9,7 +9,7 @@ hull: array (m, 4), each a corner of the convex outline, counter-clockwise, and 
 
 import math
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.jit.dispatcher import compiled
 
 SUBSTEP = 0.05  # longest piece of a motion along a wall [s]
 CLEARANCE = 1e-6  # how far from a wall the hull is put [m]

@@ -1,8 +1,10 @@
-"""Checks and words that error messages share: the nearest known name, the line of a task's file, what went wrong."""
+"""Checks of arguments, and the words that error messages share: the nearest known name, the line of a file."""
 
 import difflib
+import math
 import traceback
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import islice
 from numbers import Real
 from pathlib import Path
 from typing import Any
@@ -11,6 +13,8 @@ import numpy as np
 
 WHOLE = (int, np.integer)  # kinds of whole numbers; bool is one of them
 LARGEST_NUMBER = 1e100  # of a reward, say: sums and squares of such numbers are finite
+MOST_BINS = 100_000  # of one variable
+MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
 
 
 def did_you_mean(name: object, names: Iterable[str]) -> str:
@@ -19,7 +23,7 @@ def did_you_mean(name: object, names: Iterable[str]) -> str:
     return f"did you mean {near[0]!r}? " if near else ""
 
 
-def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
+def check_name(name: object, names: Collection[str], kind: str, owner: str) -> str:
     """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
     if isinstance(name, str) and name in names:
         return name
@@ -27,13 +31,31 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
     raise ValueError(f"{owner} has no {kind} {name!r:.200}; {advice}")
 
 
-def existing(kind: str, number: int, n: int) -> int:
+def check_index(kind: str, number: int, n: int) -> int:
     """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
     if not (isinstance(number, WHOLE) and 0 <= number < n):
         raise ValueError(
             f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers"
         )
     return int(number)
+
+
+def check_pair(shape: tuple[int, ...], s: int, a: int = 0) -> tuple[int, int]:
+    """(s, a) as ints. Raises ValueError for a state or an action that a table of this `shape` does not have."""
+    n_states, n_actions = shape
+    return check_index("state", s, n_states), check_index("action", a, n_actions)
+
+
+def check_transition(
+    shape: tuple[int, ...], s: int, a: int, r: Any, s_next: int
+) -> tuple[int, int, float, int]:
+    """(s, a, r, s_next) in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
+    s, a = check_pair(shape, s, a)
+    s_next = check_index("state", s_next, shape[0])
+    if isinstance(r, np.generic | np.ndarray) and r.ndim == 0:
+        r = r.item()
+    check_between("a reward", r, -LARGEST_NUMBER, LARGEST_NUMBER)
+    return s, a, float(r), s_next
 
 
 def check_count(
@@ -64,12 +86,44 @@ def check_between(
         )
 
 
-def all_exist(numbers: np.ndarray, n: float) -> bool:
+def check_numbers(
+    what: str, given: Sequence[float], finite: bool = False
+) -> tuple[float, ...]:
+    """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
+    try:
+        if isinstance(given, str | bytes | bytearray | Mapping):
+            raise TypeError("its letters or keys are not meant")
+        # unlike float(), ldexp takes no text
+        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(
+            f"{what} must be a list of numbers, got {given!r:.200}"
+        ) from None
+    if len(floats) > MOST_BINS:
+        raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
+    if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
+        raise ValueError(
+            f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}"
+        )
+    return floats
+
+
+def check_table(n_states: int, n_actions: int) -> int:
+    """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
+    if n_states * n_actions > MOST_PAIRS:
+        limit = f"at most {MOST_PAIRS:,} pairs; use fewer inputs, outputs or bins"
+        raise ValueError(
+            f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}"
+        )
+    return n_states * n_actions
+
+
+def all_in_range(numbers: np.ndarray, n: float) -> bool:
     """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
     return bool(((numbers >= 0) & (numbers < n)).all())
 
 
-def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
+def first_difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
     for name in there | here:
         # in one line
@@ -81,7 +135,7 @@ def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     return ""
 
 
-def where(path: str | Path, error: BaseException) -> str:
+def file_and_line(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
     lines = [
         f.lineno
@@ -91,14 +145,14 @@ def where(path: str | Path, error: BaseException) -> str:
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 
-def in_words(error: BaseException, names: Iterable[str] | None = None) -> str:
+def describe_error(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
         return f"there is no {error}; there are {' '.join(', '.join(map(str, names)).split())}"  # in one line
     return f"{type(error).__name__}: {' '.join(str(error).split()):.500}"
 
 
-def expect(what: str, parts: Iterable[tuple[str, object]]) -> None:
+def check_parts(what: str, parts: Iterable[tuple[str, object]]) -> None:
     """Raises ValueError for the first of `parts`, names and whether it is as it must be, that makes no `what`."""
     for name, is_sound in parts:
         if not is_sound:

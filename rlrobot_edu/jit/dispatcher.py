@@ -1,6 +1,7 @@
 """Compile the kernels with numba where it is installed; otherwise the same source runs as plain Python.
 
-Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the same numbers to the last bit.
+Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the same numbers to the last bit as long as a
+kernel stays within its arrays. Compiled kernels do not check that: outside, plain Python raises an IndexError.
 """
 
 import tempfile
@@ -16,7 +17,7 @@ try:
 except ImportError:
     numba = None
 else:
-    from rlrobot_edu.learning.kernel_cache import KernelCache
+    from rlrobot_edu.jit.caching import KernelCache
 
 
 PACKAGE = Path(__file__).parents[1]

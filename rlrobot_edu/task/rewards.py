@@ -1,4 +1,4 @@
-"""What several task files share: how wheels are commanded, and the rewards for a collision, a motion, an approach.
+"""Rewards that several task files share, for a collision, a motion, an approach, and the distances that they need.
 
 Pure functions; a task file hands in its own limits.
 """
@@ -6,19 +6,6 @@ Pure functions; a task file hands in its own limits.
 from math import hypot
 
 from rlrobot_edu.task.task import Readings
-
-
-def no_reversing(wheels: dict[str, float]) -> dict[str, float]:
-    """The wheels' speeds [rad/s] for a robot that does not drive backward blindly.
-
-    Both wheels backward means forward at double speed; one backward while the other stands still means no motion.
-    """
-    left, right = wheels["left_wheel"], wheels["right_wheel"]
-    if left < 0 and right < 0:
-        return {"left_wheel": -2 * left, "right_wheel": -2 * right}
-    if (left < 0 and right == 0) or (left == 0 and right < 0):
-        return {"left_wheel": 0.0, "right_wheel": 0.0}
-    return wheels
 
 
 def collision_reward(readings: Readings, nearer_than: float) -> float:

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.learning.fingerprint import code_of
-from rlrobot_edu.learning.jit import compiled, numba
+from rlrobot_edu.jit.dispatcher import compiled, numba
+from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.task.task import Task
 
 INPUT = np.dtype(

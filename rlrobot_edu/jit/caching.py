@@ -13,7 +13,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from rlrobot_edu.files import remove_old, sha256, write_whole
-from rlrobot_edu.learning.fingerprint import code_of, goes_by_name, references
+from rlrobot_edu.jit.fingerprint import code_of, goes_by_name, references
 
 _warn_once = functools.cache(warnings.warn)  # not once for each kernel
 UNUSED = 30 * 24 * 3600  # age at which a kernel that no process has asked for goes [s]

@@ -9,14 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import IS_PLAIN, compiled
 from rlrobot_edu.learning.compiled_loop import NEVER
-from rlrobot_edu.learning.jit import IS_PLAIN, compiled
-from rlrobot_edu.robots.compiled_task import INPUT, judge_of, state_of
+from rlrobot_edu.robots.engines.kinematic.compiled_task import INPUT, judge_of, state_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.task import Task
 
 # What the loop is given.
-# parts, start: the robot's; place: array, where it was before the step; commands: array (actions, n), see `in_numbers`
+# parts, start: the robot's; place: array, where it was before the step
+# commands: array (actions, n), see `command_array`
 # numbers: array (2, n), readings before and after a step; records: the same memory, in which readings have names
 # inputs: array (n_inputs,) of INPUT; cuts: array (n_inputs, n), the cuts of each, then infinity
 # judge: (record before, record after) -> reward, NaN where the task's functions fail, and whether it is at the goal
@@ -30,7 +31,7 @@ World = namedtuple(
 class KinematicRobot(SimulatedRobot):
     """A robot that kernels move and that they let sense.
 
-    kernels: move (parts, command as `in_numbers` makes it), for one control step; and sense (parts, readings), which
+    kernels: move (parts, command as `command_array` makes it), for one control step; and sense (parts, readings), which
         fills in what is on the card, array (n,). Whoever inherits has its own, or is not compiled into the loop
     parts: its arrays and numbers; ``parts.place`` alone says where it is
     """
@@ -43,11 +44,11 @@ class KinematicRobot(SimulatedRobot):
         """The place at which each episode begins, from now on; None if they differ, or are not known yet."""
 
     @abstractmethod
-    def in_numbers(self, command: Mapping[str, float]) -> np.ndarray:
+    def command_array(self, command: Mapping[str, float]) -> np.ndarray:
         """A command as the kernels know it, array (n,)."""
 
     def _move(self, command: Mapping[str, float]) -> None:
-        self.kernels[0](self.parts, self.in_numbers(command))
+        self.kernels[0](self.parts, self.command_array(command))
 
     def _sense(self) -> dict[str, float]:
         readings = np.empty(len(self._card.sensors))
@@ -76,7 +77,7 @@ def world_of(
         (names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins)
         for v in task.inputs
     ]
-    told = [robot.in_numbers(command) for command in commands]
+    told = [robot.command_array(command) for command in commands]
     return World(
         parts=robot.parts, start=start, place=start.copy(), commands=np.array(told),
         numbers=numbers, records=records, inputs=np.array(inputs, INPUT), cuts=np.array(cuts), judge=judge,
