@@ -1,6 +1,6 @@
 """What runs where: ``make platforms`` writes the table of docs/howto/platforms.md.
 
-For each platform and Python uv chooses what ``.[lab,arm,ros,teach]`` would install, in the versions of constraints.txt
+For each platform and Python uv chooses what ``.[lab,arm,ros]`` would install, in the versions of constraints.txt
 and from wheels only. Nothing is installed, so all platforms can be asked on one computer.
 """
 
@@ -37,7 +37,6 @@ CHOOSE = [
         "--extra=lab",
         "--extra=arm",
         "--extra=ros",
-        "--extra=teach",
     ),
     *("--constraints=constraints.txt", "--only-binary=:all:", "--no-python-downloads"),
     *("--quiet", "--no-header", "--no-annotate"),

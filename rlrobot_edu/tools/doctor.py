@@ -32,7 +32,6 @@ WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing; engine='pybullet' does not work",
     "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
     "ros": "no bag of ROS can be read, and no robot driven or served over what is missing: rosbridge, or DDS (ROS 2)",
-    "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",
     "all": "recording.to_minari and rl.Recording.from_minari do not work, and no cluster computes (docs/cluster.md)",
 }
 
