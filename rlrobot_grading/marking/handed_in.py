@@ -88,5 +88,5 @@ def notes_on(others: Iterable[Path], known: Iterable[str] = ()) -> list[str]:
         return []
     more = f" and {len(files) - NAMED} more" if len(files) > NAMED else ""
     return [
-        f"Not graded, since their names do not end in .ipynb: {', '.join(files[:NAMED])}{more}. Unpack archives."
+        f"Not graded, since their names do not end in .ipynb: {', '.join(files[:NAMED])}{more}."
     ]

@@ -162,7 +162,7 @@ def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(
             == 0
         )
         said = capsys.readouterr().out
-        assert "end in .ipynb: in/s2/work.zip, in/s3/02.pages. Unpack" in said
+        assert "end in .ipynb: in/s2/work.zip, in/s3/02.pages." in said
         assert "There is no notebook of s2, s3." in said
     assert [row["reasons"] for row in rows("in/points.csv")][1:] == [
         "not graded: No notebook was handed in."
