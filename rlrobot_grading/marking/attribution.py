@@ -148,7 +148,8 @@ def class_of(
         # a file whose lesson is unknown is another try at the student's lesson
         lesson = one.lesson or known_lesson.get(one.student.id, "")
         tries[owner, lesson].append(one)
-    counting, notes = [], []
+    counting = []
+    notes = []
     for several in tries.values():
         best = max(several, key=_rank)
         if len(several) > 1:

@@ -109,7 +109,7 @@ def hints_asked(cells: Sequence[str], exercise: str) -> int:
         for call in _all(source):
             if not isinstance(call, ast.Call) or not _asks_hint(call.func, exercise):
                 continue
-            numbers = [*call.args, *(keyword.value for keyword in call.keywords)]
+            numbers = call.args + [keyword.value for keyword in call.keywords]
             number = numbers[0] if numbers else ast.Constant(1)
             asked.add(number.value if isinstance(number, ast.Constant) else id(number))
     return len(asked)

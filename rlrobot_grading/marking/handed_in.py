@@ -63,9 +63,11 @@ def _files(names: Sequence[str]) -> Iterable[Path]:
                 f"{name}: there is no such file, nor a notebook in it; name what is to be graded"
             )
         for path in map(Path, matches):
-            inside = sorted(path.rglob("*")) if path.is_dir() else [path]
-            for file in inside:
-                if not file.is_dir() and not _is_the_systems(file):
+            files = sorted(path.rglob("*")) if path.is_dir() else [path]
+            for file in files:
+                # a link to a folder is not followed, but named
+                is_folder = file.is_dir() and not file.is_symlink()
+                if not is_folder and not _is_the_systems(file):
                     yield file
 
 
@@ -88,5 +90,5 @@ def notes_on(others: Iterable[Path], known: Iterable[str] = ()) -> list[str]:
         return []
     more = f" and {len(files) - NAMED} more" if len(files) > NAMED else ""
     return [
-        f"Not graded, since their names do not end in .ipynb: {', '.join(files[:NAMED])}{more}."
+        f"Not graded, since these are no files that end in .ipynb: {', '.join(files[:NAMED])}{more}."
     ]

@@ -22,9 +22,8 @@ from rlrobot_grading.marking.guard import NO_GUARD, Guard
 from rlrobot_grading.values import one_line
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
-SETTLED = (
-    0.5  # after which a kernel that has been told to end, as by a restart, is gone [s]
-)
+# after which a kernel that was asked to end, as by a restart, is gone [s]
+SETTLED = 0.5
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = (
@@ -272,7 +271,9 @@ def _environment(home: Path) -> dict[str, str]:
     """
     import matplotlib
 
-    settings, temporary, programs = home / "matplotlib", home / "tmp", home / "programs"
+    settings = home / "matplotlib"
+    temporary = home / "tmp"
+    programs = home / "programs"
     for folder in (settings, temporary, programs):
         folder.mkdir(parents=True, exist_ok=True)
     for fonts in glob.glob(f"{glob.escape(matplotlib.get_cachedir())}/fontlist-*.json"):

@@ -185,7 +185,8 @@ def call(name: str, arguments: str, substitutes: str) -> str:
     except FileNotFoundError:
         # a cell has deleted it, and some modules cannot be imported from nowhere
         os.chdir(Path(__file__).parent)
-    answer, things = answers[name], _unpacked(arguments)
+    answer = answers[name]
+    things = _unpacked(arguments)
     names = getattr(answer, "__globals__", None) or sys.modules["__main__"].__dict__
     with _substituting(names, _unpacked(substitutes)):
         judged.append(name)

@@ -143,7 +143,8 @@ class Marking:
                 prefix="rlrobot-grade-", ignore_cleanup_errors=True
             ) as temporary,
         ):
-            folder, home = Path(temporary, "work"), Path(temporary, "home")
+            folder = Path(temporary, "work")
+            home = Path(temporary, "home")
             folder.mkdir()
             home.mkdir()
             shutil.copy(self._path, folder)
@@ -247,7 +248,8 @@ class Marking:
     def _judge_function(
         self, kernel: Kernel, place: int, name: str, is_unfinished: bool
     ) -> Verdict:
-        course, lesson = self._course, self._submission.lesson
+        course = self._course
+        lesson = self._submission.lesson
         answer = remote_function(
             course, kernel, lesson, name, self._share, is_unfinished
         )
@@ -273,7 +275,8 @@ class Marking:
 
     def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
         """The verdict on the notebook's tape, and if it is right there, on the secret one."""
-        exercise, twin = self._exercises[name], self._twins[name]
+        exercise = self._exercises[name]
+        twin = self._twins[name]
         verdict = exercise.judge(answer)
         if not verdict or twin is None:
             return verdict
@@ -301,7 +304,8 @@ class Marking:
 
     def _answers(self, name: str) -> dict[int, Verdict]:
         """The verdicts on the answers that are not blank: on those handed in, and if there are none, those defined."""
-        answers, checked = {}, {}
+        answers = {}
+        checked = {}
         for place, verdict in self._judged[name].items():
             if verdict.status == WAITS:
                 continue

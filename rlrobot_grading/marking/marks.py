@@ -89,8 +89,8 @@ class Score:
 class Marked:
     """A submission with its scores.
 
-    notes: what the instructor should know; student: whose it is; off: points taken off because it came late
-    made_for: the number of the student whose variant it is, if each has their own
+    notes: what the teacher should know; student: whose it is; off: points taken off because it came late
+    made_for: the id of the student whose variant it is, if each has their own
     problem: why it was not graded, if it was not; its points are none then, not 0
     """
 

@@ -38,7 +38,7 @@ def misunderstood(course: Course, marked: Sequence[Marked]) -> list[Misunderstoo
     found = []
     for (lesson, exercise), scores in answers.items():
         mistakes = course.exercises_of(lesson)[exercise].mistakes
-        known = {ONLY_THESE, *(mistake.id for mistake in mistakes)}
+        known = {mistake.id for mistake in mistakes} | {ONLY_THESE}
         made: dict[tuple[str, str], list[tuple[str, str]]] = defaultdict(list)
         for notebook, score in scores:
             if not score.is_right:

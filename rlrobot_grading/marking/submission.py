@@ -72,7 +72,8 @@ class Submission:
 
     def called_by(self, name: str) -> set[str]:
         """Return what stands in the definitions of a name, and in those of all that stands there."""
-        called, ahead = {name}, [name]
+        called = {name}
+        ahead = [name]
         while ahead:
             new = self._calls.get(ahead.pop(), set()) - called
             called |= new
@@ -108,7 +109,8 @@ def read_submission(course: Course, path: Path, lesson: str = "") -> Submission:
     if not lesson:
         unknown = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
         return Submission(name, problem=problem or unknown)
-    defined, answered = {}, {}
+    defined = {}
+    answered = {}
     for exercise in course.exercises_of(lesson):
         defined[exercise] = _places(cells, exercise, bound)
         answered[exercise] = (

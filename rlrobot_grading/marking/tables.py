@@ -46,7 +46,7 @@ def points_table(marked: Sequence[Marked]) -> str:
                 one.lesson,
                 "" if one.problem else one.score,
                 one.max_score if one.lesson else "",
-                *(points.get(column, "") for column in columns),
+                *[points.get(column, "") for column in columns],
                 one.student.late,
                 one.off,
                 reasons(one),

@@ -23,7 +23,7 @@ from rlrobot_grading.marking.guard import Digests, Guard
 from rlrobot_grading.marking.marks import Limits
 
 ROOT = Path(__file__).parents[2]
-PACKAGES = ("rlrobot_edu", "rlrobot_grading", "rlrobot_course")
+PACKAGES = ("rlrobot_edu", "rlrobot_ros", "rlrobot_grading", "rlrobot_course")
 needs_root = pytest.mark.skipif(
     sys.platform != "linux"
     or os.getuid() != 0
@@ -78,7 +78,7 @@ def graded(
     command = [
         sys.executable,
         "-m",
-        "rlrobot_course",
+        "rlrobot_edu",
         "grade",
         "in",
         "--lesson",

@@ -287,6 +287,14 @@ def test_a_name_in_another_encoding_costs_no_report(tmp_path):
     )
 
 
+def test_a_folder_that_is_a_link_is_not_passed_over_in_silence(tmp_path, capsys):
+    notebook(tmp_path / "elsewhere/s2.ipynb", 4)
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / "in/s2").symlink_to(tmp_path / "elsewhere")
+    assert grade(COURSE, ["in"], seed=1) == 0
+    assert "no files that end in .ipynb: in/s2." in capsys.readouterr().out
+
+
 def test_students_whose_folders_differ_in_their_capitals_alone_are_two(tmp_path):
     notebook(tmp_path / "in/a/Kim/02.ipynb", 4)
     if (tmp_path / "in/A").exists():
