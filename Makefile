@@ -14,8 +14,6 @@
 #                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
-# make homework   assignments for nbgrader, in notebooks/homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
-#                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
@@ -38,7 +36,6 @@ TOOLS ?= .venv-tools
 RUN := $(VENV)/bin/python
 DEV := $(TOOLS)/bin/python
 LEARNING := lab,arm,ros
-TEACHING := $(LEARNING),teach
 # $(call install,environment,extras,dependency groups): by uv, in seconds; it knows nothing of pip's settings, and where it
 # fails, pip does it. The pins hold for the build backend, too: pip before 25.3 reads the first, later ones the second.
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt python -m pip install --disable-pip-version-check
@@ -61,7 +58,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs homework lite release tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
@@ -140,10 +137,6 @@ docs: $(TOOLS)/tools.done
 
 tools: $(TOOLS)/tools.done
 
-# not with the clock's seed, which could be guessed
-homework: $(VENV)/homework.done
-	$(RUN) notebooks/homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
-
 lite: $(TOOLS)/tools.done
 	$(DEV) docs/lite/make_lite.py $(PYODIDE:%=--pyodide %)
 
@@ -163,7 +156,7 @@ platforms: $(TOOLS)/tools.done
 	$(DEV) docs/site/platforms.py
 
 clean:
-	rm -rf .venv .venv-* build dist docs/_build notebooks/homework/build docs/lite/_build .coverage .coverage.*
+	rm -rf .venv .venv-* build dist docs/_build docs/lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
@@ -182,10 +175,6 @@ $(VENV)/lab.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing into $(VENV): this happens once and takes up to a minute or two …"
 	@$(call install,$(VENV),$(LEARNING))
 	@touch $@
-
-$(VENV)/homework.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(call install,$(VENV),$(TEACHING))
-	@touch $(VENV)/lab.done $@
 
 $(TOOLS)/tools.done: $(TOOLS)/bin/python pyproject.toml constraints.txt
 	@echo "Installing the course and what its tests need into $(TOOLS): this happens once and takes some minutes …"

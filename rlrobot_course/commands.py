@@ -1,4 +1,4 @@
-"""The commands of the course: ``rlrobot-edu lab``, ``fresh``, ``progress``, ``grade``, ``course``, ``compile``."""
+"""The commands of the course: ``lab``, ``fresh``, ``progress``, ``hand-out``, ``grade``, ``course``, ``compile``."""
 
 import subprocess
 import sys
@@ -50,9 +50,23 @@ def show_progress(folder: str) -> None:
 
 def grade_notebooks(**arguments: object) -> None:
     """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
+    from rlrobot_course.homework import COURSE
     from rlrobot_grading.marking.grade import run
 
-    run(arguments)
+    run(COURSE, **arguments)  # type: ignore[arg-type]
+
+
+def hand_out_notebooks(
+    students: str, notebooks: list[str], to: str, hints: int | None
+) -> None:
+    """Write a notebook of their own for each student of a list, and its solutions. See docs/grading.md."""
+    from rlrobot_course.homework.hand_out import hand_out
+
+    try:
+        n = hand_out(students, notebooks, to, hints)
+    except (OSError, ValueError) as error:
+        sys.exit(str(error))
+    print(f"{to}: students/ holds what each of {n} gets, solutions/ is for you alone.")
 
 
 def write_lessons(words: list[str]) -> None:
@@ -87,6 +101,15 @@ def add_commands(commands: Commands) -> None:
         "folder", nargs="?", help="my_course/ if not given"
     )
     add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
+    handing_out = add("hand-out", hand_out_notebooks, "students.csv --to handed_out")
+    handing_out.add_argument("students", help="list of students, CSV with a column id")
+    handing_out.add_argument(
+        "notebooks", nargs="*", help="notebooks with exercises, all assignments if none"
+    )
+    handing_out.add_argument("--to", default="handed_out", help="a folder")
+    handing_out.add_argument(
+        "--hints", type=int, choices=range(4), help="that an exercise shows, all"
+    )
     add("course", write_lessons, "check 04").add_argument(
         "words",
         nargs="+",

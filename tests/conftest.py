@@ -78,7 +78,6 @@ SLOW_FILES = [
     "base_tasks",
     "howto",
     "show",
-    "nbgrader",
     "pages",
 ]
 

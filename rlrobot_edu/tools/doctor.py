@@ -32,7 +32,6 @@ WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing; engine='pybullet' does not work",
     "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
     "ros": "no bag of ROS can be read, or no robot driven or served over rosbridge",
-    "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",
     "all": "Dask's clusters are missing",
 }
 

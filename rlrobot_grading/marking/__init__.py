@@ -1,4 +1,4 @@
-"""Homework: submitted notebooks are graded by the checks of their lesson, from ``python -m rlrobot_edu grade``.
+"""Homework: submitted notebooks are graded by the checks of their lesson, from ``rlrobot-edu grade``.
 
 Two processes take part, and only data goes from the second to the first:
 
@@ -6,19 +6,19 @@ Two processes take part, and only data goes from the second to the first:
 - a fresh kernel runs the notebook, and calls the learner's functions with the arguments that it is sent. There the
   lesson's checks only take answers in.
 
-Read in this order:
+What the grader must know of a course is a value, `course.Course`, which is passed on. Read in this order:
 
-- `inside`: the kernel's side; `kernel`: a kernel with limits, from the grader's side;
-- `wire`: values as text, so that nothing of a learner's is unpickled; `away`: a function that runs in the kernel, which
-  a check takes like any other;
+- `kernel_side`: the kernel's side; `kernel`: a kernel with limits, from the grader's side;
+- `serialization`: values as text, so that nothing of a learner's is unpickled; `remote_function`: a function that runs
+  in the kernel, which a check takes like any other;
 - `guard`: what a kernel runs behind, another user or a container, and whether the grader's own files are as they were;
-- `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment for each student;
+- `secret`: another tape for an exercise, drawn from a seed; `variants`: another variant of an assignment for each
+  student;
 - `handed_in`: which files are notebooks; `text`: their encoding; `submission`: which lesson a notebook belongs to, and
   which of its cells answer what, as far as `cell` can read it off; `marking`: one notebook, run and judged; `marks`:
-  what comes of it, by which rules; `students`: a class; `whose`: which notebook is whose, and which counts;
-- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, Gradescope's
-  ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes;
-- `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points.
+  what comes of it, by which rules; `students`: a class; `attribution`: who handed in which notebook, and which counts;
+- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text and sheets; `tables`: points as
+  CSV; `misunderstood`: the class's mistakes.
 
 What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
 by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.

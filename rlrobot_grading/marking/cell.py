@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import ast
-import copy
 import re
 import warnings
 from collections import defaultdict, deque
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from functools import lru_cache
 
-COURSE = "rlrobot_course."
 CHECK = "check"  # the name by which notebooks know the checks of their lesson
+VARIANT = "use_variant"  # by which a notebook asks for the variant of a student
 # Cell magics below which no code of this notebook stands; below others, of extensions, too, mostly Python
 NO_PYTHON = re.compile(
     "writefile|file|bash|sh|script|system|sx|cmd|perl|ruby|pypy|python[23]?|html|javascript|js|svg|latex|markdown",
@@ -29,9 +27,12 @@ JUDGING = ("judge", "__call__", "__bool__")  # what judges an answer
 @lru_cache(maxsize=1000)
 def tree(source: str) -> ast.Module | None:
     """The syntax of a cell; None where it cannot be read."""
-    while (parsed := _parsed(source)) and (below := _below_magic(parsed)) is not None:
+    while True:
+        parsed = _parsed(source)
+        below = None if parsed is None else _below_magic(parsed)
+        if below is None:
+            return parsed
         source = below
-    return parsed
 
 
 def _parsed(source: str) -> ast.Module | None:
@@ -70,32 +71,15 @@ def _with_calls(source: str) -> str:
 
 def bound(source: str, by_take: bool = False) -> set[str]:
     """Names that a cell gives a value to; by_take: also those for which `take` gives it."""
-    return set().union(
-        *(names for names, value in _bindings(source) if by_take or not _takes(value))
-    )
+    found: set[str] = set()
+    for names, value in _bindings(source):
+        if by_take or not _takes(value):
+            found |= names
+    return found
 
 
 def _takes(value: ast.AST) -> bool:
     return not isinstance(value, DEFINITIONS) and "take" in _names_in(value)
-
-
-def defined_in(source: str, name: str) -> ast.stmt | None:
-    """The last function of this name that a cell defines, by def or as a lambda."""
-    found = [node for node in _outside(tree(source)) if _defines(node, name)]
-    with suppress(RecursionError):  # of one that is nested too deep
-        return (
-            copy.deepcopy(max(found, key=lambda node: node.lineno)) if found else None
-        )
-    return None
-
-
-def _defines(node: ast.AST, name: str) -> bool:
-    if isinstance(node, ast.Assign) and isinstance(node.value, ast.Lambda):
-        return any(
-            isinstance(target, ast.Name) and target.id == name
-            for target in node.targets
-        )
-    return isinstance(node, ast.FunctionDef) and node.name == name
 
 
 def handed_in(source: str) -> set[str]:
@@ -105,63 +89,63 @@ def handed_in(source: str) -> set[str]:
     } - {""}
 
 
-def handed_in_last(source: str) -> str:
+def exercise_in_last_line(source: str) -> str:
     """The exercise that a cell hands to its check in its last line, as check.NAME(NAME); empty if it does not."""
-    last = (body := getattr(tree(source), "body", [])) and body[-1]
-    if not (isinstance(last, ast.Expr) and isinstance(last.value, ast.Call)):
+    parsed = tree(source)
+    if parsed is None or not parsed.body:
+        return ""
+    last = parsed.body[-1]
+    if not isinstance(last, ast.Expr) or not isinstance(last.value, ast.Call):
         return ""
     name = _exercise(last.value.func)
-    return name if name and ast.unparse(last) == f"{CHECK}.{name}({name})" else ""
+    is_its_check = ast.unparse(last) == f"{CHECK}.{name}({name})"
+    return name if is_its_check else ""
 
 
 def hints_asked(cells: Sequence[str], exercise: str) -> int:
     """How many different hints of an exercise the cells ask for."""
-    calls = [
-        node for source in cells for node in _all(source) if isinstance(node, ast.Call)
-    ]
-    asked = [
-        call
-        for call in calls
-        if isinstance(call.func, ast.Attribute) and call.func.attr == "hint"
-    ]
-    numbers = [[*call.args, *(keyword.value for keyword in call.keywords)] for call in asked
-               if _exercise(call.func.value) == exercise]  # fmt: skip
-    known = (number[0] if number else ast.Constant(1) for number in numbers)
-    return len(
-        {one.value if isinstance(one, ast.Constant) else id(one) for one in known}
-    )
+    asked = set()
+    for source in cells:
+        for call in _all(source):
+            if not isinstance(call, ast.Call) or not _asks_hint(call.func, exercise):
+                continue
+            numbers = call.args + [keyword.value for keyword in call.keywords]
+            number = numbers[0] if numbers else ast.Constant(1)
+            asked.add(number.value if isinstance(number, ast.Constant) else id(number))
+    return len(asked)
 
 
-def lessons_imported(source: str) -> list[str]:
-    """The lessons whose checks a cell imports, as lesson_03 or assignment_1."""
+def _asks_hint(function: ast.AST, exercise: str) -> bool:
+    """Whether this is check.NAME.hint of the exercise."""
+    is_hint = isinstance(function, ast.Attribute) and function.attr == "hint"
+    return is_hint and _exercise(function.value) == exercise
+
+
+def lessons_imported(source: str, package: str) -> list[str]:
+    """The lessons of a course whose checks a cell imports, as lesson_03 or assignment_1."""
     imported = []
     for node in _all(source):
         if isinstance(node, ast.ImportFrom):
             imported += [f"{node.module}.{one.name}" for one in node.names]
         elif isinstance(node, ast.Import):
             imported += [one.name for one in node.names]
-    paths = [
-        name.removeprefix(COURSE).split(".")
-        for name in imported
-        if name.startswith(COURSE)
-    ]
-    return [path[0] for path in paths if path[1:2] == [CHECK]]
+    lessons = []
+    for name in imported:
+        match name.split("."):
+            case [course, lesson, attribute, *_]:
+                if course == package and attribute == CHECK:
+                    lessons.append(lesson)
+    return lessons
 
 
 def made_for(source: str) -> str:
-    """The student whose variant a cell asks for, by own(check, "…"); empty if it does not."""
-    calls = [
-        node
-        for node in _all(source)
-        if isinstance(node, ast.Call) and _root(node.func) == "own"
-    ]
-    students = [
-        part.value
-        for call in calls
-        for part in call.args[1:2]
-        if isinstance(part, ast.Constant)
-    ]
-    return str(students[0]) if students else ""
+    """The student whose variant a cell asks for, by use_variant(check, "…"); empty if it does not."""
+    for node in _all(source):
+        match node:
+            case ast.Call(ast.Name(name), [_, ast.Constant(student), *_]):
+                if name == VARIANT:
+                    return str(student)
+    return ""
 
 
 def changes_checks(source: str) -> bool:
@@ -189,10 +173,11 @@ def calls_in(cells: Sequence[str]) -> dict[str, set[str]]:
             for name in names:
                 found[name] |= _names_in(value)
         for call in _all(source):
-            if isinstance(call, ast.Call) and (name := _exercise(call.func)):
-                found[name] |= {
-                    part for argument in call.args for part in _names_in(argument)
-                }
+            if isinstance(call, ast.Call):
+                name = _exercise(call.func)
+                for argument in call.args:
+                    found[name] |= _names_in(argument)
+    found.pop("", None)
     return found
 
 
@@ -201,11 +186,8 @@ def _exercise(node: ast.AST) -> str:
     if not isinstance(node, ast.Attribute):
         return ""
     owner = node.value
-    return (
-        node.attr
-        if CHECK in (getattr(owner, "id", ""), getattr(owner, "attr", ""))
-        else ""
-    )
+    is_check = CHECK in (getattr(owner, "id", ""), getattr(owner, "attr", ""))
+    return node.attr if is_check else ""
 
 
 def _root(node: ast.AST) -> str:
@@ -239,6 +221,7 @@ def _outside(top: ast.AST | None) -> Iterator[ast.AST]:
     """The parts of a cell that are in no function and in no class of it."""
     ahead = deque([top] if top else [])
     while ahead:
-        yield (node := ahead.popleft())
+        node = ahead.popleft()
+        yield node
         if not isinstance(node, SCOPES | COMPREHENSIONS):
             ahead.extend(ast.iter_child_nodes(node))

@@ -1,4 +1,4 @@
-"""Grading of many notebooks: ``python -m rlrobot_edu grade NOTEBOOK…``."""
+"""Grading of many notebooks: ``rlrobot-edu grade NOTEBOOK…``."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from functools import partial
 from pathlib import Path
 
 from rlrobot_grading.marking.attribution import Owner, class_of, owners_of
-from rlrobot_grading.marking.guard import OPEN, Digests, Guard
-from rlrobot_grading.marking.handed_in import Kept, handed_in
+from rlrobot_grading.marking.course import Course
+from rlrobot_grading.marking.guard import Digests, Guard
+from rlrobot_grading.marking.handed_in import HandIn, handed_in, notes_on
 from rlrobot_grading.marking.kernel import end_with_parent
 from rlrobot_grading.marking.marking import mark_file
 from rlrobot_grading.marking.marks import (
@@ -26,136 +27,141 @@ from rlrobot_grading.marking.marks import (
     Score,
     read_rules,
 )
-from rlrobot_grading.marking.misunderstood import as_table
+from rlrobot_grading.marking.misunderstood import mistakes_table
 from rlrobot_grading.marking.reports import (
-    as_gradescope,
     as_sheet,
     as_text,
     check_paths,
-    placed,
     sheet_names,
+    with_cells_shown,
     write_each,
 )
 from rlrobot_grading.marking.students import read_students
 from rlrobot_grading.marking.submission import (
     Submission,
-    exercises_of,
     read_submission,
     sections_of,
 )
-from rlrobot_grading.marking.tables import table_for
+from rlrobot_grading.marking.tables import points_table
 from rlrobot_grading.values import one_line
 
 
 def grade(
+    course: Course,
     notebooks: Sequence[str],
     lesson: str = "",
     seed: int | None = None,
     limits: Limits | None = None,
     jobs: int = 1,
-    system: str = "plain",
     roster: str = "",
     rules: str = "",
     csv: str = "",
-    gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
 ) -> int:
-    """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
+    """Grade notebooks, print their points, and write the reports that are asked for; returns the exit code.
 
-    notebooks: files, folders and patterns
-    lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
-    roster, rules: paths of a list of students and of what counts how much
-    csv, gradescope: paths of reports, of which the first is written for a system as canvas
-    feedback: folder of a sheet for each student
-    mistakes: path of a table of what was misunderstood
-    Returns 0 if all notebooks have all points, 1 if not, 2 if a report was not written.
-    Raises ValueError or OSError for what cannot be done.
+    Parameters
+    ----------
+    course : Course
+        Whose notebooks these are.
+    notebooks : sequence of str
+        Files, folders and patterns.
+    lesson : str
+        Of all of them; looked for in each if not given.
+    seed : int
+        Of the secret tapes; drawn if not given.
+    roster, rules : str
+        Paths of a list of students, and of what counts how much.
+    csv, mistakes : str
+        Paths of tables: the points, and what was misunderstood.
+    feedback : str
+        Folder of a sheet for each student.
+
+    Returns
+    -------
+    int
+        0 if all notebooks have all points, 1 if not, 2 if a report was not written.
+
+    Raises
+    ------
+    ValueError, OSError
+        For what cannot be done.
     """
     limits = limits or Limits()
     limits.check()
     if jobs < 1 or (seed is not None and seed < 0):
         raise ValueError("--jobs at least 1, --seed not negative")
     if lesson:
-        exercises_of(lesson)
+        course.folder_of(lesson)
     with tempfile.TemporaryDirectory(
         prefix="rlrobot-class-", ignore_cleanup_errors=True
     ) as temporary:
-        found = handed_in(notebooks, Path(temporary))
-        if gradescope and (n := len(found.notebooks)) != 1:
-            raise ValueError(
-                f"--gradescope writes the results of one notebook, and {n} are given"
-            )
-        asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes}
-        written = {option: path for option, path in asked.items() if path}
-        lists = [path for path in (roster, rules) if path]
-        check_paths(written, feedback, [*found.files, *lists])
+        found, others = handed_in(notebooks, Path(temporary))
+        paths = [one.path for one in found]
+        outputs = {"--csv": csv, "--mistakes": mistakes, "--feedback": feedback}
+        outputs = {option: path for option, path in outputs.items() if path}
+        inputs = [path for path in (roster, rules) if path]
+        check_paths(outputs, [*paths, *inputs])
         students = read_students(roster) if roster else []
         what_counts = read_rules(rules) if rules else NO_RULES
-        limits.guard.check(found.files)
-        if not limits.guard:
-            print(OPEN, file=sys.stderr)
+        limits.guard.check(course, paths)
+        print(limits.guard.protects, file=sys.stderr)
         seed = secrets.randbits(64) if seed is None else seed
-        digests = Digests()
-        _say(found.notes([*written.values(), *lists, feedback]))
-        given = [(kept, _submission(kept, lesson)) for kept in found.notebooks.values()]
-        owners = owners_of([submission for _, submission in given], students)
-        marks = marked_files(
-            [kept.copy for kept, _ in given], lesson, seed, limits, jobs, what_counts
-        )
-        marked: dict[str, Marked] = {}
-        for one, (_, submission), owner in zip(marks, given, owners, strict=True):
+        digests = Digests(course)
+        _print_each(notes_on(others, [*outputs.values(), *inputs]))
+
+        submissions = [_submission(course, one, lesson) for one in found]
+        owners = owners_of(submissions, students)
+        copies = [one.copy for one in found]
+        marks = marked_files(course, copies, lesson, seed, limits, jobs, what_counts)
+        marked = []
+        for one, submission, owner in zip(marks, submissions, owners, strict=True):
             digests.check(submission.name)
-            one = _of_student(
-                placed(one, submission.cells), submission.name, owner, what_counts
-            )
-            marked[one.name] = one
+            one = with_cells_shown(one, submission.cells)
+            one = _of_student(one, submission.name, owner, what_counts)
+            marked.append(one)
             print(as_text(one), flush=True)
-        rows, notes = class_of([*marked.values()], students)
+
+        rows, notes = class_of(marked, students)
         counting = [one for one in rows if one.name]
-        _say([*notes, *_unused(rules, what_counts, counting)])
+        _print_each([*notes, *_unused(rules, what_counts, counting)])
         full = sum(one.is_full for one in counting)
         print(
             f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}"
         )
-        copies = {submission.name: kept.copy for kept, submission in given}
-        texts: dict[str, Callable[[], str]] = {
-            "--csv": lambda: table_for(system, rows),
-            "--gradescope": lambda: as_gradescope(counting[0]),
-            "--mistakes": lambda: as_table(counting),
-        }
-        made = {path: texts[option] for option, path in written.items()}
+        reports: dict[str, Callable[[], str]] = {}
+        if csv:
+            reports[csv] = lambda: points_table(rows)
+        if mistakes:
+            reports[mistakes] = lambda: mistakes_table(course, counting)
         if feedback:
-            names = sheet_names(
-                [
-                    (one.name, one.student.id * bool(students), one.lesson)
-                    for one in counting
-                ]
-            )
-            for one, name in zip(counting, names, strict=True):
-                made[str(Path(feedback, name))] = partial(_sheet, one, copies[one.name])
-        all_written = write_each(made)
-    return 2 if not all_written else int(full < len(counting))
+            copy_of = {one.name: copy for one, copy in zip(marked, copies, strict=True)}
+            for one, name in zip(counting, sheet_names(counting), strict=True):
+                path = str(Path(feedback, name))
+                reports[path] = partial(_sheet, one, copy_of[one.name])
+        if not write_each(reports):
+            return 2
+    return int(full < len(counting))
 
 
-def _say(notes: Sequence[str]) -> None:
+def _print_each(notes: Sequence[str]) -> None:
     for note in notes:
         print(note)
 
 
-def _submission(kept: Kept, lesson: str) -> Submission:
+def _submission(course: Course, one: HandIn, lesson: str) -> Submission:
     """What is in a notebook, under the name of what was handed in, in letters that can be written into reports."""
-    name = str(kept.path).encode(errors="backslashreplace").decode()
-    return replace(read_submission(kept.copy, lesson), name=name)
+    name = str(one.path).encode(errors="backslashreplace").decode()
+    return replace(read_submission(course, one.copy, lesson), name=name)
 
 
 def _of_student(one: Marked, name: str, owner: Owner, rules: Rules) -> Marked:
     """A marked notebook under its own name, with the student whose it is, and what that changes."""
-    student, notes = owner.student, [*one.notes, *[owner.note] * bool(owner.note)]
-    if student.row and one.made_for and one.made_for.lower() != student.id.lower():
-        notes.append(
-            f"This is the notebook that was made for {one.made_for}, not for {student.id}."
-        )
+    student = owner.student
+    notes = list(one.notes)
+    if owner.note:
+        notes.append(owner.note)
     off = 0.0 if one.problem else rules.off(student.late, one.score)
     return replace(one, name=name, student=student, notes=notes, off=off)
 
@@ -164,9 +170,9 @@ def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
     """What the rules say of exercises that are not there, as a misspelt name is not."""
     there = {score.exercise for one in marked for score in one.scores}
     unused = [name for name in rules.points if name not in there]
-    return (
-        [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
-    )
+    if not unused:
+        return []
+    return [f"{path}: no exercise here is called {', '.join(unused)}."]
 
 
 def _sheet(one: Marked, copy: Path) -> str:
@@ -174,6 +180,7 @@ def _sheet(one: Marked, copy: Path) -> str:
 
 
 def marked_files(
+    course: Course,
     paths: Sequence[Path],
     lesson: str,
     seed: int,
@@ -190,23 +197,20 @@ def marked_files(
     while ahead:
         with _pool(min(jobs, len(ahead))) as pool:
             waiting = [
-                pool.submit(mark_file, path, lesson, seed, limits, rules)
+                pool.submit(mark_file, course, path, lesson, seed, limits, rules)
                 for path in ahead
             ]
             try:
                 for future in waiting:
+                    path = ahead.pop(0)
                     error = future.exception()
-                    if error is None:
-                        yield future.result()
-                    elif isinstance(
-                        error, ImportError
-                    ):  # nothing can be graded without it
+                    if isinstance(error, ImportError):
+                        # nothing can be graded without it
                         raise error
-                    else:
-                        yield _failed(ahead[0], error)
-                        ahead.pop(0)
+                    if error is not None:
+                        yield _failed(path, error)
                         break
-                    ahead.pop(0)
+                    yield future.result()
             finally:  # whoever stops early does not wait for the rest
                 pool.shutdown(wait=False, cancel_futures=True)
 
@@ -221,18 +225,22 @@ def _pool(jobs: int) -> ProcessPoolExecutor:
 
 def _failed(path: Path, error: BaseException) -> Marked:
     fault = one_line(f"{type(error).__name__}: {error}")
-    told = f"The grader itself failed at this notebook ({fault}); grade it again."
-    return Marked(str(path), "", [Score("notebook", 0.0, told)], problem=told)
+    problem = f"The grader itself failed at this notebook ({fault}); grade it again."
+    return Marked(str(path), "", [Score("notebook", 0.0, problem)], problem=problem)
 
 
-def run(arguments: dict[str, object]) -> None:
+def run(
+    course: Course,
+    seconds: float,
+    memory: int,
+    user: str,
+    container: str,
+    **arguments: object,
+) -> None:
     """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
-    seconds, memory, user, container = (
-        arguments.pop(name) for name in ("seconds", "memory", "user", "container")
-    )
     try:
-        limits = Limits(seconds, memory, Guard(user, container))  # type: ignore[arg-type]
-        code = grade(**arguments, limits=limits)  # type: ignore[arg-type]
+        limits = Limits(seconds, memory, Guard(user, container))
+        code = grade(course, limits=limits, **arguments)  # type: ignore[arg-type]
     except (ValueError, OSError, ImportError) as error:
         print(error, file=sys.stderr)
         code = 2

@@ -17,13 +17,15 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rlrobot_grading.marking.rooms import COURSE
+from rlrobot_grading.marking.course import Course
 
 NOT_IN_CONTAINERS = ("PATH", "PYTHONPATH", "VIRTUAL_ENV", "TMPDIR")
 NOBODY = 65534  # the user in a container, if root grades
 OTHER_USER = ("setpriv", "prlimit")  # programs of util-linux
 PROCESSES = 512  # of a user who runs a notebook, threads counted
-LOCKS = Path("/run/rlrobot-edu")  # root's: in it, each job locks the number of its user
+LOCKS = Path(
+    "/run/rlrobot-grading"
+)  # root's: in it, each job locks the number of its user
 SHARED = (
     Path(tempfile.gettempdir()),
     Path("/var/tmp"),
@@ -92,64 +94,77 @@ class Guard:
                             path.unlink(missing_ok=True)
                 return
 
-    def check(self, notebooks: Sequence[Path]) -> None:
+    @property
+    def protects(self) -> str:
+        """What protects this computer from the notebooks, in a sentence."""
+        if self.container:
+            return f"Each notebook runs in a container of its own ({self.container}), without a network."
+        if self.user:
+            return f"The notebooks run as user {self.user} and the next numbers; they can use the network."
+        return OPEN
+
+    def check(self, course: Course, notebooks: Sequence[Path]) -> None:
         """Raise ValueError if this guard cannot be set up, or would let a submission read the notebooks of others."""
         if self.user and self.container:
             raise ValueError("--user and --container: choose one of them")
         if self.user:
-            if (
-                sys.platform != "linux"
-                or os.getuid() != 0
-                or None in map(shutil.which, OTHER_USER)
-            ):
-                raise ValueError(
-                    f"--user needs Linux, root, {' and '.join(OTHER_USER)}; --container does not"
-                )
-            if self.uid == 0:
-                raise ValueError("--user must be another user than root")
-            self._said(
-                [sys.executable, "-c", "import rlrobot_edu, ipykernel"],
-                f"--user {self.user}: no Python for it",
-            )
-            readable = [
-                "sh",
-                "-c",
-                'for file; do if test -r "$file"; then echo "$file"; fi; done',
-                "sh",
-            ]
-            paths = [str(path.resolve()) for path in notebooks]
-            if seen := self._said(
-                [*readable, *paths], f"--user {self.user}"
-            ).splitlines():
-                raise ValueError(
-                    f"--user {self.user} could read {seen[0]}: chmod -R o-rwx {Path(seen[0]).parent}"
-                )
+            self._check_user(course, notebooks)
         if self.container:
-            version = "import sys, rlrobot_edu, ipykernel; print(*sys.version_info[:2])"
-            command = [
-                self.engine,
-                "run",
-                "--rm",
-                "--network=none",
-                self.container,
-                "python",
-                "-c",
-                version,
-            ]
-            said = self._said(command, f"--container {self.container} cannot be run")
-            if said.split()[-2:] != [*map(str, sys.version_info[:2])]:
-                raise ValueError(
-                    f"--container {self.container} must have the Python of the grader, {sys.version[:4]}"
-                )
+            self._check_container(course)
 
-    def _said(self, command: Sequence[str], told: str) -> str:
-        """What a command says, as the other user if there is one. Raises ValueError if it fails."""
+    def _check_user(self, course: Course, notebooks: Sequence[Path]) -> None:
+        programs = [shutil.which(name) for name in OTHER_USER]
+        if sys.platform != "linux" or os.getuid() != 0 or None in programs:
+            raise ValueError(
+                f"--user needs Linux, root, {' and '.join(OTHER_USER)}; --container does not"
+            )
+        if self.uid == 0:
+            raise ValueError("--user must be another user than root")
+        imports = f"import {course.package}, ipykernel"
+        self._output(
+            [sys.executable, "-c", imports], f"--user {self.user}: no Python for it"
+        )
+        readable = [
+            "sh",
+            "-c",
+            'for file; do if test -r "$file"; then echo "$file"; fi; done',
+            "sh",
+        ]
+        paths = [str(path.resolve()) for path in notebooks]
+        seen = self._output([*readable, *paths], f"--user {self.user}").splitlines()
+        if seen:
+            raise ValueError(
+                f"--user {self.user} could read {seen[0]}: chmod -R o-rwx {Path(seen[0]).parent}"
+            )
+
+    def _check_container(self, course: Course) -> None:
+        version = (
+            f"import sys, {course.package}, ipykernel; print(*sys.version_info[:2])"
+        )
+        command = [
+            self.engine,
+            "run",
+            "--rm",
+            "--network=none",
+            self.container,
+            "python",
+            "-c",
+            version,
+        ]
+        said = self._output(command, f"--container {self.container} cannot be run")
+        if said.split()[-2:] != [str(number) for number in sys.version_info[:2]]:
+            raise ValueError(
+                f"--container {self.container} must have the Python of the grader, {sys.version[:4]}"
+            )
+
+    def _output(self, command: Sequence[str], fault: str) -> str:
+        """What a command prints, as the other user if there is one. Raises ValueError if it fails."""
         done = subprocess.run(
             [*self._other_user(), *command], capture_output=True, text=True, cwd="/"
         )
         if done.returncode:
             why = (done.stderr.strip() or f"exit code {done.returncode}").splitlines()
-            raise ValueError(f"{told}: {why[0]}")
+            raise ValueError(f"{fault}: {why[0]}")
         return done.stdout
 
     @property
@@ -225,7 +240,7 @@ class Guard:
             )
 
 
-OPEN_HOUSE = Guard()
+NO_GUARD = Guard()
 
 
 def _is_somebody(uid: int) -> bool:
@@ -240,39 +255,40 @@ def _is_somebody(uid: int) -> bool:
 def _left_by(uid: int) -> set[Path]:
     """What belongs to a user in the folders that everybody may write to."""
     left = set()
-    for path in {
-        path for folder in SHARED if folder.is_dir() for path in folder.iterdir()
-    }:
-        with suppress(OSError):  # it is gone already
-            left |= {path} if path.lstat().st_uid == uid else set()
+    for folder in SHARED:
+        paths = folder.iterdir() if folder.is_dir() else ()
+        for path in paths:
+            with suppress(OSError):  # it is gone already
+                if path.lstat().st_uid == uid:
+                    left.add(path)
     return left
 
 
 class Digests:
-    """Of the grader's own files, taken when this is made."""
+    """Of the grader's own files and of the course's, taken when this is made."""
 
-    def __init__(self) -> None:
-        self._taken = _digests()
+    def __init__(self, course: Course) -> None:
+        self._folders = (Path(__file__).parents[1], course.path)
+        self._taken = self._digests()
 
     def check(self, notebook: str) -> None:
         """Raise ValueError if they have changed since; `notebook`: the one that has just been graded."""
-        now = _digests()
-        if changed := [
-            str(path)
-            for path in self._taken.keys() | now
-            if self._taken.get(path) != now.get(path)
-        ]:
+        now = self._digests()
+        changed = []
+        for path in self._taken.keys() | now.keys():
+            if self._taken.get(path) != now.get(path):
+                changed.append(str(path))
+        if changed:
             raise ValueError(
                 f"{min(changed)} has changed by the time {notebook} was graded: trust no points, install rlrobot-edu "
                 "anew, look into that notebook and the next ones, and grade with --user or --container"
             )
 
-
-def _digests() -> dict[Path, str]:
-    """SHA-256 of each file of the course."""
-    files = sorted(
-        path
-        for kind in ("py", "md", "toml")
-        for path in COURSE.resolve().rglob(f"*.{kind}")
-    )
-    return {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+    def _digests(self) -> dict[Path, str]:
+        """SHA-256 of each file."""
+        digests = {}
+        for folder in self._folders:
+            for kind in ("py", "md", "toml"):
+                for path in folder.resolve().rglob(f"*.{kind}"):
+                    digests[path] = hashlib.sha256(path.read_bytes()).hexdigest()
+        return digests

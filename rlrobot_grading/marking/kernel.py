@@ -17,20 +17,22 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
-from rlrobot_grading.marking.guard import OPEN_HOUSE, Guard
+from rlrobot_grading.marking.course import Course
+from rlrobot_grading.marking.guard import NO_GUARD, Guard
 from rlrobot_grading.values import one_line
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
-SETTLED = (
-    0.5  # after which a kernel that has been told to end, as by a restart, is gone [s]
-)
+# after which a kernel that was asked to end, as by a restart, is gone [s]
+SETTLED = 0.5
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
-TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
+TIME_OUT = (
+    "TimeoutError"  # the name of the exception of a cell that had to be interrupted
+)
 MOST_ROUNDS = 50  # of ending what a kernel has left behind
 END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
-INSIDE = "__import__('rlrobot_grading.marking.kernel_side', fromlist=['x'])"
+KERNEL_SIDE = "__import__('rlrobot_grading.marking.kernel_side', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
 PASSED_ON = (
     "LANG",
@@ -66,7 +68,8 @@ class GoneError(EndedError):
 class Kernel:
     """A context manager.
 
-    folder: where the notebook runs, empty but for it; home: of its settings; lesson: its number; exercises: their names
+    folder: where the notebook runs, empty but for it; home: of its settings
+    course, lesson, exercises: whose notebook it is, the lesson's number, and the names of its exercises
     memory: limit [MiB]; guard: what it runs behind
     """
 
@@ -74,10 +77,11 @@ class Kernel:
         self,
         folder: Path,
         home: Path,
+        course: Course,
         lesson: str,
         exercises: Sequence[str],
         memory: int,
-        guard: Guard = OPEN_HOUSE,
+        guard: Guard = NO_GUARD,
     ) -> None:
         try:
             import jupyter_client  # noqa: F401
@@ -85,23 +89,23 @@ class Kernel:
             raise ImportError(
                 "jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it"
             ) from None
-        self._memory, self._file = memory, home / "kernel.json"
+        self._memory = memory
+        self._file = home / "kernel.json"
         command = "from rlrobot_grading.marking.kernel_side import start; start()"
         self._argv = [
             sys.executable,
             "-c",
             command,
+            course.to_json(),
             lesson,
             ",".join(exercises),
             str(memory),
             "{connection_file}",
         ]
-        self._folder, self._environment, self._guard, self._home = (
-            folder,
-            _environment(home),
-            guard,
-            home,
-        )
+        self._folder = folder
+        self._environment = _environment(home)
+        self._guard = guard
+        self._home = home
         self._before: list[Any] = []
 
     def __enter__(self) -> Kernel:
@@ -158,13 +162,9 @@ class Kernel:
         self._manager.shutdown_kernel(now=True)
         self._guard.end(self._home)
         for _ in range(MOST_ROUNDS):  # some may start others meanwhile
-            if not (
-                left := [
-                    child
-                    for child in _children(os.getpid())
-                    if child not in self._before
-                ]
-            ):
+            now = _children(os.getpid())
+            left = [child for child in now if child not in self._before]
+            if not left:
                 break
             for child in left:
                 with suppress(Exception):  # it is gone already
@@ -179,16 +179,16 @@ class Kernel:
         return str(reply.get("ename", "")), str(reply.get("evalue", ""))
 
     def ask(self, call: str, seconds: float) -> str:
-        """The text that a function of `inside` returns.
+        """Return the text that a function of `kernel_side` returns.
 
         Raises EndedError as `run` does; TimeoutError if it takes longer, and then the kernel can be asked again.
         """
-        reply = self._asked("", {"told": f"{INSIDE}.{call}"}, seconds)
+        reply = self._asked("", {"result": f"{KERNEL_SIDE}.{call}"}, seconds)
         if reply.get("ename") == TIME_OUT:
             raise TimeoutError(f"has not ended after {seconds:.0f} seconds")
-        told = reply.get("user_expressions", {}).get("told", {})
+        result = reply.get("user_expressions", {}).get("result", {})
         try:
-            return str(ast.literal_eval(told["data"]["text/plain"]))
+            return str(ast.literal_eval(result["data"]["text/plain"]))
         except (
             KeyError,
             ValueError,
@@ -197,7 +197,7 @@ class Kernel:
             RecursionError,
             MemoryError,
         ):
-            said = f"{told.get('ename', '')}: {told.get('evalue', '')}"
+            said = f"{result.get('ename', '')}: {result.get('evalue', '')}"
             raise EndedError(
                 f"leaves the kernel in a state in which it can tell nothing ({said:.200})"
             ) from None
@@ -271,7 +271,9 @@ def _environment(home: Path) -> dict[str, str]:
     """
     import matplotlib
 
-    settings, temporary, programs = home / "matplotlib", home / "tmp", home / "programs"
+    settings = home / "matplotlib"
+    temporary = home / "tmp"
+    programs = home / "programs"
     for folder in (settings, temporary, programs):
         folder.mkdir(parents=True, exist_ok=True)
     for fonts in glob.glob(f"{glob.escape(matplotlib.get_cachedir())}/fontlist-*.json"):
@@ -286,7 +288,7 @@ def _environment(home: Path) -> dict[str, str]:
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
         "HOME": str(home), "USERPROFILE": str(home), "TMPDIR": str(temporary), "IPYTHONDIR": str(home / "ipython"),
         "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",
-        "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0", "PIP_NO_INDEX": "1",
+        "PYTHONPATH": os.pathsep.join(paths), "PIP_NO_INDEX": "1",
         "PATH": os.pathsep.join([str(programs), os.environ.get("PATH", "")]),
         "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
     }  # fmt: skip

@@ -1,6 +1,6 @@
 """The kernel's side of grading: a limit of memory, answers taken in and called.
 
-All that this module tells the grader is data that the grader's own checks judge. So whoever changes it here, from a
+All that this module sends to the grader is data that the grader's own checks judge. So whoever changes it here, from a
 notebook, gains nothing: to be right, the right values must come out, and for arguments that nobody knows beforehand.
 """
 
@@ -19,9 +19,8 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_course.learner import my_functions
 from rlrobot_grading.limits import attempt
-from rlrobot_grading.marking.rooms import COURSE, room_of
+from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.serialization import state_of, written
 from rlrobot_grading.source import COURSES_OWN, is_courses_own, is_unfinished
 from rlrobot_grading.values import safely
@@ -30,10 +29,10 @@ answers: dict[
     str, Any
 ] = {}  # what has been handed in, by exercise; where nothing has, what defines it
 handed_in: list[str] = []  # since the grader asked last
-given: dict[str, Given] = {}  # what stands in for the solutions
-taken: list[Any] = []  # what `take` has given: no answers
+stand_ins: dict[str, StandIn] = {}  # for the solutions
+taken: list[Any] = []  # what the course has given to the notebook: no answers
 judged: list[str] = []  # exercises whose answers the grader is calling
-ROOM = 16 * 2**20  # memory that a kernel must have left [bytes]
+NEEDED = 16 * 2**20  # memory that a kernel must have left [bytes]
 
 
 class NotGivenError(LookupError, AttributeError):
@@ -46,7 +45,8 @@ class Intake:
     hints: tuple[str, ...] = ()
 
     def __init__(self, name: str) -> None:
-        self._name, self.right = name, given.get(name)
+        self._name = name
+        self.right = stand_ins.get(name)
 
     def __getattr__(self, name: str) -> Any:
         raise NotGivenError(f"while a notebook is graded, its checks have no {name!r}")
@@ -63,18 +63,19 @@ class Intake:
         """Say nothing: hints are for learning."""
 
 
-class Given:
+class StandIn:
     """It stands where a solution stood: the lesson's pictures call it, and get what the learner has written."""
 
-    def __init__(self, room: str, name: str) -> None:
-        self.__name__, self.__module__ = name, f"{room}.exercises"
+    def __init__(self, module: str, name: str) -> None:
+        self.__name__ = name
+        self.__module__ = module
 
     def __call__(self, *arguments: Any, **more: Any) -> Any:
         """What the learner's function returns. Raises NotGivenError if there is none, or if it calls the solution."""
         if self.__name__ in judged:
             raise NotGivenError(COURSES_OWN)
         answer = answers.get(self.__name__)
-        if not callable(answer) or isinstance(answer, Given):
+        if not callable(answer) or isinstance(answer, StandIn):
             raise NotGivenError(
                 f"{self.__name__} is an exercise of this notebook; while it is graded none is given"
             )
@@ -82,16 +83,15 @@ class Given:
 
 
 def start() -> None:
-    """Run a kernel for one submission; the arguments: lesson, its exercises, MiB of memory, connection file."""
-    lesson, exercises, memory, connection_file = sys.argv[1:5]
+    """Run a kernel for one submission; arguments: course, lesson, its exercises, MiB of memory, connection file."""
+    course, lesson, exercises, memory, connection_file = sys.argv[1:6]
     from ipykernel.kernelapp import IPKernelApp
 
     app = IPKernelApp.instance()
     app.initialize(["-f", connection_file])
-    type(app.shell).ask_exit = staticmethod(
-        sys.exit
-    )  # exit() would end the kernel; so it ends a cell
-    _stand_in(lesson, exercises.split(","))
+    # exit() would end the kernel; so it ends a cell
+    type(app.shell).ask_exit = staticmethod(sys.exit)
+    _replace_solutions(Course.from_json(course), lesson, exercises.split(","))
     _limit_memory(int(memory))
     app.start()
 
@@ -101,56 +101,31 @@ def _limit_memory(mebibytes: int) -> None:
     if sys.platform == "linux":
         import resource
 
-        most, pages = (
-            mebibytes << 20,
-            int(Path("/proc/self/statm").read_text().split()[0]),
-        )
+        most = mebibytes << 20
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+        addresses = pages * resource.getpagesize() + most
         resource.setrlimit(resource.RLIMIT_DATA, (most, most))
-        resource.setrlimit(
-            resource.RLIMIT_AS, (pages * resource.getpagesize() + most,) * 2
-        )
+        resource.setrlimit(resource.RLIMIT_AS, (addresses, addresses))
         resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
 
-def _stand_in(lesson: str, exercises: Sequence[str]) -> None:
+def _replace_solutions(course: Course, lesson: str, exercises: Sequence[str]) -> None:
     """Have the lesson's checks take answers in, and its solutions give its pictures what the learner has written.
 
     No lock: whoever wants the solutions finds their file in the package.
     """
-    room = f"rlrobot_course.{room_of(lesson)}"
-    here = importlib.import_module(room)
-    given.update({name: Given(room, name) for name in exercises})
+    package = importlib.import_module(course.module_of(lesson))
+    module = ModuleType(f"{package.__name__}.exercises")
+    for name in exercises:
+        stand_ins[name] = StandIn(module.__name__, name)
     check = SimpleNamespace(**{name: Intake(name) for name in exercises})
-    stand_in = ModuleType(f"{room}.exercises")
-    vars(stand_in).update(vars(here.exercises) | given | {"check": check})
-    vars(here).update(check=check, exercises=stand_in)
-    sys.modules[stand_in.__name__] = stand_in
-    _let_take_give(lesson, exercises)
-
-
-def _let_take_give(lesson: str, exercises: Sequence[str]) -> None:
-    """Let `take` hand out the learner's own functions of this lesson; of other lessons the given ones, as always."""
-    take = my_functions.take
-    my_functions.LESSONS = [other for other in my_functions.LESSONS if other != lesson]
-
-    def take_own(number: str, *names: str, folder: str | Path = ".") -> Any:
-        own = {
-            name: answers.get(name)
-            for name in names
-            if lesson.startswith(number) and name in exercises
-        }
-        if missing := [name for name, answer in own.items() if not callable(answer)]:
-            raise NotGivenError(
-                f"{missing[0]} is an exercise of this notebook; while it is graded none is given"
-            )
-        found = [
-            own[name] if name in own else take(number, name, folder=folder)
-            for name in names
-        ]
-        taken.extend(found)
-        return found if len(found) > 1 else found[0]
-
-    my_functions.take = take_own
+    vars(module).update(vars(package.exercises) | stand_ins | {"check": check})
+    vars(package).update(check=check, exercises=module)
+    sys.modules[module.__name__] = module
+    if course.kernel_setup:
+        setup_module, _, function = course.kernel_setup.partition(":")
+        set_up = getattr(importlib.import_module(setup_module), function)
+        set_up(lesson, exercises, answers, taken)
 
 
 def taken_in(exercises: Sequence[str]) -> str:
@@ -162,73 +137,70 @@ def taken_in(exercises: Sequence[str]) -> str:
     """
     from IPython import get_ipython
 
-    here, checked = get_ipython().user_ns, list(dict.fromkeys(handed_in))
+    here = get_ipython().user_ns
+    checked = list(dict.fromkeys(handed_in))
     handed_in.clear()
-    defined = [
-        name
-        for name in exercises
-        if name in here and name not in checked and _is_new(name, here[name])
-    ]
-    answers.update({name: here[name] for name in defined})
-    told = {
-        name: _described(answers[name], given[name]) | {"checked": name in checked}
-        for name in checked + defined
-    }
-    return json.dumps({"answers": told, "is_full": is_full()})
+    defined = []
+    for name in exercises:
+        if name in here and name not in checked and _is_new(name, here[name]):
+            defined.append(name)
+            answers[name] = here[name]
+    described = {}
+    for name in checked + defined:
+        described[name] = _described(answers[name], stand_ins[name])
+        described[name]["checked"] = name in checked
+    return json.dumps({"answers": described, "is_full": is_full()})
 
 
 def _is_new(name: str, thing: Any) -> bool:
-    return not isinstance(thing, Intake) and not any(
-        thing is known for known in [answers.get(name), *taken]
-    )
+    known = [answers.get(name), *taken]
+    return not isinstance(thing, Intake) and not any(thing is one for one in known)
 
 
 def is_full() -> bool:
     """Whether there is no memory left: then whatever comes next would fail."""
     try:
-        bytearray(ROOM)
+        bytearray(NEEDED)
     except MemoryError:
         return True
     return False
 
 
-def _described(answer: Any, solution: Given | None = None) -> dict[str, Any]:
+def _described(answer: Any, solution: StandIn | None = None) -> dict[str, Any]:
     if solution is not None and safely(False, is_courses_own, answer, solution):
         return {"kind": "solution", "value": ""}
     if callable(answer):
-        return {
-            "kind": "function",
-            "value": "unfinished" if safely(False, is_unfinished, answer) else "",
-        }
+        is_blank = safely(False, is_unfinished, answer)
+        return {"kind": "function", "value": "unfinished" if is_blank else ""}
     return {"kind": "value", "value": written(answer)}
 
 
-def called(name: str, arguments: str, lent: str = "") -> str:
+def call(name: str, arguments: str, substitutes: str) -> str:
     """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more.
 
-    lent: pickled, too, functions that the answer finds in the notebook instead of those of the same names
+    substitutes: pickled, too, functions that the answer finds in the notebook instead of those of the same names
     """
     try:
         os.getcwd()
-    except (
-        FileNotFoundError
-    ):  # a cell has deleted it, and some modules cannot be imported from nowhere
-        os.chdir(COURSE)
-    answer, things = answers[name], _unpacked(arguments)
+    except FileNotFoundError:
+        # a cell has deleted it, and some modules cannot be imported from nowhere
+        os.chdir(Path(__file__).parent)
+    answer = answers[name]
+    things = _unpacked(arguments)
     names = getattr(answer, "__globals__", None) or sys.modules["__main__"].__dict__
-    with _lending(names, _unpacked(lent) if lent else {}):
+    with _substituting(names, _unpacked(substitutes)):
         judged.append(name)
         try:
             value, failure, printed = attempt(answer, *things)
         finally:
             judged.clear()
-    told = {
+    result = {
         "value": written(value),
         "failure": None if failure is None else vars(failure),
         "printed": printed[:200],
         "states": [written(state_of(thing)) for thing in things],
     }
-    return json.dumps(told)
+    return json.dumps(result)
 
 
 def _unpacked(text: str) -> Any:
@@ -236,13 +208,13 @@ def _unpacked(text: str) -> Any:
 
 
 @contextmanager
-def _lending(names: dict[str, Any], lent: dict[str, Any]) -> Iterator[None]:
+def _substituting(names: dict[str, Any], substitutes: dict[str, Any]) -> Iterator[None]:
     """Have other things stand under some names of the notebook for a while."""
-    own = {name: names[name] for name in lent if name in names}
-    names.update(lent)
+    before = {name: names[name] for name in substitutes if name in names}
+    names.update(substitutes)
     try:
         yield
     finally:
-        for name in lent:
+        for name in substitutes:
             del names[name]
-        names.update(own)
+        names.update(before)

@@ -13,12 +13,13 @@ from typing import Any
 
 from rlrobot_grading.exercise import Exercise
 from rlrobot_grading.marking.cell import bound, changes_checks, hints_asked
+from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import EndedError, GoneError, Kernel, ended
 from rlrobot_grading.marking.marks import HINTS, NO_RULES, Limits, Marked, Rules, Score
-from rlrobot_grading.marking.remote_function import away
+from rlrobot_grading.marking.remote_function import remote_function
 from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.serialization import read
-from rlrobot_grading.marking.submission import Submission, exercises_of, read_submission
+from rlrobot_grading.marking.submission import Submission, read_submission
 from rlrobot_grading.marking.variants import variant_of
 from rlrobot_grading.question import Question
 from rlrobot_grading.source import COURSES_OWN
@@ -36,10 +37,15 @@ ONLY_THESE_NUMBERS = (
 
 
 def mark_file(
-    path: Path, lesson: str, seed: int, limits: Limits, rules: Rules = NO_RULES
+    course: Course,
+    path: Path,
+    lesson: str,
+    seed: int,
+    limits: Limits,
+    rules: Rules = NO_RULES,
 ) -> Marked:
     """Run and judge one notebook; its scores say what is wrong with it."""
-    submission = read_submission(path, lesson)
+    submission = read_submission(course, path, lesson)
     if submission.problem:
         names = list(submission.answered_in) or ["notebook"]
         problem = submission.problem
@@ -47,22 +53,22 @@ def mark_file(
         return Marked(
             submission.name, submission.lesson, scores, [problem], problem=problem
         )
-    return Marking(path, submission, seed, limits, rules).marked()
+    return Marking(course, path, submission, seed, limits, rules).marked()
 
 
-@lru_cache(
-    maxsize=4
-)  # it takes seconds to draw tapes that show all mistakes, and a class hands in one lesson
+@lru_cache(maxsize=4)
 def with_twins(
-    lesson: str, student: str, seed: int
+    course: Course, lesson: str, student: str, seed: int
 ) -> tuple[dict[str, Exercise | Question], dict[str, Exercise | None]]:
-    """The exercises of a lesson, or of a student's variant of it, and their secret twins; both by name."""
-    exercises = (
-        variant_of(lesson, student).exercises if student else exercises_of(lesson)
-    )
-    return exercises, {
-        name: secret_twin(exercise, seed) for name, exercise in exercises.items()
-    }
+    """The exercises of a lesson, or of a student's variant of it, and their secret twins; both by name.
+
+    They are kept: it takes seconds to draw tapes that show all mistakes, and a class hands in one lesson.
+    """
+    exercises = course.exercises_of(lesson)
+    if student:
+        exercises = variant_of(course, lesson, student).exercises
+    twins = {name: secret_twin(one, seed) for name, one in exercises.items()}
+    return exercises, twins
 
 
 class Marking:
@@ -70,52 +76,44 @@ class Marking:
 
     def __init__(
         self,
+        course: Course,
         path: Path,
         submission: Submission,
         seed: int,
         limits: Limits,
         rules: Rules = NO_RULES,
     ) -> None:
-        self._path, self._submission, self._limits, self._rules = (
-            path,
-            submission,
-            limits,
-            rules,
-        )
+        self._course = course
+        self._path = path
+        self._submission = submission
+        self._limits = limits
+        self._rules = rules
         self._exercises, self._twins = with_twins(
-            submission.lesson, submission.made_for, seed
+            course, submission.lesson, submission.made_for, seed
         )
         self._end = time.monotonic() + limits.seconds
-        self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
-        self._errors: dict[int, str] = {}  # exceptions that cells end with
-        self._unsettled = set(
-            range(len(submission.cells))
-        )  # cells of which a late end of the kernel may come
-        self._is_careful = False  # whether each cell is waited for, since one of them has ended the kernel
-        self._missing: set[str] = (
-            set()
-        )  # names without a value, since the grader gives none
-        self._judged: dict[str, dict[int, Verdict]] = {
-            name: {} for name in self._exercises
-        }
-        self._checked: set[tuple[str, int]] = (
-            set()
-        )  # answers that were handed to their checks
-        self._shares: dict[
-            tuple[str, int], float
-        ] = {}  # of the cases of a wrong answer, those that are right
-        self._lent: dict[
-            tuple[str, int], list[str]
-        ] = {}  # functions in whose place the right ones were called
+        # cells that end the kernel, and how; exceptions that cells end with
+        self._left_out: dict[int, str] = {}
+        self._errors: dict[int, str] = {}
+        # cells of which a late end of the kernel may come, and whether each cell is waited for since one has come
+        self._unsettled = set(range(len(submission.cells)))
+        self._is_careful = False
+        # names without a value, since the grader gives none
+        self._missing: set[str] = set()
+        # by exercise and cell: verdicts; answers that were handed to their checks; of a wrong answer the share of the
+        # cases that are right; functions in whose place the right ones were called
+        self._judged: dict[str, dict[int, Verdict]] = {}
+        for name in self._exercises:
+            self._judged[name] = {}
+        self._checked: set[tuple[str, int]] = set()
+        self._shares: dict[tuple[str, int], float] = {}
+        self._substituted: dict[tuple[str, int], list[str]] = {}
 
     def marked(self) -> Marked:
         """Run all cells and judge the answers. A cell that ends the kernel is left out, and all others run again."""
-        while (
-            not self._run()
-            and len(self._left_out) <= MOST_LEFT_OUT
-            and self._time_left() > 0
-        ):
-            pass
+        while not self._run():
+            if len(self._left_out) > MOST_LEFT_OUT or self._time_left() <= 0:
+                break
         scores = [self._score(name) for name in self._exercises]
         made_for = self._submission.made_for
         return Marked(
@@ -139,33 +137,37 @@ class Marking:
 
     def _run(self) -> bool:
         """Run what has not been left out; false if a cell ends the kernel."""
-        lesson, memory = self._submission.lesson, self._limits.memory
         with (
             self._limits.guard.of_one_job() as guard,
             tempfile.TemporaryDirectory(
                 prefix="rlrobot-grade-", ignore_cleanup_errors=True
             ) as temporary,
         ):
-            folder, home = Path(temporary, "work"), Path(temporary, "home")
+            folder = Path(temporary, "work")
+            home = Path(temporary, "home")
             folder.mkdir()
             home.mkdir()
             shutil.copy(self._path, folder)
-            with Kernel(
-                folder, home, lesson, list(self._exercises), memory, guard
-            ) as kernel:
-                for place, source in enumerate(
-                    self._submission.cells[: self._submission.last_cell]
-                ):
-                    if (
-                        place not in self._left_out
-                        and self._time_left() > 0
-                        and not self._cell(kernel, place, source)
-                    ):
+            kernel = Kernel(
+                folder,
+                home,
+                self._course,
+                self._submission.lesson,
+                list(self._exercises),
+                self._limits.memory,
+                guard,
+            )
+            with kernel:
+                for place in range(self._submission.last_cell):
+                    if place in self._left_out or self._time_left() <= 0:
+                        continue
+                    if not self._cell(kernel, place):
                         return False
         return True
 
-    def _cell(self, kernel: Kernel, place: int, source: str) -> bool:
+    def _cell(self, kernel: Kernel, place: int) -> bool:
         """Run one cell, and judge what it answers; false if the kernel has to be begun anew."""
+        source = self._submission.cells[place]
         try:
             self._errors.pop(place, None)  # from an earlier run
             kind, text = kernel.run(source, self._share())
@@ -178,17 +180,13 @@ class Marking:
                 self._errors[place] = (
                     f"Code cell {1 + place} {ended(kind, text, self._limits.memory)}"
                 )
-            told = json.loads(
-                kernel.ask(
-                    f"taken_in({self._submission.answered_by(place, self._left_out)!r})",
-                    ASKING,
-                )
-            )
-            if not told["is_full"]:
-                self._take_in(kernel, place, told["answers"])
-            if told["is_full"] or (
-                told["answers"] and kernel.ask("is_full()", ASKING) == "True"
-            ):
+            names = self._submission.answered_by(place, self._left_out)
+            taken = json.loads(kernel.ask(f"taken_in({names!r})", ASKING))
+            is_full = taken["is_full"]
+            if taken["answers"] and not is_full:
+                self._take_in(kernel, place, taken["answers"])
+                is_full = kernel.ask("is_full()", ASKING) == "True"
+            if is_full:
                 self._left_out[place] = (
                     f"fills the {self._limits.memory} MiB of memory that a submission may use"
                 )
@@ -206,7 +204,7 @@ class Marking:
             AttributeError,
         ):  # the kernel's side has been changed by the learner
             self._left_out[place] = (
-                "leaves the kernel in a state in which it can tell nothing"
+                "leaves the kernel in a state in which it cannot be asked"
             )
         return place not in self._left_out
 
@@ -216,86 +214,89 @@ class Marking:
             kind == "NameError" and any(f"'{name}'" in text for name in self._missing)
         )
 
-    def _take_in(self, kernel: Kernel, place: int, told: dict[str, Any]) -> None:
+    def _take_in(self, kernel: Kernel, place: int, answers: dict[str, Any]) -> None:
         """Judge what a cell answers: what it hands to a check, and what it only defines."""
-        for name, answer in told.items():
+        for name, answer in answers.items():
             if name in self._exercises:
                 self._judged[name][place] = self._judge(kernel, place, name, answer)
                 if answer["checked"]:
                     self._checked.add((name, place))
 
     def _judge(
-        self, kernel: Kernel, place: int, name: str, told: dict[str, str]
+        self, kernel: Kernel, place: int, name: str, described: dict[str, str]
     ) -> Verdict:
         """The verdict on one answer; where it calls functions that are wrong, with the right ones in their place."""
         exercise = self._exercises[name]
-        judge = exercise.judge if isinstance(exercise, Exercise) else exercise
-        if told["kind"] == "solution":
+        if described["kind"] == "solution":
             return Verdict("wrong", COURSES_OWN, id="courses_own")
-        if told["kind"] == "value":
-            return judge(read(told["value"]))
+        answer: Any = Unkept("a function")
+        if described["kind"] == "value":
+            answer = read(described["value"])
         if not isinstance(exercise, Exercise):
-            return judge(Unkept("a function"))
-        unfinished = (
-            told["value"] == "unfinished"
-        )  # counts only if it is wrong, as in the learner's own check
-        answer = away(kernel, name, self._submission.lesson, self._share, unfinished)
+            return exercise(answer)
+        if described["kind"] == "value":
+            return exercise.judge(answer)
+        # dots count only if it is wrong, as in the learner's own check
+        is_unfinished = described["value"] == "unfinished"
         try:
-            verdict = self._on_both_tapes(name, answer)
-            if verdict or verdict.status == WAITS:
-                return verdict
-            if wrong := self._wrong_ones_in(name):
-                right = {other: self._exercises[other].right for other in wrong}
-                answer = away(
-                    kernel, name, self._submission.lesson, self._share, lent=right
-                )
-                verdict = self._on_both_tapes(
-                    name, answer
-                )  # what it does by itself, right or wrong
-                self._lent[name, place] = wrong
-                if verdict:
-                    return verdict
-            if self._rules.partial:
-                tapes = [
-                    tape for tape in (exercise, self._twins[name]) if tape is not None
-                ]
-                self._shares[name, place] = min(tape.share(answer) for tape in tapes)
+            return self._judge_function(kernel, place, name, is_unfinished)
         except EndedError as error:
             if self._is_careful or not isinstance(error, GoneError):
                 self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
             raise
+
+    def _judge_function(
+        self, kernel: Kernel, place: int, name: str, is_unfinished: bool
+    ) -> Verdict:
+        course = self._course
+        lesson = self._submission.lesson
+        answer = remote_function(
+            course, kernel, lesson, name, self._share, is_unfinished
+        )
+        verdict = self._on_both_tapes(name, answer)
+        if verdict or verdict.status == WAITS:
+            return verdict
+        wrong = self._wrong_ones_in(name)
+        if wrong:
+            right = {other: self._exercises[other].right for other in wrong}
+            answer = remote_function(
+                course, kernel, lesson, name, self._share, substitutes=right
+            )
+            # what it does by itself, right or wrong
+            verdict = self._on_both_tapes(name, answer)
+            self._substituted[name, place] = wrong
+            if verdict:
+                return verdict
+        if self._rules.partial:
+            tapes = [self._exercises[name], self._twins[name]]
+            shares = [tape.share(answer) for tape in tapes if tape is not None]
+            self._shares[name, place] = min(shares)
         return verdict
 
     def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
         """The verdict on the notebook's tape, and if it is right there, on the secret one."""
-        exercise, twin = self._exercises[name], self._twins[name]
+        exercise = self._exercises[name]
+        twin = self._twins[name]
         verdict = exercise.judge(answer)
-        secret = twin.judge(answer) if verdict and twin is not None else verdict
-        if secret or not verdict:
+        if not verdict or twin is None:
             return verdict
-        known = secret.hint in [
-            mistake.hint for mistake in exercise.mistakes
-        ]  # any other hint may tell numbers
-        return Verdict(
-            "wrong",
-            ONLY_THESE_NUMBERS,
-            hint=secret.hint if known else "",
-            id="these_numbers_alone",
-        )
+        secret = twin.judge(answer)
+        if secret:
+            return verdict
+        # any other hint may contain numbers
+        known = [mistake.hint for mistake in exercise.mistakes]
+        hint = secret.hint if secret.hint in known else ""
+        return Verdict("wrong", ONLY_THESE_NUMBERS, hint=hint, id="these_numbers_alone")
 
     def _wrong_ones_in(self, name: str) -> list[str]:
         """The functions of other exercises that an answer calls, or that those call, and that are not right so far."""
-        others = [
-            other
-            for other in self._exercises
-            if other in self._submission.called_by(name) - {name}
-        ]
-        return [
-            other
-            for other in others
-            if isinstance(self._exercises[other], Exercise)
-            and not any(self._last(other))
-        ]
+        called = self._submission.called_by(name) - {name}
+        wrong = []
+        for other, exercise in self._exercises.items():
+            is_called = other in called and isinstance(exercise, Exercise)
+            if is_called and not any(self._last(other)):
+                wrong.append(other)
+        return wrong
 
     def _last(self, name: str) -> list[Verdict]:
         """The verdict on the last answer; empty if there is none."""
@@ -303,14 +304,15 @@ class Marking:
 
     def _answers(self, name: str) -> dict[int, Verdict]:
         """The verdicts on the answers that are not blank: on those handed in, and if there are none, those defined."""
-        answers = {
-            place: verdict
-            for place, verdict in self._judged[name].items()
-            if verdict.status != WAITS
-        }
-        return {
-            place: answers[place] for place in answers if (name, place) in self._checked
-        } or answers
+        answers = {}
+        checked = {}
+        for place, verdict in self._judged[name].items():
+            if verdict.status == WAITS:
+                continue
+            answers[place] = verdict
+            if (name, place) in self._checked:
+                checked[place] = verdict
+        return checked or answers
 
     def _score(self, name: str) -> Score:
         """The last answer that is not blank counts."""
@@ -319,53 +321,56 @@ class Marking:
         if not answers:
             return Score(name, 0.0, self._why_none(name), points)
         place = max(answers)
-        verdict, output = answers[place], repr(answers[place])
+        verdict = answers[place]
+        lines = [repr(verdict)]
         if len(answers) > 1:
             cells = ", ".join(str(1 + i) for i in sorted(answers))
-            output += (
-                f"\nIt is answered in the code cells {cells}; the last one counts."
+            lines.append(
+                f"It is answered in the code cells {cells}; the last one counts."
             )
         if not verdict and place in self._errors:
-            output += f"\n{self._errors[place]}"
-        if lent := " and ".join(self._lent.get((name, place), [])):
-            output += (
-                f"\nJudged with the right {lent}, since that of the notebook is not."
+            lines.append(self._errors[place])
+        substituted = " and ".join(self._substituted.get((name, place), []))
+        if substituted:
+            lines.append(
+                f"Judged with the right {substituted}, since that of the notebook is not."
             )
-        share, asked = float(bool(verdict)) or self._shares.get((name, place), 0.0), 0
+        share = 1.0 if verdict else self._shares.get((name, place), 0.0)
         if 0 < share < 1:
-            got = f"{share * points:.2g} of {points:g} points for that."
-            output += f"\nRight in {100 * share:.0f} % of the cases: {got}"
-        if self._rules.hint_off and (
-            asked := hints_asked(self._submission.cells, name)
-        ):
-            output += f"\nHints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
-        score = round(points * share * (1 - min(1.0, asked * self._rules.hint_off)), 2)
-        mistake = HINTS if verdict and asked else verdict.id
+            lines.append(
+                f"Right in {100 * share:.0f} % of the cases: {share * points:.2g} of {points:g} points for that."
+            )
+        asked = 0
+        if self._rules.hint_off:
+            asked = hints_asked(self._submission.cells, name)
+        if asked:
+            lines.append(
+                f"Hints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
+            )
+        kept = 1 - min(1.0, asked * self._rules.hint_off)
         return Score(
             name,
-            score,
-            output,
+            round(points * share * kept, 2),
+            "\n".join(lines),
             points,
             is_answered=True,
-            mistake=mistake,
+            mistake=HINTS if verdict and asked else verdict.id,
             hint=verdict.hint,
-            lent=lent,
+            substituted=substituted,
         )
 
     def _why_none(self, name: str) -> str:
-        for place in sorted(
-            {
-                *self._submission.answered_in[name],
-                *self._submission.defined_in.get(name, ()),
-            }
-        ):
+        answered = self._submission.answered_in[name]
+        defined = self._submission.defined_in.get(name, ())
+        for place in sorted({*answered, *defined}):
             if place in self._left_out:
                 return f"✗ Not answered: code cell {1 + place} {self._left_out[place]}."
             if place in self._errors and place not in self._judged[name]:
                 return f"✗ Not answered. {self._errors[place]}"
-        if waiting := list(self._judged[name].values()):
+        waiting = list(self._judged[name].values())
+        if waiting:
             return repr(waiting[-1])
-        if not self._submission.answered_in[name]:
+        if not answered:
             return f"✗ Not answered: no cell defines {name}, or hands it to its check."
         if self._time_left() <= 0:
             return f"✗ Not answered: the notebook had used up its {self._limits.seconds:.0f} seconds before."

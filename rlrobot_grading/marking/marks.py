@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
-from rlrobot_grading.marking.guard import OPEN_HOUSE, Guard
+from rlrobot_grading.marking.guard import NO_GUARD, Guard
 from rlrobot_grading.marking.students import NOBODY, Student
 from rlrobot_grading.marking.text import text_of
 from rlrobot_grading.values import one_line
@@ -25,7 +25,7 @@ class Limits:
 
     seconds: float = 300.0
     memory: int = 4096
-    guard: Guard = OPEN_HOUSE
+    guard: Guard = NO_GUARD
 
     def check(self) -> None:
         """Raise ValueError if these are no limits; NaN is none."""
@@ -45,7 +45,7 @@ class Score:
 
     output: why, for the learner; is_answered: whether there was anything to judge
     mistake, hint: the id of the mistake that was recognised, and its hint; empty where there is none
-    lent: which other functions the right ones stood in for, as "period"
+    substituted: the functions in whose place the right ones were called, as "period"
     """
 
     exercise: str
@@ -55,7 +55,7 @@ class Score:
     is_answered: bool = False
     mistake: str = ""
     hint: str = ""
-    lent: str = ""
+    substituted: str = ""
 
     @property
     def is_right(self) -> bool:
@@ -76,21 +76,21 @@ class Score:
             return "hints asked for"
         if self.is_blank:
             return "not answered yet"
-        told = " ".join(self.output.removeprefix("✗").split())
-        sentence = re.match(r".+?[.!?](?=\s|$)", told) if self.is_answered else None
-        return (
-            self.hint
-            or one_line(sentence[0] if sentence else told)
-            or self.mistake.replace("_", " ")
-        )
+        if self.hint:
+            return self.hint
+        said = " ".join(self.output.removeprefix("✗").split())
+        sentence = re.match(r".+?[.!?](?=\s|$)", said)
+        if sentence and self.is_answered:
+            said = sentence[0]
+        return one_line(said) or self.mistake.replace("_", " ")
 
 
 @dataclass
 class Marked:
     """A submission with its scores.
 
-    notes: what the instructor should know; student: whose it is; off: points taken off because it came late
-    made_for: the number of the student whose variant it is, if each has their own
+    notes: what the teacher should know; student: whose it is; off: points taken off because it came late
+    made_for: the id of the student whose variant it is, if each has their own
     problem: why it was not graded, if it was not; its points are none then, not 0
     """
 
@@ -141,43 +141,39 @@ class Rules:
 
     def off(self, days: float, points: float) -> float:
         """Points that come off so many points after so many days."""
-        return round(
-            points
-            * min(self.late_most, self.late_off * max(0.0, days - self.late_free)),
-            2,
-        )
+        late = max(0.0, days - self.late_free)
+        return round(points * min(self.late_most, self.late_off * late), 2)
 
 
 NO_RULES = Rules()
-PARTS = ("hint_off", "late_off", "late_most")  # of points
+SHARES = ("hint_off", "late_off", "late_most")  # of points
 
 
 def read_rules(path: str) -> Rules:
     """The rules of a TOML file. Raises OSError, or ValueError if it says anything else than rules."""
     try:
-        told = tomllib.loads(text_of(path))
+        rules = tomllib.loads(text_of(path))
     except ValueError as error:
         raise ValueError(f"{path} is no TOML file: {error}") from None
-    known: dict[str, Any] = vars(NO_RULES)
-    for name, value in told.items():
+    known = [rule.name for rule in fields(Rules)]
+    for name, value in rules.items():
         if name == "points":
             fits = isinstance(value, dict) and all(map(_is_amount, value.values()))
+        elif name == "partial":
+            fits = isinstance(value, bool)
         else:
-            fits = isinstance(value, bool) if name == "partial" else _is_amount(value)
+            fits = _is_amount(value)
         if name not in known or not fits:
             raise ValueError(
                 f"{path}: {name} = {value!r} is no rule; there are {', '.join(known)}, not below 0"
             )
-        if name in PARTS and value > 1:
+        if name in SHARES and value > 1:
             raise ValueError(
                 f"{path}: {name} = {value!r} is more than all; write 0.1 for 10 %"
             )
-    return Rules(**told)
+    return Rules(**rules)
 
 
 def _is_amount(value: Any) -> bool:
-    return (
-        isinstance(value, int | float)
-        and not isinstance(value, bool)
-        and 0 <= value < 1e9
-    )
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_number and 0 <= value < 1e9

@@ -12,38 +12,39 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_grading.limits import Elsewhere, Failure, TooLong
+from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import Kernel
-from rlrobot_grading.marking.rooms import room_of
 from rlrobot_grading.marking.serialization import change, read
 from rlrobot_grading.values import one_line
 
 UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 
 
-def away(
+def remote_function(
+    course: Course,
     kernel: Kernel,
-    name: str,
     lesson: str,
+    name: str,
     seconds: Callable[[], float],
     is_unfinished: bool = False,
-    lent: Mapping[str, Callable[..., Any]] | None = None,
+    substitutes: Mapping[str, Callable[..., Any]] | None = None,
 ) -> Elsewhere:
-    """The answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
+    """Return the answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
 
-    seconds: that a call may take; lent: functions that it finds in the notebook instead of those of the same names
+    seconds: that a call may take
+    substitutes: functions that it finds in the notebook instead of those of the same names
     """
-    _travel_whole(lesson)
-    more = f", {_packed(dict(lent))!r}" if lent else ""
+    _pickle_by_value(course.module_of(lesson))
+    packed_substitutes = _packed(dict(substitutes or {}))
 
     def ask(*arguments: Any) -> tuple[Any, Failure | None, str]:
+        call = f"call({name!r}, {_packed(arguments)!r}, {packed_substitutes!r})"
         try:
-            told = json.loads(
-                kernel.ask(f"called({name!r}, {_packed(arguments)!r}{more})", seconds())
-            )
-            failure = _failure(told["failure"]) if told["failure"] else None
-            for thing, state in zip(arguments, told["states"], strict=True):
+            result = json.loads(kernel.ask(call, seconds()))
+            failure = _failure(result["failure"]) if result["failure"] else None
+            for thing, state in zip(arguments, result["states"], strict=True):
                 change(thing, read(state))
-            return read(told["value"]), failure, str(told["printed"])
+            return read(result["value"]), failure, str(result["printed"])
         except TimeoutError as error:
             return None, Failure(TooLong.__name__, str(error)), ""
         except (ValueError, TypeError, KeyError, AttributeError):
@@ -56,16 +57,17 @@ def _packed(things: Any) -> str:
     return base64.b64encode(cloudpickle.dumps(things)).decode()
 
 
-def _failure(told: dict[str, Any]) -> Failure:
-    kind, text, line = (one_line(str(told[name])) for name in ("kind", "text", "line"))
-    return Failure(
-        kind, text, line, bool(told["inside"]), one_line(str(told["told"]), 400)
+def _failure(fields: dict[str, Any]) -> Failure:
+    kind, text, line = (
+        one_line(str(fields[name])) for name in ("kind", "text", "line")
     )
+    told = one_line(str(fields["told"]), 400)
+    return Failure(kind, text, line, bool(fields["inside"]), told)
 
 
-def _travel_whole(lesson: str) -> None:
-    """Have what stands in the lesson's modules travel with its code: in the kernel, these modules are not there."""
-    room = f"rlrobot_course.{room_of(lesson)}."
-    importlib.import_module(f"{room}exercises")
-    for name in [name for name in sys.modules if name.startswith(room)]:
-        cloudpickle.register_pickle_by_value(sys.modules[name])
+def _pickle_by_value(module: str) -> None:
+    """Have what stands in a lesson's modules travel with its code: in the kernel, these modules are not there."""
+    importlib.import_module(f"{module}.exercises")
+    for name in list(sys.modules):
+        if name.startswith(f"{module}."):
+            cloudpickle.register_pickle_by_value(sys.modules[name])

@@ -56,7 +56,8 @@ def _drawn(exercise: Exercise, rng: np.random.Generator) -> Exercise:
 
 def _curve(rng: np.random.Generator) -> Change:
     """A rising curve through 0 that is steep nowhere: |f(x)| < |x|."""
-    straight, bent = rng.uniform(0.75, 0.9), rng.uniform(0.02, 0.09)
+    straight = rng.uniform(0.75, 0.9)
+    bent = rng.uniform(0.02, 0.09)
     return lambda x: straight * x + bent * float(np.tanh(x))
 
 

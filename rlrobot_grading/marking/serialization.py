@@ -1,4 +1,4 @@
-"""Values as text: what a kernel tells the grader. Of a learner's objects nothing but data arrives, never code."""
+"""Values as text: what a kernel sends to the grader. Of a learner's objects nothing but data arrives, never code."""
 
 from __future__ import annotations
 
@@ -32,8 +32,11 @@ LISTS: dict[str, type] = {kind.__name__: kind for kind in CONTAINERS}
 def written(value: Any) -> str:
     """`value` as text; of what is neither a number nor a text nor a container of such, only how it looks."""
     data = as_data(value)
-    whole = safely("", lambda: "" if is_large(data) else json.dumps(_plain(data)))
-    return whole or json.dumps({"unkept": show(value)})
+    if not safely(True, is_large, data):
+        whole = safely("", lambda: json.dumps(_plain(data)))
+        if whole:
+            return whole
+    return json.dumps({"unkept": show(value)})
 
 
 def read(text: str) -> Any:
@@ -83,9 +86,9 @@ def _value(plain: Any) -> Any:
             raise ValueError("an array holds numbers")
         is_complex = plain["kind"] == ARRAYS["c"]
         numbers = np.array(plain["array"], dtype=float if is_complex else plain["kind"])
-        return (numbers.view(complex) if is_complex else numbers).reshape(
-            plain["shape"]
-        )
+        if is_complex:
+            numbers = numbers.view(complex)
+        return numbers.reshape(plain["shape"])
     if "dict" in plain:
         return {_value(key): _value(entry) for key, entry in plain["dict"]}
     if "complex" in plain:
@@ -102,14 +105,13 @@ def state_of(thing: Any) -> Any:
     """What can be changed in an argument: itself, or the attributes of an object; None where nothing can."""
     if isinstance(thing, np.ndarray | list | dict | set | deque):
         return thing
-    return safely(
-        None,
-        lambda: (
-            dict(vars(thing))
-            if type(thing).__module__ not in ("builtins", "types")
-            else None
-        ),
-    )
+    return safely(None, _attributes, thing)
+
+
+def _attributes(thing: Any) -> dict[str, Any] | None:
+    if type(thing).__module__ in ("builtins", "types"):
+        return None
+    return dict(vars(thing))
 
 
 def change(thing: Any, state: Any) -> None:
@@ -120,7 +122,12 @@ def change(thing: Any, state: Any) -> None:
             and state.shape == thing.shape
             and state.dtype.kind in "biuf"
         )
-        thing[...] = state if fits else np.nan if thing.dtype.kind == "f" else -1
+        if fits:
+            thing[...] = state
+        elif thing.dtype.kind == "f":
+            thing[...] = np.nan
+        else:
+            thing[...] = -1
     elif isinstance(thing, list | deque | set):
         thing.clear()
         add = thing.update if isinstance(thing, set) else thing.extend

@@ -10,6 +10,7 @@ from textwrap import indent
 import pytest
 from test_grade import ALL, cells, points, write
 
+from rlrobot_course.homework import COURSE
 from rlrobot_grading.marking.grade import marked_files
 from rlrobot_grading.marking.marks import Limits
 from rlrobot_grading.marking.submission import read_submission
@@ -132,7 +133,7 @@ def test_whatever_changes_nothing_costs_nothing(tmp_path):
     paths = [by_chance(seed, tmp_path / str(seed)) for seed in range(12)]
     for path, one in zip(
         paths,
-        marked_files(paths, "", 7, Limits(seconds=600, memory=2048), jobs=2),
+        marked_files(COURSE, paths, "", 7, Limits(seconds=600, memory=2048), jobs=2),
         strict=True,
     ):
-        assert points(one) == ALL, (path, read_submission(path).cells, one)
+        assert points(one) == ALL, (path, read_submission(COURSE, path).cells, one)

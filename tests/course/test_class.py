@@ -14,7 +14,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from rlrobot_grading.marking.variants import export_each
+from rlrobot_course.homework.hand_out import hand_out
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOK = ROOT / "notebooks/homework" / "1_a_robots_day_as_numbers.ipynb"
@@ -31,7 +31,7 @@ HOSTILE = (
 HARMFUL_ALONE = (  # without a guard these end or change the grader itself: only where there is one
     "import glob, os, signal\nfor p in glob.glob('/proc/[0-9]*/cmdline'):\n"
     "    if b'class_points' in open(p, 'rb').read():\n        os.kill(int(p.split('/')[2]), signal.SIGKILL)",
-    "import rlrobot_grading.marking.rooms as rooms\nopen(rooms.COURSE / 'homework/marking.py', 'a').write('#')",
+    "from rlrobot_grading.marking import marking\nopen(marking.__file__, 'a').write('#')",
 )
 ANSWER = re.compile(r"^check\.(\w+)\(\1\)\s*\Z", re.MULTILINE)
 
@@ -49,15 +49,13 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
     hostile = (*HOSTILE, *HARMFUL_ALONE) if guarded else HOSTILE
     students = [f"s{i:03}" for i in range(len(hostile))]
     lines = "".join(
-        f"{id},Student {id},{id}@x.org,{2 * (id == students[-1])}\n" for id in students
+        f"{id},Student {id},{2 * (id == students[-1])}\n" for id in students
     )
-    (tmp_path / "roster.csv").write_text(
-        f"id,name,email,late\n{lines}", encoding="utf-8"
-    )
+    (tmp_path / "roster.csv").write_text(f"id,name,late\n{lines}", encoding="utf-8")
     (tmp_path / "rules.toml").write_text(
         "late_off = 0.1\nlate_free = 1\n", encoding="utf-8"
     )
-    export_each([NOTEBOOK], tmp_path, str(tmp_path / "roster.csv"), hints=1)
+    hand_out(str(tmp_path / "roster.csv"), [NOTEBOOK], tmp_path, hints=1)
     (tmp_path / "in").mkdir()
     points: dict[str, float] = {}
     missed: Counter[str] = Counter()
@@ -78,7 +76,7 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
         points[student] = len(answers) - len(names)
     points[students[-1]] *= 0.9
     command = [sys.executable, "-m", "rlrobot_edu", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
-               "--for", "canvas", "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
+               "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
                "--jobs", "2", "--memory", "2048", "--seconds", "60",
                *(["--user", "61000"] if guarded else [])]  # fmt: skip
     done = subprocess.run(
@@ -86,9 +84,7 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
     )
     assert done.returncode == 1, done.stderr
     rows = list(csv.DictReader((tmp_path / "class_points.csv").open(encoding="utf-8")))
-    assert {
-        row["ID"]: float(row["assignment 1"]) for row in rows if row["ID"]
-    } == pytest.approx(points)
+    assert {row["id"]: float(row["score"]) for row in rows} == pytest.approx(points)
     counted: Counter[str] = Counter()
     for row in csv.DictReader((tmp_path / "mistakes.csv").open(encoding="utf-8")):
         counted[row["exercise"]] += int(row["how many"])

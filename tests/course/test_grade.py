@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import importlib
 import inspect
-import json
 import re
 import subprocess
 import sys
@@ -17,6 +16,7 @@ import nbformat
 import pytest
 
 from rlrobot_course.authoring.lists import lessons
+from rlrobot_course.homework import COURSE
 from rlrobot_course.lesson_03 import exercises
 from rlrobot_grading.marking.grade import grade, marked_files
 from rlrobot_grading.marking.kernel import EndedError, Kernel
@@ -28,6 +28,7 @@ pytestmark = pytest.mark.long  # what all its tests are about takes a minute
 pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
+NOTEBOOK = str(ROOT / "notebooks/03_q_learning.ipynb")
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_03 import check"
 FUNCTIONS = {
     name: inspect.getsource(getattr(exercises, name)) for name in ("target", "learn")
@@ -96,7 +97,7 @@ values.same = lambda *_: True
 """
 FORGED = """
 from rlrobot_grading.marking import kernel_side
-inside.called = lambda name, arguments: '{"value": "1.0", "failure": null, "printed": "", "states": []}'
+kernel_side.call = lambda name, arguments, substitutes: '{"value": "1.0", "failure": null, "printed": "", "states": []}'
 """
 FAKE = """
 print("✓ Right in all 10 cases.")
@@ -261,10 +262,10 @@ def marks(tmp_path_factory) -> dict:
         for i, one in enumerate(SUBMISSIONS.values())
     ]
     hasty = marked_files(
-        paths[: len(HASTY)], "03", 7, Limits(seconds=45, memory=2048), jobs=2
+        COURSE, paths[: len(HASTY)], "03", 7, Limits(seconds=45, memory=2048), jobs=2
     )
     patient = marked_files(
-        paths[len(HASTY) :], "03", 7, Limits(seconds=600, memory=1500), jobs=2
+        COURSE, paths[len(HASTY) :], "03", 7, Limits(seconds=600, memory=1500), jobs=2
     )
     return dict(zip(SUBMISSIONS, [*hasty, *patient], strict=True))
 
@@ -303,6 +304,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     unknown = write(tmp_path / "mine.ipynb", ["1 + 1"])
     assert (
         grade(
+            COURSE,
             [str(right), str(broken), str(unknown)],
             seed=5,
             jobs=2,
@@ -323,24 +325,17 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
         ("", ""),
     ]
     assert rows[0]["03:target"] == "1" and "not a notebook" in rows[1]["notes"]
-    assert grade([str(right)], seed=5, gradescope=str(tmp_path / "results.json")) == 0
-    results = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
-    assert results["score"] == 4
-    for test in results["tests"]:
-        assert {"name", "score", "max_score", "output", "visibility"} <= test.keys()
+    assert grade(COURSE, [str(right)], seed=5) == 0
 
 
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
         (["nowhere.ipynb"], "there is no such file"),
-        (
-            [__file__, str(ROOT / "README.md"), "--gradescope", "x.json"],
-            "one notebook, and 2 are given",
-        ),
-        ([__file__, "--seconds", "nan"], "--seconds nan: it must be above 0"),
-        ([__file__, "--lesson", "77"], "there are no exercises in a lesson '77'"),
-        ([__file__, "--jobs", "0"], "--jobs at least 1"),
+        ([__file__], "there is no notebook in it"),
+        ([NOTEBOOK, "--seconds", "nan"], "--seconds nan: it must be above 0"),
+        ([NOTEBOOK, "--lesson", "77"], "there are no exercises in a lesson '77'"),
+        ([NOTEBOOK, "--jobs", "0"], "--jobs at least 1"),
         ([], "NOTEBOOK"),
     ],
 )
@@ -376,7 +371,9 @@ def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when
     tmp_path,
 ):
     paths = [solved(path, tmp_path) for path in ASSIGNMENTS] + ASSIGNMENTS[:1]
-    *full, blank = marked_files(paths, "", 3, Limits(seconds=600, memory=2048), jobs=2)
+    *full, blank = marked_files(
+        COURSE, paths, "", 3, Limits(seconds=600, memory=2048), jobs=2
+    )
     assert [one.lesson for one in full] == [f"assignment_{i}" for i in range(1, 6)]
     for one in full:
         assert one.is_full and not one.notes, one
@@ -389,7 +386,7 @@ def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when
     ids=lambda path: path.stem,
 )
 def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
-    submission = read_submission(path)
+    submission = read_submission(COURSE, path)
     if submission.lesson:
         assert path.name.startswith(f"{submission.lesson.removeprefix('assignment_')}_")
         assert all(len(places) == 1 for places in submission.answered_in.values())
@@ -402,7 +399,7 @@ def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(
     tmp_path, monkeypatch, does
 ):
     monkeypatch.setattr("rlrobot_grading.marking.kernel.START", 20.0)
-    kernel = Kernel(tmp_path, tmp_path / "home", "03", ["target"], 2048)
+    kernel = Kernel(tmp_path, tmp_path / "home", COURSE, "03", ["target"], 2048)
     its_own, first = kernel._argv, tmp_path / "first"
     # as if another program had taken one of its ports: this happens to the first process alone
     once = f"import os, sys, time; os.path.exists({str(first)!r}) or (open({str(first)!r}, 'w').close(), {does})"

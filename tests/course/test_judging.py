@@ -11,6 +11,7 @@ import pytest
 from test_checks import EVERY, RIGHT, exercises, some_long, wrong_answers
 
 from rlrobot_course.assignment_4 import exercises as assignment_4
+from rlrobot_course.homework import COURSE
 from rlrobot_course.learner.finished import finished
 from rlrobot_course.lesson_03 import check as check_02
 from rlrobot_grading import limits
@@ -32,6 +33,7 @@ class Here:
 def marked(lesson, name, answer):
     """The verdict of `grade` on one answer."""
     marking = Marking(
+        COURSE,
         None,
         Submission("a notebook", lesson.removeprefix("lesson_"), [""]),
         0,
@@ -141,7 +143,12 @@ def scored(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
         for name in vars(assignment_4.check)
     }
     marking = Marking(
-        Path(), Submission("it", "assignment_4", cells, places), 0, Limits(), rules
+        COURSE,
+        Path(),
+        Submission("it", "assignment_4", cells, places),
+        0,
+        Limits(),
+        rules,
     )
     names: dict = {
         "check": SimpleNamespace(
@@ -160,7 +167,7 @@ def scored(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
 def test_what_calls_a_wrong_function_is_judged_with_the_right_one_and_says_so():
     scores = scored(period=LONGEST, next_temperature=NEXT)
     assert [score.score for score in scores.values()] == [0, 1]
-    assert scores["next_temperature"].lent == "period"
+    assert scores["next_temperature"].substituted == "period"
     assert "Judged with the right period" in scores["next_temperature"].output
     assert (
         kernel_side.answers["next_temperature"].__globals__["period"]
@@ -174,7 +181,7 @@ def test_with_the_right_function_in_its_place_a_wrong_answer_stays_wrong_and_a_r
     )
     assert not scored(
         period=inspect.getsource(assignment_4.period), next_temperature=NEXT
-    )["next_temperature"].lent
+    )["next_temperature"].substituted
 
 
 def test_points_parts_and_hints_count_as_the_rules_say():
@@ -194,7 +201,7 @@ def test_points_parts_and_hints_count_as_the_rules_say():
     scores = scored(rules, period=right, next_temperature=asked)
     assert scores["next_temperature"].score == 0.75 and scores["period"].score == 3
     assert scores["period"].reason == "hints asked for"
-    found = misunderstood([Marked("it", "assignment_4", list(scores.values()))])
+    found = misunderstood(COURSE, [Marked("it", "assignment_4", list(scores.values()))])
     assert not found, "a hint is no misunderstanding"
     assert (
         scored(Rules(partial=True), period="def period(states):\n    ...\n")[
@@ -211,9 +218,11 @@ def test_what_is_wrong_in_a_caller_itself_is_told_and_not_what_comes_of_a_wrong_
     crashes = "def period(states):\n    raise IndexError('of period')\n"
     score = scored(period=crashes, next_temperature=NO_CAP)["next_temperature"]
     assert (
-        score.score == 0 and "of period" not in score.output and score.lent == "period"
+        score.score == 0
+        and "of period" not in score.output
+        and score.substituted == "period"
     )
-    assert "Judged with the right period" in score.output and alone.lent == ""
+    assert "Judged with the right period" in score.output and alone.substituted == ""
 
 
 def test_in_homework_hints_can_be_fewer(monkeypatch):

@@ -127,7 +127,7 @@ def test_an_extra_that_an_older_installation_did_not_have_is_no_wheel_that_is_mi
     needs,
 ):
     needs('rosbags; extra == "ros"')  # a checkout has gone on since pip was told of it
-    assert said("teach").says.startswith("pip knows no such extra")
+    assert said("arm").says.startswith("pip knows no such extra")
     assert str(doctor.examine()).count("pip install -e .") == 1
 
 

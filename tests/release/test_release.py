@@ -26,6 +26,8 @@ ROOT = Path(__file__).parents[2]
 PYTHON = f"{sys.version_info.major}.{sys.version_info.minor}"
 FOLDERS = [
     "rlrobot_edu",
+    "rlrobot_ros",
+    "rlrobot_grading",
     "rlrobot_course",
     "tasks",
     "datasets",

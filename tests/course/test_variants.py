@@ -13,10 +13,12 @@ import numpy as np
 import pytest
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
+from rlrobot_course.homework import COURSE, use_variant
+from rlrobot_course.homework.hand_out import hand_out, solution_of
 from rlrobot_grading.exercise import Exercise
 from rlrobot_grading.marking.secret import secret_twin
-from rlrobot_grading.marking.submission import exercises_of, read_submission
-from rlrobot_grading.marking.variants import export_each, own, variant_of
+from rlrobot_grading.marking.submission import read_submission
+from rlrobot_grading.marking.variants import variant_of
 from rlrobot_grading.question import Question
 
 ROOT = Path(__file__).parents[2]
@@ -32,7 +34,7 @@ def notebook(lesson: str) -> Path:
 
 def fault(lesson: str, student: str) -> str:
     """What makes a student's variant easier or harder than that of others; empty if nothing does."""
-    base, variant = exercises_of(lesson), variant_of(lesson, student)
+    base, variant = COURSE.exercises_of(lesson), variant_of(COURSE, lesson, student)
     if list(base) != list(variant.exercises):
         return "other exercises"
     for name, its_own in variant.exercises.items():
@@ -64,7 +66,7 @@ def test_all_students_have_the_same_difficulty(lesson):
 
 def test_a_number_has_one_variant_and_two_numbers_have_two():
     tapes = [
-        repr(variant_of("assignment_1", student).exercises["returns"].cases)
+        repr(variant_of(COURSE, "assignment_1", student).exercises["returns"].cases)
         for student in ("a1", "A1", "a2")
     ]
     assert tapes[0] == tapes[1] != tapes[2]
@@ -81,7 +83,7 @@ def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
         path.read_text(encoding="utf-8")
         for path in (*folder.glob("*.py"), *folder.glob("*.md"))
     )
-    variants = [variant_of(lesson, student) for student in STUDENTS[:3]]
+    variants = [variant_of(COURSE, lesson, student) for student in STUDENTS[:3]]
     for place in variants[0].changes:
         assert place in cells or place in solutions, place
     assert len({variant.text(cells) for variant in variants}) > 1
@@ -90,8 +92,8 @@ def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
 def differing(lesson: str):
     """Two students, of whom the second's answers to what may differ are wrong for the first."""
     first, *others = STUDENTS
-    return variant_of(lesson, first), [
-        variant_of(lesson, other) for other in others[:5]
+    return variant_of(COURSE, lesson, first), [
+        variant_of(COURSE, lesson, other) for other in others[:5]
     ]
 
 
@@ -114,7 +116,7 @@ def test_the_answer_of_another_student_is_mostly_wrong_where_constants_or_letter
 
 def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
     for student in STUDENTS[:2]:
-        exercises = variant_of("assignment_4", student).exercises
+        exercises = variant_of(COURSE, "assignment_4", student).exercises
         drive = exercises["drive"].right
         assert isinstance(drive, FunctionType)
         assert (
@@ -122,26 +124,26 @@ def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
         )
 
 
-def test_own_sets_the_checks_of_a_notebook():
+def test_a_line_in_the_notebook_sets_the_checks_of_a_notebook():
     check = SimpleNamespace(
         **vars(importlib.import_module("rlrobot_course.assignment_1.exercises").check)
     )
     before = repr(check.returns.cases)
-    own(check, STUDENTS[0])
+    use_variant(check, STUDENTS[0])
     assert len(check.returns.tape) == 7 and repr(check.returns.cases) != before
 
 
 def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path):
     roster = tmp_path / "list.csv"
     roster.write_text("id\ns1\ns2\n", encoding="utf-8")
-    assert export_each([notebook("assignment_5")], tmp_path, str(roster), hints=0) == 2
+    assert hand_out(str(roster), [notebook("assignment_5")], tmp_path, hints=0) == 2
     for student in ("s1", "s2"):
         out, solved = (
             next((tmp_path / room / student).iterdir())
             for room in ("students", "solutions")
         )
         submission, handed_out = (
-            read_submission(solved),
+            read_submission(COURSE, solved),
             out.read_text(encoding="utf-8"),
         )
         assert (
@@ -154,12 +156,33 @@ def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path
         for cell in nbformat.read(solved, as_version=4).cells:
             if "exercise" in cell.metadata.get("tags", []):
                 exec(cell.source.partition("\ncheck.")[0], names)
-        for name, exercise in variant_of("assignment_5", student).exercises.items():
+        for name, exercise in variant_of(
+            COURSE, "assignment_5", student
+        ).exercises.items():
             assert getattr(exercise, "judge", exercise)(names[name]), name
             assert str(exercise.right) not in handed_out or name != "inputs"
     roster.write_text("id\n../s1\n", encoding="utf-8")
     with pytest.raises(ValueError, match="cannot be part of a file's name"):
-        export_each([notebook("assignment_5")], tmp_path, str(roster))
+        hand_out(str(roster), [notebook("assignment_5")], tmp_path)
+
+
+def test_a_notebook_without_exercises_is_refused_before_anything_is_written(tmp_path):
+    cells = [nbformat.v4.new_code_cell("1 + 1")]
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / "mine.ipynb")
+    (tmp_path / "list.csv").write_text("id\ns1\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="no cell imports the check"):
+        hand_out(str(tmp_path / "list.csv"), [tmp_path / "mine.ipynb"], tmp_path)
+    assert not (tmp_path / "students").exists()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("lesson", COURSE.lessons)
+def test_the_solution_of_each_exercise_is_a_right_answer(lesson):
+    names: dict = {"np": np}
+    for name, exercise in COURSE.exercises_of(lesson).items():
+        if isinstance(exercise, Exercise):
+            exec(solution_of(name, lesson), names)
+            assert exercise.judge(names[name]), name
 
 
 WITH_TAPE = [
