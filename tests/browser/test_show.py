@@ -33,7 +33,7 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d import looks, photograph
-from rlrobot_edu.show.in3d.carried import PAUSE
+from rlrobot_edu.show.in3d.page_widget import PAUSE
 from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.top_down import footprint, plot_scene
@@ -114,7 +114,8 @@ def test_a_picture_goes_where_it_is_told_and_refuses_nothing_at_all():
 
 
 def test_the_same_film_gives_the_same_small_gif(tmp_path):
-    gif = FILM.gif(tmp_path / "film.gif")
+    FILM.save(tmp_path / "film.gif")
+    gif = FILM.gif()
     assert gif == FILM.gif() == (tmp_path / "film.gif").read_bytes()
     assert [file.name for file in tmp_path.iterdir()] == ["film.gif"]
     picture = Image.open(io.BytesIO(gif))

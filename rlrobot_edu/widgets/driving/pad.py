@@ -19,9 +19,9 @@ from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
-from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.task.messages import known
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of

@@ -1,4 +1,4 @@
-"""The worlds of the playground as data: all that life.js needs of them."""
+"""The worlds of the playground as data: all that simulation.js needs of them."""
 
 from __future__ import annotations
 

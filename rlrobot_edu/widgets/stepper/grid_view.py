@@ -63,7 +63,7 @@ class GridView:
         """The agent's cell."""
         return s
 
-    def tell_all(self) -> dict[str, Any]:
+    def constant_data(self) -> dict[str, Any]:
         """The letters of the cells, row by row."""
         return {
             "kind": "grid",
@@ -71,7 +71,7 @@ class GridView:
             "shape": self._letters.shape,
         }
 
-    def tell(self, look: int) -> None:
+    def look_data(self, look: int) -> None:
         """Nothing: the cell is the state."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:

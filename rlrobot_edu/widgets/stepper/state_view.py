@@ -27,11 +27,11 @@ class StateView:
         """The state."""
         return s
 
-    def tell_all(self) -> dict[str, Any]:
+    def constant_data(self) -> dict[str, Any]:
         """Nothing but its kind: the page has the names."""
         return {"kind": "state"}
 
-    def tell(self, look: int) -> None:
+    def look_data(self, look: int) -> None:
         """Nothing: the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:

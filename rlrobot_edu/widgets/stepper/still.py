@@ -24,9 +24,7 @@ WIDTH, WORLD, ROW = (
 LINE = 92  # signs
 
 
-def still(
-    tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...] = ()
-) -> Picture:
+def still(tape: Tape, names: Names, view: EnvironmentView) -> Picture:
     """The view, choice, the equations, Q and traces at the position of `tape`."""
     frame, window = tape.frame, Window.of(tape)
     equations = (
@@ -57,9 +55,7 @@ def still(
     )  # beside each other where there is room
     lines = sum(1 + line.count("\n") for line in title)
     figure = Picture(figsize=(WIDTH, 0.2 * lines + sum(above) + tables * table))
-    figure.alt = " ".join(
-        [told(tape, names, hide), *(f"{line}." for line in equations)]
-    )
+    figure.alt = " ".join([sentence(tape, names), *(f"{line}." for line in equations)])
     figure.suptitle(plain("\n".join(title)), fontsize=10.5)
     parts = figure.subfigures(
         len(above) + tables, 1, height_ratios=above + [table] * tables
@@ -81,8 +77,8 @@ def still(
     return figure
 
 
-def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
-    """The step in one sentence, with a′ if the update of this algorithm learns from it and nobody hides it."""
+def sentence(tape: Tape, names: Names) -> str:
+    """The step in one sentence, with a′ if the update of this algorithm learns from it."""
     frame = tape.frame
     if frame is None:
         return "Before the first step."
@@ -98,12 +94,9 @@ def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
     takes_next = "{Q(s′, a′)}" in "".join(
         in_symbols(tape.agent.method.algorithm.name).equation(tape.agent.parameters)
     )
-    tells = takes_next and "a_next" not in hide
-    return (
-        f"{text}, where it will take a′ = {_named(step.a_next, names)}."
-        if tells
-        else f"{text}."
-    )
+    if takes_next:
+        text += f", where it will take a′ = {_named(step.a_next, names)}"
+    return f"{text}."
 
 
 def _named(a: int, names: Names) -> str:

@@ -1,4 +1,4 @@
-// A learner's life in a page: random numbers, the learner's memory, worlds, and the loop in which they take turns.
+// A learner's simulation in a page: random numbers, the learner's memory, worlds, and the loop in which they take turns.
 // The learning itself, the robot's motion and the draws from a model are the library's kernels, which program.py
 // translates; what stands here does what agent.py, memory.py, robot_env.py and model_env.py do around them.
 "use strict";
@@ -185,7 +185,7 @@ class BaseWorld extends World {
 }
 
 // A learner in a world: step() by step(), as rl.learn does it.
-class Life {
+class Simulation {
   constructor(kernels, memory, world, random) {
     Object.assign(this, { kernels, m: memory, world, random, t: 0, pending: null, last: null });
   }
