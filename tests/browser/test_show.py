@@ -20,7 +20,6 @@ import pytest
 import umsgpack
 from matplotlib.figure import Figure
 from matplotlib.text import Text
-from own_thread import in_a_thread
 from PIL import Image
 from waiting import until
 
@@ -37,7 +36,6 @@ from rlrobot_edu.show.in3d.page_widget import PAUSE
 from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.top_down import footprint, plot_scene
-from rlrobot_edu.widgets.live_picture import REST
 from rlrobot_edu.widgets.sliders import ParameterSliders
 
 
@@ -434,31 +432,6 @@ def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_
     assert len({first, second, sliders.widget.children[-1].value}) == 3
 
 
-@in_a_thread
-def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(
-    wander_model,
-):
-    sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
-
-    async def drag() -> tuple[str, str]:
-        for value in (2.0, 3.0):
-            sliders.sliders["temperature"].value = value
-        draft = sliders.widget.children[-1].value
-        await asyncio.sleep(REST + 0.1)
-        return draft, sliders.widget.children[-1].value
-
-    draft, fine = asyncio.run(drag())
-    assert (
-        "temperature 3" in draft and "temperature 3" in fine and len(draft) != len(fine)
-    )
-    assert fine == sliders._repr_mimebundle_()["text/html"]
-    sizes = [
-        Image.open(io.BytesIO(shown({"text/html": page})[2])).width
-        for page in (draft, fine)
-    ]
-    assert sizes[0] < sizes[1] == 1170
-
-
 def test_sliders_are_those_that_were_asked_for(wander_model):
     sliders = ParameterSliders(
         wander_model, "Q+SR", ["alpha"], steps=300, repetitions=2
@@ -470,17 +443,8 @@ def test_sliders_are_those_that_were_asked_for(wander_model):
             ParameterSliders(wander_model, "Q+SR", parameters)
 
 
-def test_sliders_also_let_a_robot_of_geometry_learn_but_none_that_is_too_slow_to_follow():
-    sliders = ParameterSliders(
-        "wander_1k", parameters=["gamma"], steps=300, repetitions=1, engine="kinematic"
-    )
-    first = sliders.widget.children[-1].value
-    sliders.sliders["gamma"].value = 0.0
-    assert sliders.widget.children[-1].value != first
-    with pytest.raises(
-        ValueError,
-        match="fast enough, a SampleModel, or a task with engine='kinematic'",
-    ):
+def test_sliders_refuse_a_world_that_is_too_slow_to_follow_them():
+    with pytest.raises(ValueError, match="a SampleModel; got a str"):
         ParameterSliders("wander_1k")
 
 
@@ -668,7 +632,8 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
     monkeypatch.setattr(
         photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES)
     )
-    solid, image = view.still(), view.get_image()
+    solid = view.still()
+    image = Image.open(io.BytesIO(solid.data))
     assert solid.alt == view.text and image.size == (2 * 585, 2 * 378)
     assert (
         sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90)
@@ -677,8 +642,6 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
     monkeypatch.setattr(photograph, "NAMES", ())
     flat = view.still()
     assert flat.alt == view.text and flat.data != solid.data
-    with pytest.raises(RuntimeError, match="install chromium"):
-        view.get_image()
 
 
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():

@@ -186,14 +186,13 @@ def test_a_step_costs_the_kernel_little(world, wander_model):
     assert statistics.median(times) < 0.015
 
 
-@pytest.mark.parametrize("name, words", [("CliffWalking-v1", "A grid of 4 by 12 cells"),
-                                         ("FrozenLake-v1", "A grid of 4 by 4 cells"),
-                                         ("Taxi-v4", "the 12 states visited last, of 500")])  # fmt: skip
-def test_gymnasiums_own_worlds_are_drawn_as_what_they_are(name, words):
-    env = gymnasium.make(name)
+def test_a_world_without_a_robot_is_shown_by_its_state():
+    env = gymnasium.make("Taxi-v4")
     env.reset(seed=0)
     stepper = rl.Stepper(rl.Agent(env, "TOSL+EG", seed=0), env, at=20)
-    assert words in view(stepper) and stepper.picture().png()
+    panes = view(stepper)
+    assert "the 12 states visited last, of 500" in panes and "of 500</td>" in panes
+    assert stepper.picture().png()
 
 
 def test_a_sample_model_takes_its_words_from_the_task(wander_model):
@@ -391,14 +390,6 @@ def test_the_terms_of_the_equation_point_at_their_cells(method):
 
 
 def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited():
-    lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
-    stepper = rl.Stepper(rl.Agent(lake, "SL+SR", seed=25), lake, at=24)
-    best, panes = stepper._tape.q.max(axis=1), view(stepper)
-    values = [float(text) for text in re.findall(r'class="v">(.*?)</text>', panes)]
-    assert values == [
-        float(short(best[s])) for s in np.flatnonzero(stepper._tape.visits.any(axis=1))
-    ]
-    assert "best →</title>" in panes and "<polygon points=" in panes
     env = rl.make_env("worked_example", seed=0)
     stepper = rl.Stepper(rl.Agent(env.task, "TOSL+QBIASSR", seed=0), env, at=107)
     world, tape, box = cells_world(env.task), stepper._tape, env.unwrapped.robot._box
@@ -503,25 +494,16 @@ def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
 
 LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
          ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", rl.Method("TOSL", VBIASSR), {}),
-         ("navigation_1k", "Q+SR", {"loop_evasion": True}), ("FrozenLake-v1", "SL+SR", {"loop_evasion": False}),
-         ("CliffWalking-v1", "TOSL+SR", {"r_max": 1.0, "temperature": 30.0})]  # fmt: skip
+         ("navigation_1k", "Q+SR", {"loop_evasion": True})]  # fmt: skip
 
 
 @pytest.mark.parametrize(("task", "method", "settings"), LIVES)
 def test_a_life_lived_again_on_the_page_is_the_same_to_the_last_bit(
     task, method, settings
 ):
-    if "-v" in task:
-        world = env = gymnasium.make(task)
-        env.reset(seed=3)
-    else:
-        world, env = (
-            task,
-            rl.make_env(
-                task, seed=3, engine=None if task == "worked_example" else "kinematic"
-            ),
-        )
-    agent = rl.Agent(world, method, seed=4, **settings)
+    engine = None if task == "worked_example" else "kinematic"
+    env = rl.make_env(task, seed=3, engine=engine)
+    agent = rl.Agent(task, method, seed=4, **settings)
     rl.learn(agent, env, steps=77, progress=False)  # it need not begin with nothing
     stepper = rl.Stepper(agent, env, at=200)
     again = on_its_page(stepper, "((relived) => stepper.recorded.frames.map(() => relived.step()))"
@@ -568,11 +550,9 @@ def test_what_if_alpha_were_another_is_what_the_library_learns_with_it():
 
 def test_where_no_page_can_live_it_says_why():
     assert "not this world" in on_its_page(stepper_of("wander_1k"), "replayData.reason")
-    unlike = gymnasium.wrappers.TransformReward(
-        gymnasium.make("FrozenLake-v1"), lambda r: r - 1
-    )
-    changed = rl.Stepper(rl.Agent(unlike, "Q+SR", seed=0), unlike)
-    assert "TransformReward" in on_its_page(changed, "replayData.reason")
+    lake = gymnasium.make("FrozenLake-v1")
+    stepper = rl.Stepper(rl.Agent(lake, "Q+SR", seed=0), lake)
+    assert "not this world" in on_its_page(stepper, "replayData.reason")
     planner = rl.Stepper(
         rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0),
         rl.make_env("worked_example"),

@@ -1,13 +1,12 @@
 """Why is a number so, and what if? The stepper's page beside `rl.credit`, and beside agents that live otherwise."""
 
-import gymnasium
 import numpy as np
 import pytest
 from in_node import on_its_page
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
-from rlrobot_edu.learning.algorithm import Algorithm
+from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
 
@@ -168,15 +167,8 @@ def test_another_reward_is_paid_once_and_changes_nothing_before_it():
 def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_learns_from_it(
     begins,
 ):
-    if begins:
-        env = gymnasium.make("FrozenLake-v1")
-        env.reset(seed=3)
-        stepper = rl.Stepper(rl.Agent(env, "SARSA+SR", seed=1), env, at=120)
-        k = next(
-            frame.step.t + 1 for frame in stepper._tape.since(60) if frame.number == 1
-        )
-    else:
-        stepper, k = stepper_of("SARSA+SR"), 60
+    stepper = stepper_of("SARSA+SR")
+    k = 61 if begins else 60  # an episode has 30 steps
     was = relived(stepper)
     action = (was[k - 1]["a"] + 1) % stepper._tape.q.shape[1]
     fork = f"{{ from: {k}, luck: luckFor(stepper.recorded.at({k}).p, {action}), begins: {str(begins).lower()} }}"
@@ -295,3 +287,22 @@ def test_the_advice_of_every_step_is_told_also_where_steps_were_dropped(method):
     every = "[...Array(99).keys()].map((i) => (tape.go(202 + i), adviceHtml(about, tape, null)))"
     told = on_its_page(stepper, f"(({{ tape, about }}) => {every})(stepper)")
     assert all("by Q alone it would have been" in one for one in told)
+
+
+def untranslatable(m, s):
+    """As numba understands it; JavaScript has no sum of an array."""
+    m.probabilities[:] = 1.0 / m.q.shape[1] + 0.0 * m.visits[s].sum()
+
+
+def test_a_selection_that_no_page_can_run_is_shown_and_its_page_says_why_nothing_can_be_tried():
+    method = Method("TOSL", Selection("MINE", untranslatable))
+    stepper = stepper_of(method, at=20)
+    reason, panes = on_its_page(
+        stepper, "[replayData.reason, viewHtml(stepper.about, stepper.tape)]"
+    )
+    line = untranslatable.__code__.co_firstlineno + 2
+    assert (
+        f"test_stepper_why.py:{line}: “m.visits[s].sum()” has no translation" in reason
+    )
+    assert "The update, with the numbers of this step" in panes
+    assert on_its_page(stepper, "Object.keys(updates.kernels).length") == len(SYMBOLS)

@@ -102,23 +102,6 @@ class CellWorld extends ModelWorld {
   }
 }
 
-// A grid of Gymnasium's; `chances`, `starts`: sums of the chances of the outcomes of a pair, and of the states to start in.
-class ChanceWorld extends ModelWorld {
-  first() {
-    return this.pick(this.starts);
-  }
-
-  outcome(a) {
-    const pair = this.place * this.nActions + a;
-    return this.outcomes[pair][this.pick(this.chances[pair])];
-  }
-
-  pick(sums) {
-    const u = this.random.random();
-    return Math.max(0, sums.findIndex((sum) => sum > u));
-  }
-}
-
 // The mobile base among walls; see kinematic/base.py. Readings are the robot's sensors by their names.
 class BaseWorld extends World {
   constructor(about, kernels) {

@@ -10,8 +10,8 @@ Data
     cell_values.Mark      what the agent thinks of a place in a robot's world
     widget.Stepper        what a notebook shows
 
-Begin with `tape`, which records `rl.steps` and knows no page. Three views of an environment follow (`robot_view` with
-`cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
+Begin with `tape`, which records `rl.steps` and knows no page. Two views of an environment follow (`robot_view` with
+`cell_values`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
 picture, with `still_tables` and `equations`; `code_view` shows the lines of the
 update rule; `symbols` has the text of each algorithm, `colours` are those of values.
 

@@ -86,9 +86,9 @@ def _about(tape: Tape, names: Names) -> Data:
         **_symbols(agent.method.algorithm, agent.parameters),
         "methods": [_symbols(algorithm, agent.parameters) for algorithm in algorithms_for(agent)],
         "code": f'<details class="code">{summary}{code}</details>',
-        "view": {"heading": tape.view.heading, "wide": tape.view.wide, **tape.view.constant_data()},
+        "view": {"heading": tape.view.heading, **tape.view.constant_data()},
         "names": {
-            "inputs": names.inputs, "shape": names.shape, "outputs": names.outputs, "arrows": names.arrows,
+            "inputs": names.inputs, "shape": names.shape, "outputs": names.outputs,
             "readings": bins,
             "actions": [names.action(a) for a in actions], "columns": [names.column(a) for a in actions],
             "rows": [names.row(a) for a in actions],

@@ -8,7 +8,6 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker, TimeLimit
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.memory import NOW, SETTINGS, trace_steps
@@ -26,11 +25,9 @@ from rlrobot_edu.widgets.playground.worlds import (
     World,
     base_world,
     cells_world,
-    chance_world,
     model_world,
 )
 from rlrobot_edu.widgets.stepper.cell_values import INPUTS
-from rlrobot_edu.widgets.stepper.grid_view import letters_of
 from rlrobot_edu.widgets.stepper.page_data import algorithms_for, sparse
 from rlrobot_edu.widgets.stepper.tape import Tape
 
@@ -137,26 +134,9 @@ def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
     ):
         kernels = {"drive": drive, "look": look, "reward": task.reward}
         return base_world(task), kernels | ({"goal": task.goal} if task.goal else {})
-    if letters_of(env) is not None and hasattr(env.unwrapped, "P"):
-        return chance_world(env.unwrapped, _episode_steps(env)), {}
     raise ValueError(
-        "a page computes the worked example, sample models, Gymnasium's grids and the base with engine='kinematic', "
-        "not this world."
+        "a page computes the worked example, sample models and the base with engine='kinematic', not this world."
     )
-
-
-def _episode_steps(env: gymnasium.Env) -> int | None:
-    """After how many steps gymnasium.make cuts an episode off. Raises ValueError if other wrappers surround a world."""
-    steps = None
-    while isinstance(env, gymnasium.Wrapper):
-        if isinstance(env, TimeLimit):
-            steps = env._max_episode_steps
-        elif not isinstance(env, OrderEnforcing | PassiveEnvChecker):
-            raise ValueError(
-                f"a page does not know what {type(env).__name__} does to its world."
-            )
-        env = env.env
-    return steps
 
 
 def _place(env: gymnasium.Env) -> list[float] | None:

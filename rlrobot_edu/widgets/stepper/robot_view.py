@@ -29,8 +29,6 @@ class RobotView:
     marks: what the agent thinks of places in the scene, if it can be drawn there
     """
 
-    wide = False
-
     def __init__(self, robot: Any, marks: CellValues | None) -> None:
         self.heading = (
             "From above, and the value of each heading"

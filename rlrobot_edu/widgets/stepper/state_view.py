@@ -18,7 +18,6 @@ class StateView:
     """The inputs of an environment, one a row."""
 
     heading = "The state, input by input"
-    wide = False
 
     def __init__(self, names: Names) -> None:
         self._names = names

@@ -21,11 +21,10 @@ PATH = 60  # steps; as long is the trail that a robot draws behind itself
 class EnvironmentView(Protocol):
     """A view of an environment: `look` keeps what can be seen now; `look_data` and `draw` show it later.
 
-    heading: what it shows, in words; wide: whether it needs more room than others
+    heading: what it shows, in words
     """
 
     heading: str
-    wide: bool
 
     def look(self, s: int) -> Any:
         """What can be seen while the environment is in state `s`."""

@@ -205,7 +205,7 @@ class Stepper(Displayed):
         Picture
             A matplotlib figure with a description in words.
         """
-        return still(self._tape, self._names, self._tape.view)
+        return still(self._tape, self._names)
 
     def still(self) -> Still:
         """What is shown now, as a saved notebook keeps it.

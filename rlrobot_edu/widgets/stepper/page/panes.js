@@ -41,9 +41,9 @@ function viewHtml(always, tape) {
     ? pane("traces", "Traces e, as this update used them", tracesHtml(about, tape, shown),
       "How much each pair shares in what is learned in this step.")
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
-  // three beats: world, equation, table; a wide world is low, and leaves room below itself
-  const { wide } = about.view, [left, right] = wide ? [world + update + choice, q + traces] : [world + choice, update + q + traces];
-  return `<div class="said">${said} ${badge}</div><div class="panes${wide ? " wide" : ""}">` +
+  // three beats: world, equation, table
+  const left = world + choice, right = update + q + traces;
+  return `<div class="said">${said} ${badge}</div><div class="panes">` +
     `<div class="left">${left}</div><div class="right">${right}</div></div>`;
 }
 

@@ -15,7 +15,7 @@ class Replay {
   // action is to be chosen, and whether the step begins an episode
   constructor(about, replayData, settings, { from = 1, method = null, reward = null, luck = null, begins = false } = {}) {
     const { kernels, world, memory, random, place, scene } = replayData;
-    const made = new { BaseWorld, ModelWorld, CellWorld, ChanceWorld }[world.kind](world, kernels, pcg64(random.world));
+    const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, kernels, pcg64(random.world));
     const m = newMemory(world.shape, world.nActions, memory.parameters, kernels);
     m.q = tableOf(m.q.length, world.nActions, memory.q);
     m.visits = tableOf(m.q.length, world.nActions, memory.visits);
