@@ -56,8 +56,6 @@ class ParameterSliders(Displayed):
         Length of each learning process.
     repetitions : int
         How many learning processes a curve averages.
-    seed : int
-        The same for every setting, so that only the setting differs.
 
     Raises
     ------
@@ -73,7 +71,6 @@ class ParameterSliders(Displayed):
         *,
         steps: int = 3600,
         repetitions: int = 20,
-        seed: int = 0,
     ) -> None:
         if not isinstance(world, SampleModel):
             raise ValueError(
@@ -88,12 +85,17 @@ class ParameterSliders(Displayed):
             raise ValueError(
                 f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}"
             )
-        length = {
-            "repetitions": repetitions,
-            "steps": steps,
-            "seed": seed,
-        }
-        self._run = partial(repeat, world, method, **length, n_jobs=1, progress=False)
+        # the same seed for every setting: only the setting differs
+        self._run = partial(
+            repeat,
+            world,
+            method,
+            repetitions=repetitions,
+            steps=steps,
+            seed=0,
+            n_jobs=1,
+            progress=False,
+        )
         self._method, self._defaults = method, self._run()
         defaults = Agent(world, method).parameters
         self._start = {

@@ -632,8 +632,7 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
     monkeypatch.setattr(
         photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES)
     )
-    solid = view.still()
-    image = Image.open(io.BytesIO(solid.data))
+    solid, image = view.still(), view.get_image()
     assert solid.alt == view.text and image.size == (2 * 585, 2 * 378)
     assert (
         sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90)
@@ -642,6 +641,8 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
     monkeypatch.setattr(photograph, "NAMES", ())
     flat = view.still()
     assert flat.alt == view.text and flat.data != solid.data
+    with pytest.raises(RuntimeError, match="install chromium"):
+        view.get_image()
 
 
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import html
+import io
 import json
 import zlib
 from collections.abc import Callable
@@ -12,8 +13,10 @@ from string import Template
 from typing import Any
 
 import umsgpack
+from PIL import Image
 
 from rlrobot_edu.show.in3d import MESHCAT
+from rlrobot_edu.show.in3d.photograph import photograph
 
 Key = tuple[
     str, str, str
@@ -81,6 +84,10 @@ class Window:
         )
 
     get_scene = page  # by this name meshcat asks for a page
+
+    def get_image(self) -> Image.Image:
+        """The picture, by a Chromium that is installed. Raises RuntimeError where there is none."""
+        return Image.open(io.BytesIO(photograph(self.page())))
 
     @property
     def web_url(self) -> str:

@@ -15,7 +15,7 @@ SCRIPTS = (
     "advice",
     "comparison",
     "stepper",
-    "alone",
+    "standalone",
 )
 
 

@@ -110,11 +110,6 @@ class Stepper(Displayed):
         """Number of steps up to the one shown."""
         return self._tape.t
 
-    @property
-    def html(self) -> str:
-        """The page that `save` writes."""
-        return self._page(self.t)
-
     @cached_property
     def widget(self) -> StepperWidget:
         """The page's program in a notebook."""
@@ -227,15 +222,14 @@ class Stepper(Displayed):
             f"{step.s_next}, TD error {number(step.delta)}>"
         )
 
-    def _page(self, at: int, last: int | None = None) -> str:
+    def _page(self, at: int, last: int) -> str:
         """The page with the steps up to `last`, which shows step `at` first."""
         told = feed(self._tape, self._names, at)
-        frames = [
-            frame for frame in told["frames"] if last is None or frame["t"] < last
-        ]
-        told["frames"] = {
-            name: [frame[name] for frame in frames] for name in (frames or [()])[0]
-        }  # packs better
+        frames = [frame for frame in told["frames"] if frame["t"] < last]
+        columns = {}  # they pack better than rows
+        if frames:
+            columns = {name: [frame[name] for frame in frames] for name in frames[0]}
+        told["frames"] = columns
         world = f" in {self._names.task.name}" if self._names.task else ""
         return page_html(
             f"{self._tape.agent.method.name}{world}, step by step",
