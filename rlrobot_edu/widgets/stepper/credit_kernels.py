@@ -7,6 +7,7 @@ import json
 from typing import Any
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.stepper.page_data import algorithms_for
 from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
@@ -24,13 +25,15 @@ def update_kernels(agent: Agent, parameters: dict[str, Any]) -> str:
 
     parameters: those by which it learned the first of the steps, as memory.py names them
     """
-    algorithm = agent.method.algorithm.name
+    own = agent.method.algorithm
     reason = None
     if agent.method.planner:
         reason = "an agent that plans learns from imagined steps, too"
-    elif algorithm not in SYMBOLS:
-        known = ", ".join(SYMBOLS)
-        reason = f"the values of {known} are sums of rewards; of {algorithm} this is not known"
+    elif own.name not in SYMBOLS or own != ALGORITHMS[own.name]:
+        reason = (
+            f"the values of the toolkit's {', '.join(SYMBOLS)} are sums of rewards; "
+            f"of {own.name} this is not known"
+        )
     if reason is not None:
         return json.dumps({"reason": f"No answer here: {reason}."}, ensure_ascii=False)
     updates = {

@@ -11,7 +11,7 @@ const pane = (kind, heading, content, note = "") =>
 const takesNext = ({ equation }, frame) => frame && !over(frame) && equation.join("").includes("{Q(s′, a′)}");
 
 // The step in one sentence, with a′ if the update learns from it.
-function told(about, frame) {
+function stepInWords(about, frame) {
   if (!frame) return "Before the first step.";
   const { s, a, r, s2, a2, t, episode, n } = frame, { names } = about;
   const text = `Step ${t + 1} (episode ${episode}, its step ${n}): in state s = ${s} the agent took action ` +
@@ -24,7 +24,7 @@ function told(about, frame) {
 
 function viewHtml(always, tape) {
   const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
-  const said = `<span>${escaped(told(about, frame))}</span>`;
+  const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
   const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
     (ends ? '<span class="badge">episode ends</span>' : "");
