@@ -88,13 +88,9 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
         for value, n in zip(agent.q.flat, agent.visits.flat, strict=True)
     ]
     assert page.evaluate(Q) == numbers
-    assert "take a′" not in page.inner_text(
-        ".rl-stepper"
-    ) and "a′ =" not in page.inner_text(".said")
     page.focus("summary")
-    page.keyboard.press(" ")  # opens what is covered, and plays nothing
+    page.keyboard.press(" ")  # opens the code of the update, and plays nothing
     until(page, "document.querySelector('details').open && !stepper.player")
-    assert "= " in page.inner_text(".said details")
 
 
 def test_a_link_leads_to_its_step_and_a_wrong_one_to_what_was_shown(opened):
