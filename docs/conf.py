@@ -30,10 +30,10 @@ html_copy_source = html_show_sourcelink = False
 html_static_path = [
     "site/site.css",
     "site/site.js",
-    "../rlrobot_edu/widgets/playground/around.js",
+    "../rlrobot_edu/widgets/playground/host_page.js",
 ]
 html_css_files = ["site.css"]
-html_js_files = ["around.js", "site.js"]
+html_js_files = ["host_page.js", "site.js"]
 
 html_math_renderer = (
     "mathml"  # browsers draw it without a program and without a font of ours

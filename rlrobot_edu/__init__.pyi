@@ -41,9 +41,9 @@ from .tools.transfer.transfer import transfer as transfer
 from .widgets.bias_explorer.explorer import BiasExplorer as BiasExplorer
 from .widgets.driving.pad import teleoperate as teleoperate
 from .widgets.driving.teaching import learn_from as learn_from
-from .widgets.playground.playground import playground as playground
+from .widgets.playground.page import playground as playground
 from .widgets.sliders import ParameterSliders as ParameterSliders
-from .widgets.stepper.stepper import Stepper as Stepper
+from .widgets.stepper.widget import Stepper as Stepper
 from .widgets.watching import watch as watch
 
 __version__: str

@@ -6,7 +6,7 @@ function reachable() {
   }
 }
 addEventListener("load", reachable);
-// A playground's frame is as high as what is in it, and follows the switch between light and dark; see around.js.
+// A playground's frame is as high as what is in it, and follows the switch between light and dark; see host_page.js.
 addEventListener("load", () => {
   document.querySelectorAll("iframe.playground, iframe.playgrounds").forEach(hostPlayground);
 });

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from rlrobot_course.figures.plots import CURVES, Picture, axes_or_new, plain
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.scenes import robot_of
+from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.top_down import TopDown
 
 

@@ -12,6 +12,7 @@ from matplotlib import rcParams
 from matplotlib.axes import Axes
 from PIL import Image
 
+from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, PIXELS, Film
 from rlrobot_edu.show.palette import (
@@ -27,7 +28,6 @@ from rlrobot_edu.show.palette import (
     VERMILION,
 )
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
-from rlrobot_edu.show.scenes import describe
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",

@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_edu import Agent, steps
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.scenes import robot_of
+from rlrobot_edu.show.describe import robot_of
 
 
 class Episode(NamedTuple):

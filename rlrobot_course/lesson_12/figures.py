@@ -16,8 +16,8 @@ from rlrobot_edu import show_scene
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.display import Displayed
-from rlrobot_edu.show.scenes import robot_of
 from rlrobot_edu.task.task import Task
 
 HEADINGS = (

@@ -13,9 +13,8 @@ picture; then, in this order:
 palette.py   colours by what they stand for, told apart by colour-blind readers
 display.py   what a notebook asks an object for
 picture.py   figures, and the axes to draw on
-scenes.py    what every view of scenes needs: the path, a description in words
+describe.py    what every view of scenes needs: the path, a description in words
 top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
-film.py      `film`, a scene from above for each step, as a GIF or as a page
-pages/       `save_page`: one HTML file with many views, for films
+film.py      `film`, a scene from above for each step, as a GIF
 curves.py    `plot_learning`, learning curves
 """

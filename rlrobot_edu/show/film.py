@@ -3,7 +3,6 @@
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,10 +14,9 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.display import Displayed, Still, address
-from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.show.picture import FEW_COLOURS, png_of
-from rlrobot_edu.show.scenes import describe, path_of, robot_of
+from rlrobot_edu.show.describe import describe, path_of, robot_of
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.picture import FEW_COLOURS
 from rlrobot_edu.show.top_down import Camera
 
 if TYPE_CHECKING:
@@ -71,13 +69,13 @@ class Film(Displayed):
             for i, (reward, note) in steps
         ]
 
-    def _pictures(self, texts: list[str]) -> list[Image.Image]:
-        """Each frame from above, below its text, in few colours."""
+    def _pictures(self) -> list[Image.Image]:
+        """Each frame from above, below its caption, in few colours."""
         camera = Camera(self.frames[0], PIXELS)
         # dots make a film half as large as lines do
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
-        shots = enumerate(zip(self.frames, texts, strict=True), 1)
+        shots = enumerate(zip(self.frames, self._captions(), strict=True), 1)
         pictures = [
             Image.fromarray(camera.frame(scene, text, path[:i]))
             for i, (scene, text) in shots
@@ -89,27 +87,15 @@ class Film(Displayed):
             for picture in pictures
         ]
 
-    def gif(self, path: str | Path | None = None) -> bytes:
+    def gif(self) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
-
-        Parameters
-        ----------
-        path : str or Path, optional
-            A file to write it to as well.
 
         Returns
         -------
         bytes
             The GIF file.
-
-        Raises
-        ------
-        ValueError
-            If the file's name ends like that of another kind of file.
-        OSError
-            If the file cannot be written.
         """
-        first, *rest = self._pictures(self._captions())
+        first, *rest = self._pictures()
         buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
         first.save(
@@ -121,44 +107,24 @@ class Film(Displayed):
             duration=duration,
             optimize=True,
         )
-        if path is not None:
-            write_whole(path, buffer.getvalue())
         return buffer.getvalue()
 
     def save(self, path: str | Path) -> None:
-        """Write the film to one HTML page, to play and to step through, without a kernel and without a network.
+        """Write the film to an animated GIF. For a page on which it can be paused, see `show3d`.
 
         Parameters
         ----------
         path : str or Path
-            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. For a GIF, see `gif`.
+            The file, such as ``film.gif``.
 
         Raises
         ------
         ValueError
-            If the file's name ends like that of another kind of file, such as ``.gif``.
+            If the file's name ends like that of another kind of file, such as ``.html``.
         OSError
             If the file cannot be written.
         """
-        pictures = self._pictures([""] * len(self.frames))  # the page says the captions
-        views = [
-            f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
-            f'alt="{escape(describe(scene))}" src="{address(png_of(picture), "image/png")}">'
-            for scene, text, picture in zip(
-                self.frames, self._captions(), pictures, strict=True
-            )
-        ]
-        style = "<style>.film { max-width: 100%; height: auto; image-rendering: pixelated }</style>"
-        title = f"{len(views)} steps of a robot"
-        save_page(
-            path,
-            title,
-            views,
-            first=1,
-            at=1,
-            speed=1 / self.seconds_per_frame,
-            style=style,
-        )
+        write_whole(path, self.gif())
 
     def show3d(self) -> "Visualizer":
         """The film in three dimensions, to turn, to pause and to step through.

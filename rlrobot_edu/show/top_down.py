@@ -13,9 +13,9 @@ from matplotlib.text import Text
 from scipy.spatial import ConvexHull
 
 from rlrobot_edu.robots.scene import Scene, Solid
+from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
-from rlrobot_edu.show.scenes import Scenes, as_scenes, describe, path_of
 
 # what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
 _LAYER = {

@@ -8,6 +8,6 @@ watching.py     `rl.watch`: a robot that learns, in 3D
 sliders.py      `rl.ParameterSliders`: a learning curve for the parameters that are set
 
 What they share: javascript/ (the kernels' own source, translated for a page), kernels.py (the kernels as functions that
-return their result), page_file.py (a page's program as one file), live_picture.py (a picture that follows a slider),
-page_script.py, and wheel_icons.py. Begin with sliders.py, the shortest.
+return their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers)
+and wheel_icons.py. Begin with sliders.py, the shortest.
 """

@@ -16,7 +16,7 @@ COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as these programs' are
 
 
 def page_html(title: str, feed: dict[str, Any], program: str, style: str) -> str:
-    """One HTML page, on which ``alone(feed, place)`` of the program shows what it is fed, in an element of the page."""
+    """One HTML page, on which ``standalone(feed, place)`` of the program shows its data in an element of the page."""
     parts = {
         "style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style)),
         "script": _bare(program),

@@ -13,9 +13,6 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.task.robot_cards import Engine
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.widgets.live_picture import LivePicture
 from rlrobot_edu.widgets.page_script import NamedHandles
 
 # name of the parameter: its symbol, and its slider
@@ -49,9 +46,8 @@ class ParameterSliders(Displayed):
 
     Parameters
     ----------
-    world : SampleModel, Task or str
-        Where to learn: in a sample model, or in a task, or one of that name, with ``engine="kinematic"``. Others are
-        not fast enough to follow a slider.
+    world : SampleModel
+        Where to learn. A robot is not fast enough to follow a slider.
     method : str
         ``ALGORITHM+SELECTION``, see `Agent`.
     parameters : sequence of str
@@ -60,32 +56,26 @@ class ParameterSliders(Displayed):
         Length of each learning process.
     repetitions : int
         How many learning processes a curve averages.
-    seed : int
-        The same for every setting, so that only the setting differs.
-    engine : Engine, optional
-        The simulator of a task's robot.
 
     Raises
     ------
     ValueError
-        For a world that is not fast enough, and for an unknown parameter or method.
+        For a world that is no SampleModel, and for an unknown parameter or method.
     """
 
     def __init__(
         self,
-        world: SampleModel | Task | str,
+        world: SampleModel,
         method: str = "TOSL+QBIASSR",
         parameters: Sequence[str] = ("temperature", "lam"),
         *,
         steps: int = 3600,
         repetitions: int = 20,
-        seed: int = 0,
-        engine: Engine | None = None,
     ) -> None:
-        if not (isinstance(world, SampleModel) or engine == "kinematic"):
-            fast = "a SampleModel, or a task with engine='kinematic'"
+        if not isinstance(world, SampleModel):
             raise ValueError(
-                f"sliders need a world that is fast enough, {fast}; got a {type(world).__name__}"
+                "sliders need a world that is fast enough to follow them, a SampleModel; "
+                f"got a {type(world).__name__}"
             )
         if (
             isinstance(parameters, str)
@@ -95,13 +85,17 @@ class ParameterSliders(Displayed):
             raise ValueError(
                 f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}"
             )
-        length = {
-            "repetitions": repetitions,
-            "steps": steps,
-            "seed": seed,
-            "engine": engine,
-        }
-        self._run = partial(repeat, world, method, **length, n_jobs=1, progress=False)
+        # the same seed for every setting: only the setting differs
+        self._run = partial(
+            repeat,
+            world,
+            method,
+            repetitions=repetitions,
+            steps=steps,
+            seed=0,
+            n_jobs=1,
+            progress=False,
+        )
         self._method, self._defaults = method, self._run()
         defaults = Agent(world, method).parameters
         self._start = {
@@ -115,14 +109,12 @@ class ParameterSliders(Displayed):
             name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look)
             for name, value in self._start.items()
         }
-        self._image = LivePicture(
-            lambda: self.picture(**{name: s.value for name, s in self.sliders.items()})
-        )
+        self._curves = ipywidgets.HTML(self.still().html)
         self.widget = ipywidgets.VBox(
-            [NamedHandles(), *self.sliders.values(), self._image.widget]
+            [NamedHandles(), *self.sliders.values(), self._curves]
         )
         for slider in self.sliders.values():
-            slider.observe(lambda _: self._image.update(), "value")
+            slider.observe(self._draw, "value")
 
     def picture(self, **settings: float) -> Picture:
         """The curves for these settings and for the defaults.
@@ -164,7 +156,12 @@ class ParameterSliders(Displayed):
         Still
             The picture and its description.
         """
-        return self._image.still()
+        settings = {name: slider.value for name, slider in self.sliders.items()}
+        return self.picture(**settings).still()
+
+    def _draw(self, _: object) -> None:
+        """Draw the curves of a slider's new value."""
+        self._curves.value = self.still().html
 
     def __repr__(self) -> str:
         names = " and ".join(_SLIDERS[name][0] for name in self.sliders)

@@ -21,13 +21,13 @@ MARK = (
     "new MutationObserver((_, it) => { performance.mark('learned'); it.disconnect(); })"
 )
 COUNT = """(seconds) => new Promise((done) => {
-  const from = yours.life.t, begun = performance.now();
+  const from = yours.simulation.t, begun = performance.now();
   let frames = 0;
   const next = () => {
     frames += 1;
     const passed = (performance.now() - begun) / 1000;
     if (passed < seconds) requestAnimationFrame(next);
-    else done([frames / passed, (yours.life.t - from) / passed]);
+    else done([frames / passed, (yours.simulation.t - from) / passed]);
   };
   requestAnimationFrame(next);
 })"""

@@ -10,14 +10,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PIL import Image
-from scipy import ndimage
 from test_show import FILM, SCENES
 from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.visualizer import show_scene
-from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
 TABLES = {
@@ -32,19 +30,6 @@ def stepper_of(
     return rl.Stepper(
         rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options
     )
-
-
-def views_in(path) -> list[str]:
-    """The views of a page, unpacked as its script unpacks them."""
-    packed = re.search(
-        r'<script id="packed" type="text/plain">(.*)</script>',
-        path.read_text(encoding="utf-8"),
-    )[1]
-    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[1]
-    for column in columns:
-        for i, piece in enumerate(column):
-            column[i] = column[i - 1] if piece is None else piece
-    return ["".join(pieces) for pieces in zip(*columns, strict=True)]
 
 
 def told_in(path) -> dict:
@@ -100,10 +85,8 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
         stepper.save(tmp_path)
     with pytest.raises(ValueError, match="a film without steps shows nothing"):
         Film([], []).save(page)
-    with pytest.raises(ValueError, match="it needs at least one step"):
-        save_page(page, "nothing", [])
     monkeypatch.setattr(
-        "rlrobot_edu.widgets.stepper.stepper.page_html", lambda *_: 1 / 0
+        "rlrobot_edu.widgets.stepper.widget.page_html", lambda *_: 1 / 0
     )
     with pytest.raises(ZeroDivisionError):
         stepper.save(page, 35)
@@ -112,16 +95,6 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
         and stepper.t == 30
         and list(tmp_path.iterdir()) == [page]
     )
-
-
-def test_the_frames_of_a_films_page_are_those_of_the_film(tmp_path):
-    FILM.save(tmp_path / "film.html")
-    expected = FILM._pictures([""] * 20)
-    for view, whole in zip(views_in(tmp_path / "film.html"), expected, strict=True):
-        frame = Image.open(
-            io.BytesIO(base64.b64decode(re.search(r'base64,([^"]*)', view)[1]))
-        )
-        assert np.array_equal(frame.convert("RGB"), whole.convert("RGB"))
 
 
 @pytest.fixture
@@ -434,40 +407,6 @@ def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     )
 
 
-def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
-    page = opened(FILM, link="#5")
-    shows(page, 5, 20)
-    assert page.text_content("#live") == "step 5 of 20: reward +10"
-    assert page.evaluate("speed.value") == "6.66667"
-    page.keyboard.press(" ")
-    until(page, "at > 6")
-    until(page, "view.querySelector('img').naturalWidth === 360")
-
-
-@pytest.mark.parametrize("scale", [1, 1.25, 1.5, 2])
-def test_on_no_screen_a_film_shows_what_is_yet_to_come(opened, scale):
-    page = opened(FILM, link="#5", device_scale_factor=scale)
-    shows(page, 5, 20)
-    until(page, "view.querySelector('img').complete")
-    page.evaluate(
-        "document.querySelector('img.film').style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9'"
-    )
-    clip = {"x": 0, "y": 0, "width": 360, "height": 360}
-    seen = np.asarray(
-        Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int
-    )
-    ours = (
-        FILM._pictures([""] * 20)[4]
-        .convert("RGB")
-        .resize(seen.shape[1::-1], Image.Resampling.NEAREST)
-    )
-    off = np.abs(seen - np.asarray(ours)).max(axis=2) > 60
-    # an edge may lie half a pixel beside ours; a robot that is not there yet would be a blot
-    assert not ndimage.binary_erosion(off, np.ones((3, 3))).any(), (
-        f"{off.sum()} pixels differ"
-    )
-
-
 def test_a_replay_that_was_hidden_at_first_is_there_once_it_is_shown(browser, tmp_path):
     show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
     page = browser.new_page(viewport={"width": 500, "height": 400})
@@ -519,19 +458,6 @@ def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):
     until(page, "!playing && play.textContent === '▶▶ Play'")
 
 
-def test_all_pages_name_their_controls_alike(opened):
-    film = opened(FILM)
-    until(film, "!!views")
-    replay = opened(show_scene(SCENES, FILM.rewards))
-    until(replay, "last === 19 && !bar.hidden && playing")
-    replay.click("#play")
-    until(replay, "play.textContent === '▶▶ Play'")
-    controls = "[...document.querySelectorAll('#bar button[name], #bar input')]"
-    controls += ".map(e => [e.name, e.textContent, e.title, "
-    controls += "e.ariaLabel, e.min, e.max])"
-    assert film.evaluate(controls) == replay.evaluate(controls)
-
-
 REFUSED = """async () => {
   const refused = new Set(), add = it => document.body.append(it), elsewhere = {src: "http://127.0.0.1:9/"};
   document.addEventListener("securitypolicyviolation", event => refused.add(event.effectiveDirective));
@@ -544,13 +470,8 @@ REFUSED = """async () => {
 }"""
 
 
-@pytest.mark.parametrize(
-    "thing", [FILM, show_scene(SCENES)], ids=["film", "replay in 3D"]
-)
-def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(
-    browser, tmp_path, thing
-):
-    thing.save(tmp_path / "page.html")
+def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_path):
+    show_scene(SCENES).save(tmp_path / "page.html")
     page = browser.new_page()
     page.goto((tmp_path / "page.html").as_uri())
     assert page.evaluate(REFUSED) == [
@@ -570,13 +491,12 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     ).Axe()
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     things = [
-        (stepper_of(at=25, hide=["a_next"]), [30], "!!window.stepper"),
+        (stepper_of(at=25), [30], "!!window.stepper"),
         (
             explorer,
             [],
             "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))",
         ),
-        (FILM, [], "!!views"),
         (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
     ]
     for thing, arguments, is_there in things:
@@ -603,7 +523,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
 
 
 def test_a_browser_that_cannot_unpack_says_so(opened, browser, tmp_path):
-    FILM.save(tmp_path / "old.html")
+    show_scene(SCENES).save(tmp_path / "old.html")
     page = browser.new_page()
     page.add_init_script("delete window.DecompressionStream")
     page.goto((tmp_path / "old.html").as_uri())

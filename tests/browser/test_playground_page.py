@@ -9,8 +9,8 @@ from waiting import until
 import rlrobot_edu as rl
 
 PAUSED = "&speed=0.1"
-Q = "yours.life.m.q.map((row) => Array.from(row))"
-LIVE = f"(steps) => {{ play(false); begin(); while (yours.life.t < steps) yours.step(); return {Q}; }}"
+Q = "yours.simulation.m.q.map((row) => Array.from(row))"
+LIVE = f"(steps) => {{ play(false); begin(); while (yours.simulation.t < steps) yours.step(); return {Q}; }}"
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_it_learns_at_once_and_after_10000_steps_its_q_is_the_librarys_to_the_la
     opened,
 ):
     page = opened()
-    until(page, "yours.life.t > 10 && find('update').textContent.includes('δ')")
+    until(page, "yours.simulation.t > 10 && find('update').textContent.includes('δ')")
     np.testing.assert_array_equal(
         page.evaluate(LIVE, 10_000), learned("wander_1k", "TOSL+QBIASSR", 10_000)
     )
@@ -102,7 +102,7 @@ def test_a_link_holds_all_settings_and_a_wrong_one_harms_nothing(opened):
     )
     until(
         wrong,
-        "yours.life.t > 10 && settings.task === 'wander_1k' && settings.alpha === 0.1",
+        "yours.simulation.t > 10 && settings.task === 'wander_1k' && settings.alpha === 0.1",
     )
     assert wrong.evaluate("walls") == [], (
         "one would stand on the robot, the others are no walls"
@@ -170,7 +170,7 @@ def test_walls_stay_in_the_room_and_off_the_robot_and_can_be_drawn_taken_away_an
     assert page.evaluate("inside().length") == n
     page.get_by_role("button", name="Put the walls back").click()
     assert page.evaluate("inside()") == page.evaluate(
-        "wallsInside(newLife(settings).world)"
+        "wallsInside(newSimulation(settings).world)"
     )
     assert "walls=" not in page.url
 
@@ -183,7 +183,7 @@ def test_the_robot_is_set_elsewhere_by_hand_but_not_into_a_wall(opened):
     there = page.evaluate("yours.here")
     assert there[:2] == pytest.approx([0, -1.2], abs=0.03)
     assert page.evaluate(
-        "yours.life.pending[0] === yours.world.stateOf(yours.world.sense(yours.here))"
+        "yours.simulation.pending[0] === yours.world.stateOf(yours.world.sense(yours.here))"
     )
     drag(page, (0.0, -1.2), (-0.025, -2.4))
     assert page.evaluate("isFree(yours.world, yours.here, inside())")
@@ -196,8 +196,8 @@ def test_a_button_leads_to_a_stage_of_its_life_with_the_numbers_of_its_single_st
     opened, name, steps
 ):
     page = opened("#task=wander_simple&method=TOSL%2BSR" + PAUSED)
-    arrived = f"yours.life.t >= {steps}"  # seen in the same frame
-    look = f"function look() {{ if ({arrived}) leapt = [yours.life.t, {Q}]; else requestAnimationFrame(look); }}"
+    arrived = f"yours.simulation.t >= {steps}"  # seen in the same frame
+    look = f"function look() {{ if ({arrived}) leapt = [yours.simulation.t, {Q}]; else requestAnimationFrame(look); }}"
     page.evaluate(f"window.leapt = null; requestAnimationFrame({look})")
     page.get_by_role("button", name=name).click()
     until(page, "leapt !== null")
@@ -205,17 +205,21 @@ def test_a_button_leads_to_a_stage_of_its_life_with_the_numbers_of_its_single_st
     assert t == steps
     np.testing.assert_array_equal(q, page.evaluate(LIVE, steps))
     page.get_by_role("button", name="a beginner").click()
-    until(page, "yours.life.t < 100 && find('last').textContent === '?'")
+    until(page, "yours.simulation.t < 100 && find('last').textContent === '?'")
 
 
 def test_two_robots_race_with_the_same_luck(opened):
     page = opened("#task=wander_simple&alpha=0.5" + PAUSED)
     page.get_by_role("button", name="Race").click()
     page.get_by_role("button", name="after an hour").click()
-    until(page, "yours.life.t >= 3600 && rival.life.t === yours.life.t")
+    until(
+        page, "yours.simulation.t >= 3600 && rival.simulation.t === yours.simulation.t"
+    )
     page.get_by_text("The paper’s robot").wait_for()
     page.evaluate("play(false)")
-    t, q = page.evaluate("[rival.life.t, rival.life.m.q.map((row) => Array.from(row))]")
+    t, q = page.evaluate(
+        "[rival.simulation.t, rival.simulation.m.q.map((row) => Array.from(row))]"
+    )
     np.testing.assert_array_equal(q, learned("wander_simple", "TOSL+QBIASSR", t))
 
 
@@ -302,7 +306,7 @@ def test_all_can_use_it(opened, scheme, width):
             color_scheme=scheme,
             viewport={"width": width, "height": 844},
         )
-        until(page, "yours.life.t > 10 && (picture.ariaLabel || '').length > 10")
+        until(page, "yours.simulation.t > 10 && (picture.ariaLabel || '').length > 10")
         found = axe.run(page, options={"resultTypes": ["violations"]})
         serious = [
             each
@@ -320,9 +324,9 @@ def test_all_can_use_it(opened, scheme, width):
 
 def test_for_who_wants_no_motion_it_stands_still_after_an_hour_of_its_life(opened):
     page = opened(reduced_motion="reduce")
-    until(page, "yours.life.t >= 3600 && find('play').textContent === 'Play'")
-    t = page.evaluate("yours.life.t")
+    until(page, "yours.simulation.t >= 3600 && find('play').textContent === 'Play'")
+    t = page.evaluate("yours.simulation.t")
     page.wait_for_timeout(300)
-    assert page.evaluate("yours.life.t") == t
+    assert page.evaluate("yours.simulation.t") == t
     page.get_by_role("button", name="Play").press("Space")
-    until(page, f"yours.life.t > {t}")
+    until(page, f"yours.simulation.t > {t}")

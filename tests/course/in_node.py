@@ -8,7 +8,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets.bias_explorer.widget import script
-from rlrobot_edu.widgets.stepper.told import feed
+from rlrobot_edu.widgets.stepper.page_data import feed
 
 
 def run(text: str):
@@ -22,9 +22,9 @@ def run(text: str):
 
 def on_its_page(stepper: rl.Stepper, program: str):
     """What a JavaScript expression gives in which ``stepper`` is the page's, and ``views`` tells its panes' HTML."""
-    told = json.dumps(feed(stepper._tape, stepper._names, stepper._hide, stepper.t))
+    told = json.dumps(feed(stepper._tape, stepper._names, stepper.t))
     return run(
-        f"{stepper._script()}\nconst stepper = new Stepper({told}, lives, null);\n"
+        f"{stepper._script()}\nconst stepper = new Stepper({told}, replayData, null);\n"
         "const views = (tape) => viewHtml(stepper.about, tape);\n"
         f"console.log(JSON.stringify({program}));"
     )

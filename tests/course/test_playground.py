@@ -9,7 +9,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets.playground.cliff import cliff_model
-from rlrobot_edu.widgets.playground.playground import METHODS, TASKS, life_script
+from rlrobot_edu.widgets.playground.page import METHODS, TASKS, simulation_script
 from rlrobot_edu.widgets.playground.worlds import cells_world
 
 STEPS = 10_000
@@ -19,10 +19,10 @@ needs_node = pytest.mark.skipif(
 LIVE = """
 const told = {};
 for (const [name, settings, steps] of JOBS) {
-  const life = newLife({ ...about.parameters, luck: 0, ...settings }, settings.walls);
+  const simulation = newSimulation({ ...about.parameters, luck: 0, ...settings }, settings.walls);
   let sum = 0;
-  for (let i = 0; i < steps; i++) sum += life.step().r;
-  told[name] = { q: life.m.q.map((row) => Array.from(row)), sum };
+  for (let i = 0; i < steps; i++) sum += simulation.step().r;
+  told[name] = { q: simulation.m.q.map((row) => Array.from(row)), sum };
 }
 console.log(JSON.stringify(told));
 """
@@ -30,7 +30,7 @@ console.log(JSON.stringify(told));
 
 def lived(*jobs):
     """What came of lives in JavaScript, each a name, settings and a number of steps."""
-    script = f"{life_script()}\nconst JOBS = {json.dumps(jobs)};\n{LIVE}"
+    script = f"{simulation_script()}\nconst JOBS = {json.dumps(jobs)};\n{LIVE}"
     done = subprocess.run(
         ["node", "-"], input=script, capture_output=True, text=True, check=True
     )

@@ -1,14 +1,14 @@
 """Why is a number so, and what if? The stepper's page beside `rl.credit`, and beside agents that live otherwise."""
 
-import gymnasium
 import numpy as np
 import pytest
 from in_node import on_its_page
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
-from rlrobot_edu.learning.algorithm import Algorithm
-from rlrobot_edu.learning.methods import ALGORITHMS, Method
+from rlrobot_edu.learning.algorithm import Algorithm, Selection
+from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
 
 METHODS = [("TOSL+QBIASSR", {}), ("SL+SR", {}), ("SL+SR", {"accumulating": True, "alpha": 0.1}), ("SARSA+SR", {}),
            ("TOSL+SR", {"traces": "full", "alpha": 0.6}), ("ESARSA+EG", {"epsilon": 0.3}), ("Q+SR", {})]  # fmt: skip
@@ -100,7 +100,7 @@ def test_settings_that_were_changed_while_it_learned_are_noticed():
     )
 
 
-def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
+def test_of_what_may_be_no_sum_of_rewards_no_answer_is_given_and_the_reason_is_told():
     def squared(m, s, a, r, s_next, a_next, terminated):
         m.q[s, a] += m.parameters.alpha * (r * r - m.q[s, a])
         return 0.0
@@ -109,9 +109,7 @@ def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
         "worked_example", Method(Algorithm("SQUARED", squared), "SR"), seed=0
     )
     stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=5)
-    assert "a value times a value is no sum of rewards" in on_its_page(
-        stepper, "updates.reason"
-    )
+    assert "of SQUARED this is not known" in on_its_page(stepper, "updates.reason")
     planner = rl.Stepper(
         rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0),
         rl.make_env("worked_example"),
@@ -125,7 +123,8 @@ def relived(stepper: rl.Stepper, settings="{}", fork="{}") -> list[dict]:
     """The frames of another life of as many steps."""
     frames = "(relived) => stepper.recorded.frames.map(() => relived.step())"
     return on_its_page(
-        stepper, f"({frames})(new Relived(stepper.about, lives, {settings}, {fork}))"
+        stepper,
+        f"({frames})(new Replay(stepper.about, replayData, {settings}, {fork}))",
     )
 
 
@@ -150,9 +149,9 @@ def test_other_settings_from_a_step_on_are_what_the_library_learns_with_them(met
             agent.change(alpha=0.6, temperature=7.0)
     lived = (
         "(relived) => (stepper.recorded.frames.forEach(() => relived.step()), "
-        "relived.life.m.q.map((row) => [...row]))"
+        "relived.simulation.m.q.map((row) => [...row]))"
     )
-    other = "new Relived(stepper.about, lives, { alpha: 0.6, temperature: 7 }, { from: 60 })"
+    other = "new Replay(stepper.about, replayData, { alpha: 0.6, temperature: 7 }, { from: 60 })"
     assert np.array_equal(on_its_page(stepper, f"({lived})({other})"), agent.q)
 
 
@@ -168,15 +167,8 @@ def test_another_reward_is_paid_once_and_changes_nothing_before_it():
 def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_learns_from_it(
     begins,
 ):
-    if begins:
-        env = gymnasium.make("FrozenLake-v1")
-        env.reset(seed=3)
-        stepper = rl.Stepper(rl.Agent(env, "SARSA+SR", seed=1), env, at=120)
-        k = next(
-            frame.step.t + 1 for frame in stepper._tape.since(60) if frame.number == 1
-        )
-    else:
-        stepper, k = stepper_of("SARSA+SR"), 60
+    stepper = stepper_of("SARSA+SR")
+    k = 61 if begins else 60  # an episode has 30 steps
     was = relived(stepper)
     action = (was[k - 1]["a"] + 1) % stepper._tape.q.shape[1]
     fork = f"{{ from: {k}, luck: luckFor(stepper.recorded.at({k}).p, {action}), begins: {str(begins).lower()} }}"
@@ -194,7 +186,7 @@ def test_another_method_goes_on_from_the_same_table(name):
     names = on_its_page(
         stepper, "stepper.about.methods.map(({ algorithm }) => algorithm)"
     )
-    assert names[0] == "SL" and sorted(names) == sorted(ALGORITHMS)
+    assert names[0] == "SL" and sorted(names) == sorted(SYMBOLS)
     was, other = (
         relived(stepper),
         relived(stepper, fork=f"{{ from: 60, method: {names.index(name)} }}"),
@@ -218,8 +210,10 @@ def test_another_method_goes_on_from_the_same_table(name):
     learned.flat[step["q"][0]] = step["q"][1]
     np.testing.assert_array_equal(after.q, learned)
     shown = "(tape, life) => (tape.add(stepper.recorded.frames.map(() => life.step())), tape.go(60), views(tape))"
-    life = f"new Relived(stepper.about, lives, {{}}, {{ from: 60, method: {names.index(name)} }})"
-    panes = on_its_page(stepper, f"({shown})(stepper.newTape(lives.start), {life})")
+    life = f"new Replay(stepper.about, replayData, {{}}, {{ from: 60, method: {names.index(name)} }})"
+    panes = on_its_page(
+        stepper, f"({shown})(stepper.newTape(replayData.start), {life})"
+    )
     assert ("(1 − α)" in panes) == (name == "TOSL")
 
 
@@ -293,3 +287,22 @@ def test_the_advice_of_every_step_is_told_also_where_steps_were_dropped(method):
     every = "[...Array(99).keys()].map((i) => (tape.go(202 + i), adviceHtml(about, tape, null)))"
     told = on_its_page(stepper, f"(({{ tape, about }}) => {every})(stepper)")
     assert all("by Q alone it would have been" in one for one in told)
+
+
+def untranslatable(m, s):
+    """As numba understands it; JavaScript has no sum of an array."""
+    m.probabilities[:] = 1.0 / m.q.shape[1] + 0.0 * m.visits[s].sum()
+
+
+def test_a_selection_that_no_page_can_run_is_shown_and_its_page_says_why_nothing_can_be_tried():
+    method = Method("TOSL", Selection("MINE", untranslatable))
+    stepper = stepper_of(method, at=20)
+    reason, panes = on_its_page(
+        stepper, "[replayData.reason, viewHtml(stepper.about, stepper.tape)]"
+    )
+    line = untranslatable.__code__.co_firstlineno + 2
+    assert (
+        f"test_stepper_why.py:{line}: “m.visits[s].sum()” has no translation" in reason
+    )
+    assert "The update, with the numbers of this step" in panes
+    assert on_its_page(stepper, "Object.keys(updates.kernels).length") == len(SYMBOLS)

@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -16,16 +17,20 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import NOW, SETTINGS, new_memory
-from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
+from rlrobot_edu.learning.methods import SELECTIONS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.widgets.javascript.program import program, program_of
+from rlrobot_edu.widgets.playground.page import METHODS as IN_THE_PLAYGROUND
+from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
 
 DRIVERS = Path(__file__).parents[1] / "javascript"
-METHODS = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
+# what pages offer: the playground's methods, and a stepper's algorithms with the toolkit's selections
+ON_STEPPERS = ("SR", "QBIASSR", "EG", "EGLE", "GREEDY", "RANDOM")
+METHODS = [f"{a}+{s}" for a in SYMBOLS for s in ON_STEPPERS]
 N_STEPS, MODEL = 5000, "wander_1k"
 
 pytestmark = pytest.mark.skipif(
@@ -34,40 +39,71 @@ pytestmark = pytest.mark.skipif(
 
 
 class Worker:
-    """A process that answers each line with a line."""
+    """A process that answers each line with a line; one that has ended is started anew for the next question."""
 
     def __init__(self, *command, **surroundings):
-        self.process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            env={**os.environ, **surroundings},
-        )
+        self.command, self.surroundings = command, {**os.environ, **surroundings}
+        self.process = None
 
     def ask(self, job):
-        self.process.stdin.write(json.dumps(job) + "\n")
-        self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
+        if self.process is None:
+            self.process = subprocess.Popen(
+                self.command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                env=self.surroundings,
+            )
+        answer = ""
+        with suppress(BrokenPipeError):
+            self.process.stdin.write(json.dumps(job) + "\n")
+            self.process.stdin.flush()
+            answer = self.process.stdout.readline()
+        if not answer:
+            pytest.fail(self.end())
+        return json.loads(answer)
 
     def end(self):
-        self.process.stdin.close()
+        """End the process, if there is one; returns why it has ended before, in its own words."""
+        if self.process is None:
+            return ""
+        with suppress(BrokenPipeError):
+            self.process.stdin.close()
         self.process.stdout.close()
-        assert self.process.wait(60) == 0
+        with self.process.stderr as errors:
+            said = errors.read()[-2000:]
+        code, self.process = self.process.wait(60), None
+        return f"{self.command[0]} ended with code {code}: {said}" if code else ""
 
 
 @pytest.fixture(scope="module")
 def node():
     worker = Worker("node", str(DRIVERS / "node.js"))
     yield worker
-    worker.end()
+    assert worker.end() == ""
 
 
 @pytest.fixture(scope="module")
 def plain():
     worker = Worker(sys.executable, str(DRIVERS / "plain.py"), NUMBA_DISABLE_JIT="1")
     yield worker
-    worker.end()
+    assert worker.end() == ""
+
+
+def test_a_worker_that_dies_says_why_and_the_next_question_has_a_new_one():
+    worker = Worker("node", str(DRIVERS / "node.js"))
+    job = {"kind": "call", "method": "one", "name": "one", "arguments": []}
+    with pytest.raises(pytest.fail.Exception, match="no number of JavaScript's"):
+        program = '({one: () => { throw new Error("no number of JavaScript\'s"); }})'
+        worker.ask(job | {"program": program})
+    assert worker.ask(job | {"program": "({one: () => 1})"}) == 1
+    assert worker.end() == ""
+
+
+@pytest.mark.parametrize("method", IN_THE_PLAYGROUND)
+def test_the_playground_offers_only_what_these_tests_compare(method):
+    assert method in METHODS
 
 
 text_of = cache(program_of)
@@ -229,6 +265,34 @@ def adds_to_a_row(m, s):
     m.e[s] += 1.0
 
 
+def counts_a_row(m, s):
+    """Python adds the numbers of a row; an array of JavaScript has no sum."""
+    return m.visits[s].sum()
+
+
+def asks_for_a_size(m, s):
+    """A number in Python, undefined in JavaScript."""
+    return m.visits[s].size
+
+
+def scales_a_row(m, s):
+    q = m.q[s]
+    return q * 2.0
+
+
+def copies_a_row(m, s):
+    m.probabilities[:] = m.q[s]
+
+
+def scales_an_argument(x):
+    y = x / x[0]
+    return y
+
+
+def takes_the_last(x):
+    return x[-1]
+
+
 def is_nobodys_word(x):
     return math.erf(x)
 
@@ -242,7 +306,10 @@ def changes_its_counter(n):
 @pytest.mark.parametrize(
     ("kernel", "line", "what"), [
         (with_a_dictionary, 2, "{s: 1}"), (changes_its_counter, 2, "changes its own i"),
-        (adds_to_a_row, 2, "of a whole row"), (is_nobodys_word, 1, "math"),
+        (adds_to_a_row, 2, "m.e[s]”, a whole array as a number"), (is_nobodys_word, 1, "math"),
+        (counts_a_row, 2, "m.visits[s].sum()"), (asks_for_a_size, 2, "m.visits[s].size"),
+        (scales_a_row, 2, "“q”, a whole array"), (copies_a_row, 1, "“m.q[s]”, a whole array"),
+        (scales_an_argument, 1, "“x”, a whole array"), (takes_the_last, 1, "x[-1]"),
     ],
 )  # fmt: skip
 def test_what_has_no_translation_is_refused_with_file_and_line(kernel, line, what):

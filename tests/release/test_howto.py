@@ -46,7 +46,7 @@ def test_your_own_task_is_as_its_page_tells(tmp_path):
             told += len(lines)
     assert (
         told > 10
-        and (tmp_path / "hurry.html").stat().st_size
+        and (tmp_path / "hurry.gif").stat().st_size
         > 10_000
         < (tmp_path / "hurry_3d.html").stat().st_size
     )

@@ -364,7 +364,7 @@ def test_scenes_films_and_three_dimensions_show_the_walls(tmp_path):
     assert [solid.name for solid in scene.solids if solid.role == "goal"] == ["goal"]
     assert rl.plot_scene(scene).still().alt
     film = rl.film(rl.Agent(task, seed=0), env, steps=3)
-    film.save(tmp_path / "film.html")
+    film.save(tmp_path / "film.gif")
     pytest.importorskip("meshcat")
     film.show3d().save(tmp_path / "film3d.html")
     assert (tmp_path / "film3d.html").stat().st_size > 10_000
@@ -380,7 +380,7 @@ def test_a_page_in_javascript_lives_the_same_life_in_a_drawn_room():
     relived = "((relived) => { for (let i = 0; i < 150; i++) relived.step(); return relived; })"
     q = on_its_page(
         stepper,
-        f"{relived}(new Relived(stepper.about, lives, {{}})).life.m.q.map((row) => [...row])",
+        f"{relived}(new Replay(stepper.about, replayData, {{}})).simulation.m.q.map((row) => [...row])",
     )
     assert np.array_equal(stepper._tape.q, q)
 

@@ -4,7 +4,7 @@ visualizer.py  `meshcat` and `show_scene`: begin here
 looks.py       what room, things and robots look like
 window.py      what the visualizer talks to instead of a server, and its page (page.html)
 bar.js         the page's own part: time, chase camera, curve of the rewards
-carried.py     the page in a notebook, told what is new (frame.js)
+page_widget.py     the page in a notebook, told what is new (frame.js)
 photograph.py  a picture of a page
 """
 

@@ -9,7 +9,6 @@ from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
 from weakref import WeakKeyDictionary
 
 import meshcat as library
@@ -22,18 +21,15 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.in3d import looks
-from rlrobot_edu.show.in3d.carried import CarriedPage
+from rlrobot_edu.show.in3d.page_widget import PageWidget
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import png_of
-from rlrobot_edu.show.scenes import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import plot_scene
-
-if TYPE_CHECKING:
-    from rlrobot_edu.show.film import Film
 
 PIECE, PIECES = 20, 100  # steps in a piece of a live trail, and how many pieces stay
 FLOOR = 0.012  # height of a trail above the floor [m]
@@ -155,11 +151,11 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         write_whole(path, self.html)
 
     @cached_property
-    def widget(self) -> CarriedPage:
+    def widget(self) -> PageWidget:
         """The page in a frame of the notebook."""
-        return CarriedPage(self.window)
+        return PageWidget(self.window)
 
-    def jupyter_cell(self, height: int = 480) -> CarriedPage:
+    def jupyter_cell(self, height: int = 480) -> PageWidget:
         """The view in a cell, as meshcat calls it; height: in pixels."""
         self.widget.height = height
         return self.widget
@@ -253,12 +249,12 @@ def _jumps(a: Scene, b: Scene) -> bool:
     )
 
 
-def meshcat(thing: Env | Scene | Film) -> Visualizer:
+def meshcat(thing: Env | Scene) -> Visualizer:
     """A robot's world in a genuine meshcat visualizer, to look at and to add to.
 
     Parameters
     ----------
-    thing : gymnasium.Env, Scene or Film
+    thing : gymnasium.Env or Scene
         An environment with a robot has one visualizer, always the same, which `rlrobot_edu.watch` moves.
 
     Returns
@@ -280,8 +276,6 @@ def meshcat(thing: Env | Scene | Film) -> Visualizer:
     """
     if isinstance(thing, Scene):
         return Visualizer(thing)
-    if hasattr(thing, "show3d"):
-        return cast("Film", thing).show3d()
     robot = robot_of(thing)
     if robot in _of_robot:
         _of_robot[robot].update(robot.scene())

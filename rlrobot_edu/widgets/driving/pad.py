@@ -6,7 +6,7 @@ import html
 import io
 from collections import deque
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import ipywidgets
 import numpy as np
@@ -20,29 +20,23 @@ from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
-from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
 
-if TYPE_CHECKING:
-    from rlrobot_edu.show.in3d.visualizer import Visualizer
-
 LAST = 60  # steps that a saved notebook keeps of those that were driven
-VIEWS = ("top", "3d")
 
 
-def teleoperate(env: Env, view: str = "top") -> Pad:
+def teleoperate(env: Env) -> Pad:
     """Drive a robot by hand, with buttons or keys, and record it.
 
     Parameters
     ----------
     env : gymnasium.Env
         An environment with a robot, see `make_env`.
-    view : str
-        The view of the robot next to the buttons: ``top``, from above, or ``3d``.
 
     Returns
     -------
@@ -52,21 +46,17 @@ def teleoperate(env: Env, view: str = "top") -> Pad:
     Raises
     ------
     ValueError
-        If the environment has no robot, or there is no such view.
-    ImportError
-        For ``3d`` without meshcat.
+        If the environment has no robot.
     """
-    return Pad(env, view)
+    return Pad(env)
 
 
 class Pad(Displayed):
     """The robot of `env` under a person's hands; each press is one step of its task."""
 
-    def __init__(self, env: Env, view: str = "top") -> None:
-        check_name(view, VIEWS, "view", "teleoperate")
+    def __init__(self, env: Env) -> None:
         self._robot, self._task = robot_of(env), cast(RobotEnv, env.unwrapped).task
         self._env, self._state_number = env, state_numbers(env)
-        self._live = self._in_3d() if view == "3d" else None
         self._rows: list[list[Any]] = []
         self._driven = deque[tuple[Scene, float]](maxlen=LAST)
         self._begin()
@@ -158,9 +148,6 @@ class Pad(Displayed):
                 "grid_gap": "4px",
             },
         )
-        seen = self._picture if self._live is None else self._live.widget
-        if self._live is not None:
-            seen.layout.flex = "1 1 400px"  # else a frame is only as wide as browsers make one that has no width
         self._keyboard = Keyboard(actions=keys, told=told)
         # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
         side = ipywidgets.VBox(
@@ -169,7 +156,7 @@ class Pad(Displayed):
         )
         side.layout.min_width = "min-content"
         widget = ipywidgets.HBox(
-            [side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"}
+            [side, self._picture], layout={"flex_flow": "row wrap", "grid_gap": "12px"}
         )
         self._show("nothing driven yet")
         widget.add_class("rl-drive")
@@ -182,13 +169,6 @@ class Pad(Displayed):
             if self._driven
             else plot_scene(self._robot.scene()).still()
         )
-
-    def _in_3d(self) -> Visualizer:
-        from rlrobot_edu.show.in3d.visualizer import (
-            meshcat,
-        )  # here, because all else does without meshcat
-
-        return meshcat(self._env)
 
     def _begin(self) -> None:
         self._s, self._ended = self._state_number(self._env.reset()[0]), False
@@ -222,20 +202,16 @@ class Pad(Displayed):
         self._show(
             f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace(
                 "-", "−"
-            ),
-            r,
+            )
         )
 
-    def _show(self, text: str, r: float | None = None) -> None:
-        """Say and show how the robot is; r: of the step that led here, None if it was put here."""
+    def _show(self, text: str) -> None:
+        """Say and show how the robot is."""
         scene = self._robot.scene()
-        if self._live is not None:
-            self._live.update(scene, r)
-        else:
-            buffer = io.BytesIO()
-            Image.fromarray(
-                self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))
-            ).save(buffer, "PNG")
-            self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
+        buffer = io.BytesIO()
+        Image.fromarray(
+            self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))
+        ).save(buffer, "PNG")
+        self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
         self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
         self._keyboard.answered = len(self._rows)

@@ -2,7 +2,11 @@
 
 A kernel is what numba compiles here: numbers, arrays of one or two dimensions, records, loops. An array of two
 dimensions is an array of rows in JavaScript, so ``q[s, a]`` becomes ``q[s][a]``. The library pscript (0.8.1) takes
-that for a slice, and makes each ``+`` and ``*`` a call. Nothing here knows of types: what is added must be numbers.
+that for a slice, and makes each ``+`` and ``*`` a call.
+
+JavaScript has no arithmetic of arrays: ``q[s] + 1`` would be a text there, and ``visits[s].size`` undefined. What a
+kernel may do with a whole array is to take its largest or smallest entry, to set all its entries to one number, and to
+hand it to another kernel. All else is refused.
 
 A task's reward and goal are translated, too: in them are readings by name, arguments by name, and sums over names.
 """
@@ -13,18 +17,17 @@ import inspect
 import json
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, NoReturn
 
-TABLES = {
-    "q",
-    "e",
-    "visits",
-}  # the arrays of two dimensions, by the names that kernels give them
-OF_AN_ARRAY = {
-    "max",
-    "min",
-    "argmax",
-}  # its methods, functions of the prelude in JavaScript
+import numpy as np
+
+# the arrays of two dimensions, by the names that kernels give them
+TABLES = {"q", "e", "visits"}
+# the methods of an array that are functions of the prelude in JavaScript
+OF_AN_ARRAY = {"max", "min", "argmax"}
+# all else that only arrays have; a record has fields of other names
+NOT_TRANSLATED = set(dir(np.ndarray)) - OF_AN_ARRAY - {"shape"}
 OPERATORS: dict[type[ast.AST], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
     ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
@@ -102,6 +105,7 @@ class Translator:
         self.records = {
             node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}
         }  # type: ignore[attr-defined]
+        self.arrays = self._names_of_arrays(nodes)
 
     def translate(self, name: str) -> str:
         """The text of the function, under this name. Raises ValueError that tells file and line of what it refuses."""
@@ -111,10 +115,42 @@ class Translator:
 
     def _refuse(self, node: ast.AST, what: str) -> NoReturn:
         line = self.first + getattr(node, "lineno", 1) - 1
+        file = Path(inspect.getsourcefile(self.function) or "").name
         raise ValueError(
-            f"{inspect.getsourcefile(self.function)}:{line}: {what} has no translation to JavaScript. A kernel has "
-            "numbers, arrays, records, if, while and for over a range."
+            f"{file}:{line}: {what} has no translation to JavaScript, so no page can "
+            "run it; write it with numbers, entries of arrays, if, while and for over a range"
         )
+
+    def _names_of_arrays(self, nodes: Sequence[ast.AST]) -> set[str]:
+        """The texts that stand for arrays: what has entries, a shape or a largest entry, and names given to rows."""
+        found = set()
+        for node in nodes:
+            match node:
+                case ast.Subscript(array):
+                    found.add(ast.unparse(array))
+                case ast.Attribute(array, field) if field in {"shape", *OF_AN_ARRAY}:
+                    found.add(ast.unparse(array))
+                case ast.Assign([ast.Name(name)], ast.Subscript() as value):
+                    if self._is_row(value):
+                        found.add(name)
+        return found
+
+    def _is_array(self, node: ast.expr) -> bool:
+        if isinstance(node, ast.Subscript):
+            return self._is_row(node)
+        return ast.unparse(node) in self.arrays
+
+    def _number(self, node: ast.expr) -> str:
+        """The value of what must be a number in JavaScript."""
+        if self._is_array(node):
+            self._refuse(node, f"“{ast.unparse(node)}”, a whole array as a number,")
+        return self._value(node)
+
+    def _given_to(self, target: ast.expr, value: ast.expr) -> str:
+        """A value to be assigned: entries of arrays take numbers."""
+        if isinstance(target, ast.Subscript):
+            return self._number(value)
+        return self._value(value)
 
     def _block(self, statements: Sequence[ast.stmt]) -> str:
         return "\n".join(filter(None, map(self._statement, statements)))
@@ -129,28 +165,24 @@ class Translator:
                 targets
             ) == len(values):
                 held = ", ".join(
-                    f"${i} = {self._value(value)}" for i, value in enumerate(values)
+                    f"${i} = {self._given_to(targets[i], value)}"
+                    for i, value in enumerate(values)
                 )
                 given = "\n".join(
                     self._assign(target, f"${i}") for i, target in enumerate(targets)
                 )
                 return f"{{\nconst {held};\n{given}\n}}"  # a browser would make an array of [a, b] = [x, y]
             case ast.Assign(targets, value):
-                first, *others = targets
-                return (
-                    self._assign(first, self._value(value))
-                    if not others
-                    else self._assign_all(targets, value)
-                )
+                if len(targets) > 1:
+                    return self._assign_all(targets, value)
+                return self._assign(targets[0], self._given_to(targets[0], value))
             case ast.AugAssign(target, operator, value):
-                if isinstance(target, ast.Subscript) and self._is_row(target):
-                    self._refuse(node, f"“{ast.unparse(node)}”, of a whole row,")
-                place = self._value(target)
+                place, change = self._number(target), self._number(value)
                 if type(operator) in (ast.FloorDiv, ast.Mod, *self.arithmetic):
-                    return f"{place} = {self._operation(place, operator, self._value(value), node)};"
-                return (
-                    f"{place} {self._operator(operator, node)}= {self._value(value)};"
-                )
+                    return (
+                        f"{place} = {self._operation(place, operator, change, node)};"
+                    )
+                return f"{place} {self._operator(operator, node)}= {change};"
             case ast.If(
                 ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest
             ) if x in self.around:
@@ -160,10 +192,10 @@ class Translator:
             case ast.If(test, body, rest):
                 otherwise = f" else {{\n{self._block(rest)}\n}}" if rest else ""
                 return (
-                    f"if ({self._value(test)}) {{\n{self._block(body)}\n}}{otherwise}"
+                    f"if ({self._number(test)}) {{\n{self._block(body)}\n}}{otherwise}"
                 )
             case ast.While(test, body, []):
-                return f"while ({self._value(test)}) {{\n{self._block(body)}\n}}"
+                return f"while ({self._number(test)}) {{\n{self._block(body)}\n}}"
             case ast.For(
                 ast.Name(i), ast.Call(ast.Name("range"), [*bounds], []), body, []
             ) if 1 <= len(bounds) <= 2:
@@ -231,30 +263,30 @@ class Translator:
                 return f"[{', '.join(map(self._value, parts))}]"
             case ast.BinOp(left, operator, right):
                 return self._operation(
-                    self._value(left), operator, self._value(right), node
+                    self._number(left), operator, self._number(right), node
                 )
             case ast.UnaryOp(ast.USub() as operator, operand) if (
                 ast.USub in self.arithmetic
             ):
-                return f"{self.arithmetic[ast.USub]}({self._value(operand)})"
+                return f"{self.arithmetic[ast.USub]}({self._number(operand)})"
             case ast.UnaryOp(operator, operand):
-                return f"({self._operator(operator, node)}{self._value(operand)})"
+                return f"({self._operator(operator, node)}{self._number(operand)})"
             case ast.BoolOp(operator, values):
-                return f"({f' {self._operator(operator, node)} '.join(map(self._value, values))})"
+                return f"({f' {self._operator(operator, node)} '.join(map(self._number, values))})"
             case ast.Compare(left, operators, others) if not any(
                 isinstance(n, ast.Tuple) for n in [left, *others]
             ):
                 pairs = zip([left, *others], operators, others, strict=False)
                 said = [
-                    f"{self._value(a)} {self._operator(by, node)} {self._value(b)}"
+                    f"{self._number(a)} {self._operator(by, node)} {self._number(b)}"
                     for a, by, b in pairs
                 ]
                 return f"({' && '.join(said)})"
             case ast.IfExp(test, body, otherwise):
-                return f"({self._value(test)} ? {self._value(body)} : {self._value(otherwise)})"
+                return f"({self._number(test)} ? {self._value(body)} : {self._value(otherwise)})"
             case ast.Attribute(ast.Name("math"), word) if word in OF_MATH:
                 return OF_MATH[word]
-            case ast.Attribute(record, field):
+            case ast.Attribute(record, field) if field not in NOT_TRANSLATED:
                 return f"{self._value(record)}.{field}"
             case ast.Subscript(
                 ast.Attribute(array, "shape"), ast.Constant(int(axis))
@@ -264,7 +296,9 @@ class Translator:
                 return (
                     f"{self._value(array)}[{self._value(row)}][{self._value(column)}]"
                 )
-            case ast.Subscript(array, index) if not isinstance(index, ast.Slice):
+            case ast.Subscript(array, index) if not isinstance(
+                index, ast.Slice
+            ) and not _is_negative(index):
                 return f"{self._value(array)}[{self._value(index)}]"
             case ast.Call(ast.Attribute(array, method), [], []) if (
                 method in OF_AN_ARRAY
@@ -279,7 +313,12 @@ class Translator:
                 ],
             ):
                 return self._sum(each, x, self.around.get(over), node)
+            case ast.Call(ast.Attribute(_, method)) if method in NOT_TRANSLATED:
+                self._refuse(node, f"“{ast.unparse(node)}”")
             case ast.Call(function, arguments, []):
+                if self._value(function) in {*WORDS.values(), *OF_MATH.values()}:
+                    arguments_text = ", ".join(map(self._number, arguments))
+                    return f"{self._value(function)}({arguments_text})"
                 return (
                     f"{self._value(function)}({', '.join(map(self._value, arguments))})"
                 )
@@ -323,3 +362,8 @@ class Translator:
         if self.around[name] is getattr(builtins, name, None):
             return WORDS[name] if name in WORDS else self._refuse(node, name)
         return self.name_of(self.around[name]) or self._refuse(node, name)
+
+
+def _is_negative(index: ast.expr) -> bool:
+    """Whether an index counts from the end, which JavaScript does not know."""
+    return isinstance(index, ast.UnaryOp) and isinstance(index.op, ast.USub)

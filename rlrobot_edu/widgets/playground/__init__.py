@@ -2,12 +2,13 @@
 
 Read in this order:
 
-- `playground`: ``rl.playground()``, which puts the page together;
+- `page`: ``rl.playground()``, which puts the page together;
 - `worlds`: the worlds as data, one of them the `cliff`;
 - `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
-- `start.js`: a life of given settings; `rlrobot_edu/widgets/javascript/life.js`: how it goes on;
-- `run.js`: a life with its score and its floor; `walls.js`: walls inside a room;
+- `new_simulation.js`: a simulation of given settings; `rlrobot_edu/widgets/javascript/simulation.js`: its steps;
+- `run.js`: a simulation with its score and its floor; `walls.js`: walls inside a room;
 - `page.html`, `style.css`: the looks; `room.js`, `cells.js` and `curve.js` draw it;
-- `page.js`: time, and words; `settings.js`: sliders and the link; `hands.js`: what is dragged; `begin.js`: buttons;
-- `look.js`: colours and height within another page; `around.js`: the part of that other page; `framed`: a notebook's.
+- `page.js`: time, and words; `settings.js`: sliders and the link; `pointer.js`: what is dragged; `buttons.js`: buttons;
+- `theme.js`: colours and height within another page; `host_page.js`: what that page does;
+  `page_frame`: the frame in a notebook.
 """

@@ -15,7 +15,7 @@ let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0, p
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
 const runs = () => (rival ? [yours, rival] : [yours]);
 
-// Begin a life with the present settings; in a race another, with those of the paper.
+// Begin a simulation with the present settings; in a race another, with those of the paper.
 function begin() {
   yours = new Run(settings, walls);
   rival = isRacing ? new Run({ ...settings, ...PAPER }, walls) : null;
@@ -71,7 +71,7 @@ function live(n, most) {
 
 // Go to a stage of its life, at once or nearly so; to a stage that has passed, from the beginning again.
 function goTo(t) {
-  if (yours.life.t > t) begin();
+  if (yours.simulation.t > t) begin();
   leap = t;
   play(true);
 }
@@ -80,8 +80,8 @@ function frame(moment) {
   const passed = Math.min(0.1, (moment - drawnAt) / 1000);
   drawnAt = moment;
   if (leap !== null) {
-    live(leap - yours.life.t, LEAP_MS);
-    if (yours.life.t >= leap) [leap, owed] = [null, 0];
+    live(leap - yours.simulation.t, LEAP_MS);
+    if (yours.simulation.t >= leap) [leap, owed] = [null, 0];
   } else if (playing) {
     owed += settings.speed * FRAMES * passed;
     const whole = Math.floor(owed);
@@ -126,8 +126,8 @@ function between({ here, from }, part) {
   return [...[0, 1].map((i) => from[i] + part * (here[i] - from[i])), from[2] + part * turned];
 }
 
-function bestArrow({ life, world }, place) {
-  const q = life.m.q[world.seen[place]];
+function bestArrow({ simulation, world }, place) {
+  const q = simulation.m.q[world.seen[place]];
   return q.every((value) => value === 0) ? "" : world.arrows[bestOf(q)];
 }
 
@@ -143,17 +143,17 @@ const periodInWords = () => (yours.world.stepTime ? "ten minutes" : `${PERIOD} s
 
 // All that is said in words and numbers.
 function tell() {
-  const { life, world } = yours, passed = (performance.now() - since.moment) / 1000;
+  const { simulation, world } = yours, passed = (performance.now() - since.moment) / 1000;
   if (passed > 0.5) {
-    rate = (life.t - since.t) / passed;
-    since = { moment: performance.now(), t: life.t };
+    rate = (simulation.t - since.t) / passed;
+    since = { moment: performance.now(), t: simulation.t };
   }
   const pace = playing && rate > 100 ? ` · ${Math.round(rate).toLocaleString("en")} steps a second` : "";
-  const lived = world.stepTime ? `It has lived ${timeOf(life.t)}, in steps of a second. ` : "";
-  find("age").textContent = `${lived}Step ${life.t.toLocaleString("en")}${pace}`;
+  const lived = world.stepTime ? `It has lived ${timeOf(simulation.t)}, in steps of a second. ` : "";
+  find("age").textContent = `${lived}Step ${simulation.t.toLocaleString("en")}${pace}`;
   tellScore();
   tellCurve();
-  const { s, a, r, sNext, delta, before: was, after } = life.last;
+  const { s, a, r, sNext, delta, before: was, after } = simulation.last;
   find("update").textContent = `In state ${s} it did “${world.actions[a]}” and got r = ${String(r).replace("-", "−")}, in state ${sNext}. ` +
     `δ = ${number(delta)}, so Q(s, a) went from ${number(was)} to ${number(after)}.`;
   showRow(pointed);
@@ -164,9 +164,9 @@ function tell() {
 
 // The score at first and now; and the stage of its life.
 function tellScore() {
-  const { score, life } = yours, isYoung = life.t < PERIOD, period = periodInWords();
+  const { score, simulation } = yours, isYoung = simulation.t < PERIOD, period = periodInWords();
   find("first").textContent = score.first;
-  find("at-first").textContent = isYoung ? `so far, in ${timeOf(life.t)}` : `in its first ${period}`;
+  find("at-first").textContent = isYoung ? `so far, in ${timeOf(simulation.t)}` : `in its first ${period}`;
   find("last").textContent = isYoung ? "?" : score.last;
   find("at-last").textContent = isYoung ? "after some practice" : `in the last ${period}`;
   find("rival").hidden = !rival;
@@ -175,13 +175,13 @@ function tellScore() {
       ? "Both robots have the paper’s settings, and do the same: change yours."
       : `The paper’s robot: ${rival.score.first} at first, ${isYoung ? "?" : rival.score.last} now.`;
   }
-  const stages = [...find("stages").children], reached = stages.filter(({ value }) => Number(value) <= life.t).at(-1);
+  const stages = [...find("stages").children], reached = stages.filter(({ value }) => Number(value) <= simulation.t).at(-1);
   for (const stage of stages) stage.toggleAttribute("aria-current", stage === reached);
 }
 
 function tellCurve() {
   const { curve, score: { first, last }, world } = yours, kind = find("kind").value, other = rival ? rival.curve : before;
-  const recent = curve.points("rewards").at(-1), n = Math.min(yours.life.t, PERIOD);
+  const recent = curve.points("rewards").at(-1), n = Math.min(yours.simulation.t, PERIOD);
   const called = kind === "counts" ? `${world.score.called} in ${periodInWords()}` : "mean reward of a step";
   const mean = recent ? `Mean reward of the last ${n} steps: ${number(recent[1])}.` : "It has just begun.";
   const dashed = rival ? " Dashed: the paper’s settings." : before ? ` Dashed: the run before${before.called}.` : "";
@@ -202,8 +202,8 @@ function inWords(s) {
 
 // The row of Q of a state: that under the pointer, or else the robot's own.
 function showRow(state) {
-  const { life, world } = yours, s = state === null ? life.last.sNext : state, q = life.m.q[s], best = bestOf(q);
-  const visits = life.m.visits[s].reduce((sum, n) => sum + n, 0);
+  const { simulation, world } = yours, s = state === null ? simulation.last.sNext : state, q = simulation.m.q[s], best = bestOf(q);
+  const visits = simulation.m.visits[s].reduce((sum, n) => sum + n, 0);
   find("where").textContent = state === null ? "What it knows where it stands" : "What it knows where you point";
   find("state").textContent = `State ${s}: ${inWords(s)}. Met ${visits.toLocaleString("en")} times.`;
   const most = Math.max(1e-9, ...q.map(Math.abs));

@@ -66,12 +66,12 @@ function drawFloor(canvas, run, marked, colours) {
 
 // Each piece of floor where it has been: the darker, the more it expects in the state in which it was there last;
 // the arrow tells what it would do there, facing as it did then.
-function drawValues(context, view, { floor, life, world }, colours) {
-  const met = [...floor.places()].map((place) => [...place, bestOf(life.m.q[place[2]])]);
-  const most = met.reduce((high, [, , s, , best]) => Math.max(high, Math.abs(life.m.q[s][best])), 1e-9);
+function drawValues(context, view, { floor, simulation, world }, colours) {
+  const met = [...floor.places()].map((place) => [...place, bestOf(simulation.m.q[place[2]])]);
+  const most = met.reduce((high, [, , s, , best]) => Math.max(high, Math.abs(simulation.m.q[s][best])), 1e-9);
   const side = TILE * view.scale;
   for (const [x, y, s, , best] of met) {
-    const value = life.m.q[s][best] / most, [left, top] = view.at(x, y);
+    const value = simulation.m.q[s][best] / most, [left, top] = view.at(x, y);
     context.fillStyle = value < 0 ? colours.bump : colours.value;
     context.globalAlpha = 0.06 + 0.54 * Math.abs(value);
     context.fillRect(left - side / 2, top - side / 2, side - 1, side - 1);
@@ -81,7 +81,7 @@ function drawValues(context, view, { floor, life, world }, colours) {
   context.lineWidth = 1;
   context.beginPath();
   for (const [x, y, s, heading, best] of met) {
-    if (life.m.q[s].some((value) => value !== 0)) arrow(context, view, x, y, heading, world.twists[best]);
+    if (simulation.m.q[s].some((value) => value !== 0)) arrow(context, view, x, y, heading, world.twists[best]);
   }
   context.stroke();
   context.globalAlpha = 1;

@@ -1,4 +1,4 @@
-// A run: a life, and what the page remembers of it: the score, the curve, its way, and what it met on the floor.
+// A run: a simulation, and what the page remembers of it: the score, the curve, its way, and what it met on the floor.
 
 const TRAIL = 240, BUMPS = 600; // steps for which its way is drawn, and the places where it bumped
 const PERIOD = 600; // steps of the score: ten minutes of its life
@@ -6,7 +6,7 @@ const TILE = 0.25; // side of a piece of floor [m]
 
 class Run {
   constructor(settings, walls) {
-    this.life = newLife(settings, walls);
+    this.simulation = newSimulation(settings, walls);
     this.curve = new Curve();
     this.score = new Score();
     this.trail = [];
@@ -16,7 +16,7 @@ class Run {
   }
 
   get world() {
-    return this.life.world;
+    return this.simulation.world;
   }
 
   // Where it is: x, y, heading; in the cells, what is to be drawn.
@@ -25,7 +25,7 @@ class Run {
   }
 
   step() {
-    const world = this.world, told = this.life.step(), { atMost } = world.score;
+    const world = this.world, told = this.simulation.step(), { atMost } = world.score;
     const counts = atMost === null ? told.terminated : told.r <= atMost;
     this.score.add(counts);
     this.curve.add(told.r, counts);
@@ -33,20 +33,20 @@ class Run {
     const [x, y, heading] = world.place;
     this.floor.met(x, y, heading, told.sNext);
     if (this.trail.push([x, y]) > TRAIL) this.trail.shift();
-    if (told.r <= -2 && !(atMost === null && told.terminated)) this.bumps.push([x, y, this.life.t]);
+    if (told.r <= -2 && !(atMost === null && told.terminated)) this.bumps.push([x, y, this.simulation.t]);
     if (told.terminated || told.truncated) this.trail = [];
   }
 
   // After some steps: bumps of long ago are drawn no longer.
   forget() {
-    if (this.bumps.length && this.bumps[0][2] <= this.life.t - BUMPS) {
-      this.bumps = this.bumps.filter(([, , t]) => t > this.life.t - BUMPS);
+    if (this.bumps.length && this.bumps[0][2] <= this.simulation.t - BUMPS) {
+      this.bumps = this.bumps.filter(([, , t]) => t > this.simulation.t - BUMPS);
     }
   }
 
   // Put the robot elsewhere by hand: a new episode begins there.
   put(place) {
-    this.life.begin(null, place);
+    this.simulation.begin(null, place);
     this.trail = [];
     this.from = null;
   }

@@ -54,7 +54,7 @@ function readLink() {
     else if (name === "method" && about.methods.some((method) => method.name === value)) settings.method = value;
     else if (name === "task" && Object.hasOwn(about.worlds, value)) settings.task = value;
   }
-  walls = wallsFrom(given.get("walls"), newLife({ ...settings }).world);
+  walls = wallsFrom(given.get("walls"), newSimulation({ ...settings }).world);
 }
 
 // The choices of a setting, in the list of its name.

@@ -1,4 +1,4 @@
-"""The worlds of the playground as data: all that life.js needs of them."""
+"""The worlds of the playground as data: all that simulation.js needs of them."""
 
 from __future__ import annotations
 
@@ -147,24 +147,6 @@ def model_world(
         "tables": {name: np.asarray(value).tolist() for name, value in tables.items()},
         "seen": list(range(model.n_states)),
         "drawn": list(drawn),
-    }
-
-
-def chance_world(grid: Any, episode_steps: int | None) -> World:
-    """What `ChanceWorld` needs of one of Gymnasium's grids, from its table P of (chance, s', r, terminated)."""
-    n_actions = int(grid.action_space.n)
-    pairs = [grid.P[s][a] for s in range(len(grid.P)) for a in range(n_actions)]
-    outcomes = [
-        [(int(s2), float(r), bool(end)) for _, s2, r, end in pair] for pair in pairs
-    ]
-    chances = [np.cumsum([chance for chance, *_ in pair]).tolist() for pair in pairs]
-    r_max = max(abs(r) for pair in outcomes for _, r, _ in pair)
-    return _in_common((len(grid.P),), n_actions, r_max, episode_steps) | {
-        "kind": "ChanceWorld",
-        "outcomes": outcomes,
-        "chances": chances,
-        "starts": np.cumsum(grid.initial_state_distrib).tolist(),
-        "seen": list(range(len(grid.P))),
     }
 
 

@@ -8,16 +8,17 @@ Data
     names.Names           what the numbers of states and actions mean, in the words of the task
     tables.Window         the states and actions that fit into a picture
     cell_values.Mark      what the agent thinks of a place in a robot's world
-    stepper.Stepper       what a notebook shows
+    widget.Stepper        what a notebook shows
 
-Begin with `tape`, which records `rl.steps` and knows no page. Three views of an environment follow (`robot_view` with
-`cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
+Begin with `tape`, which records `rl.steps` and knows no page. Two views of an environment follow (`robot_view` with
+`cell_values`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
 picture, with `still_tables` and `equations`; `code_view` shows the lines of the
 update rule; `symbols` has the text of each algorithm, `colours` are those of values.
 
 The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws the view (with
-tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page
-can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels, from any step on;
-futures.js shows both lives. credit.js tells who paid for a value, by the updates that `paid` gives it. The same program
-is a widget in a notebook (`widget`) and a file that needs no kernel; `saved_page` names its parts.
+tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `page_data` gives it the steps. Where a
+page can compute the world, `replay` says how, and replay.js learns anew with the library's kernels, from any step on;
+comparison.js shows both runs. credit.js says which rewards made a value, with the updates of `credit_kernels`, and
+advice.js which states made a bias. The same program is a widget in a notebook (`widget`) and a file that needs no
+kernel; `saved_page` lists its parts.
 """

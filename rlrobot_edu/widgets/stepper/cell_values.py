@@ -71,7 +71,7 @@ class CellValues:
                 found.append(Mark(x, y, "".join(icons[a] for a in best), float(value)))
         return found
 
-    def tell_all(self) -> dict[str, list[dict[str, Any]]]:
+    def constant_data(self) -> dict[str, list[dict[str, Any]]]:
         """The places of each cell of the box, for worlds.js."""
         return {
             f"{box[0]},{box[1]}": [

@@ -6,7 +6,6 @@ import gymnasium
 
 from rlrobot_edu.robots.cell_robot import CellRobot
 from rlrobot_edu.widgets.stepper.cell_values import INPUTS, CellValues
-from rlrobot_edu.widgets.stepper.grid_view import GridView, letters_of
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.robot_view import RobotView
 from rlrobot_edu.widgets.stepper.state_view import StateView
@@ -14,7 +13,7 @@ from rlrobot_edu.widgets.stepper.tape import EnvironmentView
 
 
 def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
-    """The robot from above, or else the grid, or else the state with its inputs."""
+    """The robot from above, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
     if hasattr(robot, "scene"):
         lives_in_cells = (
@@ -23,5 +22,4 @@ def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
             and set(names.inputs) <= INPUTS
         )
         return RobotView(robot, CellValues(names.task) if lives_in_cells else None)
-    letters = letters_of(env)
-    return GridView(letters, names) if letters is not None else StateView(names)
+    return StateView(names)

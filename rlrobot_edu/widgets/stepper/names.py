@@ -12,15 +12,11 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.stepper.numerals import given
 from rlrobot_edu.widgets.wheel_icons import wheel_icon
 
-# of Gymnasium's grids; their actions are numbers without a name
-_ARROWS = {"CliffWalkingEnv": "↑→↓←", "FrozenLakeEnv": "←↓→↑"}
-
 
 class Names:
     """Names of the states and actions of an agent's environment.
 
     task: where the names come from; None takes the environment's own task, if it has one
-    arrows: of a world of cells, the direction of each action: ``↑→↓←``; empty elsewhere
     outputs: what an action sets, for example ``left_wheel, right_wheel``; empty where nobody says
     inputs: name of each input. Raises ValueError if the task has other states or actions than the agent.
     """
@@ -38,7 +34,6 @@ class Names:
                 f"{agent.shape} and {n_actions} actions; give the Stepper the task that the agent was made for"
             )
         self.task, self.shape, self._few = task, agent.shape, n_actions <= 4
-        self.arrows = _ARROWS.get(type(env.unwrapped).__name__, "")
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)
         else:
@@ -102,8 +97,6 @@ class Names:
 
     def _action(self, a: int) -> str:
         """Action `a` in as few signs as possible: the value of each output, or the task's word for it."""
-        if self.arrows:
-            return self.arrows[a]
         if self.task is None:
             return str(a)
         values = self.task.actions.decode(a)

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.robots.scene import Scene, Solid
+from rlrobot_edu.show.describe import path_of
 from rlrobot_edu.show.palette import GREY, ROLE
-from rlrobot_edu.show.scenes import path_of
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
 from rlrobot_edu.widgets.stepper.cell_values import CellValues
 from rlrobot_edu.widgets.stepper.colours import largest, tint
@@ -28,8 +28,6 @@ class RobotView:
 
     marks: what the agent thinks of places in the scene, if it can be drawn there
     """
-
-    wide = False
 
     def __init__(self, robot: Any, marks: CellValues | None) -> None:
         self.heading = (
@@ -50,13 +48,13 @@ class RobotView:
             solids=tuple(solid for solid in scene.solids if solid.role != "wall")
         )
 
-    def tell_all(self) -> dict[str, Any]:
+    def constant_data(self) -> dict[str, Any]:
         """Walls, bounds and colours; and, where there are marks, for each cell of the box the places that have one."""
         walls = [_points(footprint(solid)) for solid in self._walls]
         return {"kind": "robot", "bounds": self._bounds, "roles": ROLE, "walls": walls,
-                "marks": self._marks and self._marks.tell_all()}  # fmt: skip
+                "marks": self._marks and self._marks.constant_data()}  # fmt: skip
 
-    def tell(self, look: Scene) -> dict[str, Any]:
+    def look_data(self, look: Scene) -> dict[str, Any]:
         """Where everything is that may move [m], the robot's x, y and heading [rad], and its nose."""
         solids = sorted(look.solids, key=lambda solid: _ORDER.index(solid.role))
         body = next(

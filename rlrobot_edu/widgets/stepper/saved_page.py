@@ -10,26 +10,27 @@ SCRIPTS = (
     "tables",
     "worlds",
     "panes",
-    "relive",
+    "replay",
     "credit",
-    "futures",
+    "advice",
+    "comparison",
     "stepper",
-    "alone",
+    "standalone",
 )
 
 
-def script(lives: str, credit: str, choice: str) -> str:
-    """The program of the page; lives: what lives.py tells, in JavaScript; credit, choice: what paid.py tells."""
-    names = [
-        *SCRIPTS,
-        *["advice"] * (choice != "null"),
-    ]  # without a bias nobody asks whose advice it is
-    programs = ["javascript/life.js", *(f"stepper/page/{name}.js" for name in names)]
-    told = (
-        f"const {name} = {value};"
-        for name, value in (("lives", lives), ("updates", credit), ("choice", choice))
-    )
-    return "\n".join([*map(read_text, programs), *told])
+def script(replay_data: str, updates: str, choice: str) -> str:
+    """The program of the page; what it is given are JavaScript expressions, see replay.py and credit_kernels.py."""
+    programs = [
+        "javascript/simulation.js",
+        *(f"stepper/page/{name}.js" for name in SCRIPTS),
+    ]
+    values = [
+        f"const replayData = {replay_data};",
+        f"const updates = {updates};",
+        f"const choice = {choice};",
+    ]
+    return "\n".join([*map(read_text, programs), *values])
 
 
 def style() -> str:

@@ -18,7 +18,6 @@ class StateView:
     """The inputs of an environment, one a row."""
 
     heading = "The state, input by input"
-    wide = False
 
     def __init__(self, names: Names) -> None:
         self._names = names
@@ -27,11 +26,11 @@ class StateView:
         """The state."""
         return s
 
-    def tell_all(self) -> dict[str, Any]:
+    def constant_data(self) -> dict[str, Any]:
         """Nothing but its kind: the page has the names."""
         return {"kind": "state"}
 
-    def tell(self, look: int) -> None:
+    def look_data(self, look: int) -> None:
         """Nothing: the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:

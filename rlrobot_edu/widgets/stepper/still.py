@@ -14,7 +14,7 @@ from rlrobot_edu.widgets.stepper.numerals import given, number
 from rlrobot_edu.widgets.stepper.still_tables import draw_q, draw_traces, n_rows
 from rlrobot_edu.widgets.stepper.symbols import in_symbols
 from rlrobot_edu.widgets.stepper.tables import Window
-from rlrobot_edu.widgets.stepper.tape import EnvironmentView, Frame, Tape
+from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
 WIDTH, WORLD, ROW = (
     7.8,
@@ -24,9 +24,7 @@ WIDTH, WORLD, ROW = (
 LINE = 92  # signs
 
 
-def still(
-    tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...] = ()
-) -> Picture:
+def still(tape: Tape, names: Names) -> Picture:
     """The view, choice, the equations, Q and traces at the position of `tape`."""
     frame, window = tape.frame, Window.of(tape)
     equations = (
@@ -52,37 +50,26 @@ def still(
         1 + tape.agent.method.algorithm.has_traces,
     )
     choice = 0.25 * len(window.actions) + 1.2
-    above = (
-        [WORLD, choice] if view.wide else [max(WORLD, choice)]
-    )  # beside each other where there is room
+    above = max(WORLD, choice)
     lines = sum(1 + line.count("\n") for line in title)
-    figure = Picture(figsize=(WIDTH, 0.2 * lines + sum(above) + tables * table))
-    figure.alt = " ".join(
-        [told(tape, names, hide), *(f"{line}." for line in equations)]
-    )
+    figure = Picture(figsize=(WIDTH, 0.2 * lines + above + tables * table))
+    figure.alt = " ".join([sentence(tape, names), *(f"{line}." for line in equations)])
     figure.suptitle(plain("\n".join(title)), fontsize=10.5)
-    parts = figure.subfigures(
-        len(above) + tables, 1, height_ratios=above + [table] * tables
-    )
-    left, right = (
-        (parts[0].subplots(), parts[1].subplots())
-        if view.wide
-        else parts[0].subplots(1, 2)
-    )
-    view.draw(left, tape)
-    left.set_title(view.heading, fontsize=9.5)
+    parts = figure.subfigures(1 + tables, 1, height_ratios=[above] + [table] * tables)
+    left, right = parts[0].subplots(1, 2)
+    tape.view.draw(left, tape)
+    left.set_title(tape.view.heading, fontsize=9.5)
     left.set(xlabel="", ylabel="")
     left.tick_params(labelsize=8.5)
     _draw_choice(right, tape, frame, window, names)
-    parts = parts[len(above) :]
-    draw_q(parts[0].subplots(), tape, window, names)
+    draw_q(parts[1].subplots(), tape, window, names)
     if tape.agent.method.algorithm.has_traces:
-        draw_traces(parts[1].subplots(), tape, window, names)
+        draw_traces(parts[2].subplots(), tape, window, names)
     return figure
 
 
-def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
-    """The step in one sentence, with a′ if the update of this algorithm learns from it and nobody hides it."""
+def sentence(tape: Tape, names: Names) -> str:
+    """The step in one sentence, with a′ if the update of this algorithm learns from it."""
     frame = tape.frame
     if frame is None:
         return "Before the first step."
@@ -98,12 +85,9 @@ def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
     takes_next = "{Q(s′, a′)}" in "".join(
         in_symbols(tape.agent.method.algorithm.name).equation(tape.agent.parameters)
     )
-    tells = takes_next and "a_next" not in hide
-    return (
-        f"{text}, where it will take a′ = {_named(step.a_next, names)}."
-        if tells
-        else f"{text}."
-    )
+    if takes_next:
+        text += f", where it will take a′ = {_named(step.a_next, names)}"
+    return f"{text}."
 
 
 def _named(a: int, names: Names) -> str:

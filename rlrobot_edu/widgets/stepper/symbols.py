@@ -37,7 +37,8 @@ class Symbols(NamedTuple):
     trace: Callable[[Parameters], str] = lambda parameters: ""
 
 
-ALGORITHMS = {
+# The toolkit's algorithms that a page offers to go on by. Each update must translate to JavaScript.
+SYMBOLS = {
     "Q": Symbols(
         "best",
         lambda p: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{max Q(s′, ·)} − {Q(s, a)})",),
@@ -71,10 +72,10 @@ ALGORITHMS = {
         trace=lambda p: "dutch",
     ),
 }
-# An algorithm of the learner's own: what came of it, since nobody has said how.
+# Any other algorithm, such as one of the learner's own: what came of it, since nobody has said how.
 OWN = Symbols("taken", lambda p: ("δ = {δ}", "Q(s, a) ← {Q(s, a)} + {change}"))
 
 
 def in_symbols(algorithm: str) -> Symbols:
     """The equation and the traces of the algorithm of this name."""
-    return ALGORITHMS.get(algorithm, OWN)
+    return SYMBOLS.get(algorithm, OWN)

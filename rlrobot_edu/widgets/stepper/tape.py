@@ -19,21 +19,20 @@ PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
 
 class EnvironmentView(Protocol):
-    """A view of an environment: `look` keeps what can be seen now; `tell` and `draw` show it later.
+    """A view of an environment: `look` keeps what can be seen now; `look_data` and `draw` show it later.
 
-    heading: what it shows, in words; wide: whether it needs more room than others
+    heading: what it shows, in words
     """
 
     heading: str
-    wide: bool
 
     def look(self, s: int) -> Any:
         """What can be seen while the environment is in state `s`."""
 
-    def tell_all(self) -> dict[str, Any]:
+    def constant_data(self) -> dict[str, Any]:
         """What worlds.js needs once; ``kind`` is which of its pictures it is."""
 
-    def tell(self, look: Any) -> Any:
+    def look_data(self, look: Any) -> Any:
         """What worlds.js needs of a look; None where the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:

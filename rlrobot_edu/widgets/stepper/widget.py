@@ -1,14 +1,32 @@
-"""The stepper where a kernel runs: the page's own program, which asks the kernel for steps not yet taken."""
+"""The stepper: walk through what an agent learns, one step at a time, forwards and backwards."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import asdict
+from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import anywidget
+import gymnasium
 import traitlets
 
-from rlrobot_edu.widgets.stepper.saved_page import style
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.widgets.page_file import page_html
+from rlrobot_edu.widgets.stepper.credit_kernels import selection_kernel, update_kernels
+from rlrobot_edu.widgets.stepper.environment_view import view_of
+from rlrobot_edu.widgets.stepper.names import Names
+from rlrobot_edu.widgets.stepper.numerals import given, number
+from rlrobot_edu.widgets.stepper.page_data import feed, frame_data
+from rlrobot_edu.widgets.stepper.replay import ReplayStart
+from rlrobot_edu.widgets.stepper.saved_page import script, style
+from rlrobot_edu.widgets.stepper.still import still
+from rlrobot_edu.widgets.stepper.tape import Tape
 
 # One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
 _SHOW = """
@@ -23,7 +41,7 @@ export default {
     model.on("msg:custom", keep);
   },
   render({ model, el }) {
-    const stepper = new Stepper({ ...model.get("feed"), ...kept }, lives, (question) => model.send(question));
+    const stepper = new Stepper({ ...model.get("feed"), ...kept }, replayData, (question) => model.send(question));
     const hear = (news) => stepper.hear(news);
     stepper.mount(el);
     model.on("msg:custom", hear);
@@ -36,6 +54,224 @@ export default {
   },
 };
 """
+
+
+class Stepper(Displayed):
+    """Any agent in any environment, step by step: a view of it, the choice, the update with its numbers, Q and traces.
+
+    Parameters
+    ----------
+    agent : Agent
+        What learns.
+    env : gymnasium.Env
+        Where it learns, see `steps`. It is reset, and an episode begins.
+    at : int
+        The step to show first, at least 0.
+    keep : int
+        How many of the latest steps can be shown again, at least 1.
+    task : Task, optional
+        Names of states and actions for an environment that has no task itself, such as a sample model.
+
+    Raises
+    ------
+    ValueError
+        If agent, environment and task do not fit together.
+
+    Notes
+    -----
+    The agent takes a new step when the view goes beyond the last one. Going back moves the view alone: what the agent
+    has learned stays learned, and going forward again shows the same steps. The first step is taken at once, also at
+    t = 0.
+    """
+
+    def __init__(
+        self,
+        agent: Agent,
+        env: gymnasium.Env,
+        at: int = 1,
+        *,
+        keep: int = 2000,
+        task: Task | None = None,
+    ) -> None:
+        if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
+            types = f"{type(agent).__name__} and {type(env).__name__}"
+            raise ValueError(
+                f"a Stepper takes an Agent and an environment (see rl.make_env), in this order; got {types}"
+            )
+        if keep < 1:
+            raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
+        self._names = Names(agent, env, task)
+        self._replay_start = ReplayStart(agent, env)
+        self._tape = Tape(agent, env, view_of(env, self._names), keep)
+        self._tape.go(at)
+
+    @property
+    def t(self) -> int:
+        """Number of steps up to the one shown."""
+        return self._tape.t
+
+    @cached_property
+    def widget(self) -> StepperWidget:
+        """The page's program in a notebook."""
+        told = feed(self._tape, self._names, self.t)
+        return StepperWidget(self._script(), told, self._hear)
+
+    def forward(self, n: int = 1) -> None:
+        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet.
+
+        Parameters
+        ----------
+        n : int
+            How many steps.
+
+        Raises
+        ------
+        RuntimeError
+            As `jump`.
+        """
+        self.jump(self.t + n)
+
+    def back(self, n: int = 1) -> None:
+        """Show the step `n` steps before, or the earliest that is kept.
+
+        Parameters
+        ----------
+        n : int
+            How many steps.
+        """
+        self.jump(max(self.t - n, self._tape.first))
+
+    def jump(self, t: int) -> None:
+        """Show step `t`.
+
+        Parameters
+        ----------
+        t : int
+            Number of steps up to the one to show.
+
+        Raises
+        ------
+        ValueError
+            If that step is no longer kept.
+        RuntimeError
+            If agent or world has taken a step elsewhere since the last one, so that no new one can be taken.
+        """
+        end = self._tape.end
+        self._tape.go(t)
+        self._tell(end, at=self.t)
+
+    def save(self, path: str | Path, steps: int | None = None) -> None:
+        """Write the steps to one HTML page that any browser opens, without a kernel and without a network.
+
+        The page begins with the earliest step that is kept. The view stays where it is.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``page.html``; the address ``page.html#31`` leads to step 31.
+        steps : int, optional
+            The last step of the page, by default the last one taken; the agent takes those that it has not taken yet.
+
+        Raises
+        ------
+        ValueError
+            If that step is no longer kept, or the file's name ends like that of another kind of file.
+        RuntimeError
+            As `jump`.
+        OSError
+            If the file cannot be written.
+        """
+        shown, end = self.t, self._tape.end
+        last = end if steps is None else steps
+        try:
+            self._tape.go(last)
+            write_whole(path, self._page(min(shown, last), last))
+        finally:
+            self._tape.go(
+                max(shown, self._tape.first)
+            )  # new steps may have taken the place of the one shown
+            self._tell(end)
+
+    def picture(self) -> Picture:
+        """What is shown now, as a still picture.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure with a description in words.
+        """
+        return still(self._tape, self._names)
+
+    def still(self) -> Still:
+        """What is shown now, as a saved notebook keeps it.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
+        return self.picture().still()
+
+    def __repr__(self) -> str:
+        frame = self._tape.frame
+        if frame is None:
+            return "<Stepper before the first step>"
+        step = frame.step
+        return (
+            f"<Stepper at step {self.t}: state {step.s}, action {step.a}, reward {given(step.r)}, next state "
+            f"{step.s_next}, TD error {number(step.delta)}>"
+        )
+
+    def _page(self, at: int, last: int) -> str:
+        """The page with the steps up to `last`, which shows step `at` first."""
+        told = feed(self._tape, self._names, at)
+        frames = [frame for frame in told["frames"] if frame["t"] < last]
+        columns = {}  # they pack better than rows
+        if frames:
+            columns = {name: [frame[name] for frame in frames] for name in frames[0]}
+        told["frames"] = columns
+        world = f" in {self._names.task.name}" if self._names.task else ""
+        return page_html(
+            f"{self._tape.agent.method.name}{world}, step by step",
+            told,
+            self._script(),
+            style(),
+        )
+
+    def _script(self) -> str:
+        """The page's program."""
+        agent = self._tape.agent
+        return script(
+            self._replay_start.script(self._tape),
+            update_kernels(agent, self._replay_start.parameters),
+            selection_kernel(agent),
+        )
+
+    def _hear(self, question: dict[str, Any]) -> None:
+        """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""
+        tape = self._tape
+        end, error = question.get("have", tape.end), ""
+        try:
+            if "take" in question:
+                tape.go(tape.end + question["take"])
+            elif "at" in question:
+                tape.go(min(max(question["at"], tape.first), tape.end))
+                return
+        except Exception as failure:
+            error = str(failure)
+        self._tell(end, error=error)
+
+    def _tell(self, end: int, **more: Any) -> None:
+        """Send the pages, if there are any, the steps after `end`, and what else there is to say."""
+        if "widget" in vars(self):
+            frames = [frame_data(frame, self._tape) for frame in self._tape.since(end)]
+            self.widget.send(
+                {
+                    "frames": frames,
+                    "parameters": asdict(self._tape.agent.parameters),
+                    **more,
+                }
+            )
 
 
 class StepperWidget(anywidget.AnyWidget):

@@ -196,7 +196,7 @@ function render({ model, el }) {
 }
 
 // A file alone: its model is the page's own, and the address leads to what is shown: #17, or #17-2 in the second table.
-function alone(told, el) {
+function standalone(told, el) {
   const listeners = [], { states, originals } = told.about, clamped = (x, end) => Math.min(Math.max(x, 0), end - 1);
   const model = {
     get: (name) => told[name],

@@ -11,7 +11,7 @@ class Made {
 }
 let book = []; // all numbers made by the updates that run now, the oldest first
 
-// What paid.py lets the updates call in place of + − ·; plain numbers stay plain.
+// What credit_kernels.py lets the updates call in place of + − ·; plain numbers stay plain.
 function made(value, ...parts) {
   const kept = parts.filter(([x, by]) => x instanceof Made && by !== 0);
   return kept.length ? new Made(value, kept) : value;

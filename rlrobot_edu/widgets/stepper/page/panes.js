@@ -10,25 +10,21 @@ const pane = (kind, heading, content, note = "") =>
 // Whether an action follows the step shown, and the update takes its value.
 const takesNext = ({ equation }, frame) => frame && !over(frame) && equation.join("").includes("{Q(s′, a′)}");
 
-// The step in one sentence, with a′ if the update learns from it and nobody hides it.
-function told(about, frame) {
+// The step in one sentence, with a′ if the update learns from it.
+function stepInWords(about, frame) {
   if (!frame) return "Before the first step.";
   const { s, a, r, s2, a2, t, episode, n } = frame, { names } = about;
   const text = `Step ${t + 1} (episode ${episode}, its step ${n}): in state s = ${s} the agent took action ` +
     `a = ${named(names, a)} and got r = ${given(r)}; now it is in s′ = ${s2}`;
   if (frame.terminated) return `${text}, where the episode ends.`;
   if (frame.truncated) return `${text}; the time of this episode is up.`;
-  return takesNext(about, frame) && !about.hide.includes("a_next")
+  return takesNext(about, frame)
     ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
 }
 
 function viewHtml(always, tape) {
   const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
-  const covered = about.hide.includes("a_next");
-  let said = `<span>${escaped(told(about, frame))}</span>`;
-  if (covered && takesNext(about, frame)) {
-    said += ` <details><summary>Show a′</summary> = ${escaped(named(names, frame.a2))}</details>`;
-  }
+  const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
   const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
     (ends ? '<span class="badge">episode ends</span>' : "");
@@ -39,15 +35,15 @@ function viewHtml(always, tape) {
   const heading = frame ? `Choice in state ${frame.s}${heat}` : "How the action is chosen";
   const choice = pane("choice", heading, choiceHtml(about, frame, shown));
   const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));
-  const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, covered ? [] : follows(about, tape)),
+  const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, follows(about, tape)),
     `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new; double frame: (s, a).`);
   const traces = about.hasTraces
     ? pane("traces", "Traces e, as this update used them", tracesHtml(about, tape, shown),
       "How much each pair shares in what is learned in this step.")
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
-  // three beats: world, equation, table; a wide world is low, and leaves room below itself
-  const { wide } = about.view, [left, right] = wide ? [world + update + choice, q + traces] : [world + choice, update + q + traces];
-  return `<div class="said">${said} ${badge}</div><div class="panes${wide ? " wide" : ""}">` +
+  // three beats: world, equation, table
+  const left = world + choice, right = update + q + traces;
+  return `<div class="said">${said} ${badge}</div><div class="panes">` +
     `<div class="left">${left}</div><div class="right">${right}</div></div>`;
 }
 

@@ -1,4 +1,4 @@
-// The stepper on a page: what the reader presses and moves, the steps one after the other, and lives of other settings.
+// The stepper on a page: what the reader presses and moves, the steps one after the other, and replays with other settings.
 
 const SPEEDS = [0.5, 1, 2, 5, 10, 20, 30]; // steps a second
 const SLICE = 100; // steps that are asked for at once: after each slice the reader is heard
@@ -11,7 +11,7 @@ const BUTTONS = { // name: its text, and what it says to the mouse
   play: ["▶▶ Play", "Go on by itself, or stop (space)"],
   last: ["Last ▶|", "Go to the last step that the agent has taken (End)"],
 };
-const LEAST = 1e-5; // a probability; told.py rounds to less
+const LEAST = 1e-5; // a probability; page_data.py rounds to less
 const SETTINGS = { // that can be others: symbol, values to choose from
   alpha: ["α", [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1]],
   gamma: ["γ", [0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99]],
@@ -21,10 +21,10 @@ const SETTINGS = { // that can be others: symbol, values to choose from
 };
 
 class Stepper {
-  // feed: what told.py tells; lives: how it can be lived again here, or null; ask: sends the kernel a question, or null
-  constructor(feed, lives, ask) {
+  // feed: what page_data.py tells; replayData: how it can be replayed here, or null; ask: sends the kernel a question, or null
+  constructor(feed, replayData, ask) {
     const { about } = feed;
-    Object.assign(this, { about, lives, ask, goal: null, player: null, asked: null, from: null });
+    Object.assign(this, { about, replayData, ask, goal: null, player: null, asked: null, from: null });
     this.recorded = this.newTape(feed.start);
     this.recorded.add(feed.frames);
     this.recorded.go(Math.max(feed.at, this.recorded.first));
@@ -115,7 +115,7 @@ class Stepper {
   go(t) {
     const { tape } = this, { first, end } = tape;
     if (t > end && tape !== this.recorded) {
-      tape.add(count(Math.min(t - end, 20000)).map(() => this.relived.step()));
+      tape.add(count(Math.min(t - end, 20000)).map(() => this.replay.step()));
     } else if (t > end && this.ask) {
       this.goal = t;
       this.request({ take: Math.min(t - end, SLICE) });
@@ -153,7 +153,7 @@ class Stepper {
       this.stop();
       this.say(error, "alert");
     } else if (at !== null) {
-      this.relive({});
+      this.replayWith({});
       this.stop();
       this.go(at);
     } else if (this.goal !== null && this.tape === this.recorded) {
@@ -185,7 +185,7 @@ class Stepper {
     const { tape, about, recorded } = this, slider = this.find("slider");
     this.find("paid").innerHTML = this.paid(); // what it lights on the map is drawn after it
     if (this.from !== null) recorded.go(Math.min(Math.max(tape.t, recorded.first), recorded.end));
-    this.find("futures").innerHTML = this.from === null || tape.t > recorded.end ? "" : futuresHtml(about, recorded, tape, this.from);
+    this.find("futures").innerHTML = this.from === null || tape.t > recorded.end ? "" : comparisonHtml(about, recorded, tape, this.from);
     this.find("view").innerHTML = viewHtml(about, tape);
     Object.assign(slider, { min: tape.first, max: tape.end, value: tape.t });
     this.find("go").value = tape.t;
@@ -254,12 +254,12 @@ class Stepper {
 
   // The settings that can be others; or why nothing can.
   wishes() {
-    const place = this.find("what-if"), { lives, about } = this, { names } = about;
-    if (!lives || !lives.kernels) {
-      place.innerHTML = lives ? `<p class="rl-note">${escaped(lives.reason)}</p>` : "";
+    const place = this.find("what-if"), { replayData, about } = this, { names } = about;
+    if (!replayData || !replayData.kernels) {
+      place.innerHTML = replayData ? `<p class="rl-note">${escaped(replayData.reason)}</p>` : "";
       return;
     }
-    const own = lives.memory.parameters, as = '<option value="">as it was</option>';
+    const own = replayData.memory.parameters, as = '<option value="">as it was</option>';
     const select = (name) => {
       const [symbol, values] = SETTINGS[name], all = [...new Set([...values, own[name]])].sort((a, b) => a - b);
       const option = (x) => `<option value="${x}"${x === own[name] ? " selected" : ""}>${+x.toPrecision(6)}</option>`;
@@ -268,30 +268,30 @@ class Stepper {
     const methods = about.methods.map(({ algorithm }, i) => `<option value="${i || ""}">${escaped(algorithm)}</option>`);
     const actions = count(about.nActions).map((a) => `<option value="${a}">${escaped(named(names, a))}</option>`);
     place.innerHTML = '<b>What if,</b> <label>from step <input name="from" type="number" min="1" value="1"></label> ' +
-      `<button name="here">from the step shown</button> ${lives.settings.map(select).join(" ")} ` +
+      `<button name="here">from the step shown</button> ${replayData.settings.map(select).join(" ")} ` +
       `<label>learn by <select name="method">${methods.join("")}</select></label> <label>in that step a = ` +
       `<select name="action">${as}${actions.join("")}</select></label> <label>r = <input name="reward" type="number" step="any" ` +
       'placeholder="as it was"></label> <button name="undo">As it was</button> <span class="rl-parted" role="status"></span>';
     const controls = Object.fromEntries([...place.querySelectorAll("[name]")].map((each) => [each.name, each]));
     const wish = () => {
-      const chosen = lives.settings.map((name) => [name, +controls[name].value]), said = (name) => controls[name].value;
+      const chosen = replayData.settings.map((name) => [name, +controls[name].value]), said = (name) => controls[name].value;
       const from = Math.min(Math.max(Math.trunc(+said("from")) || 1, 1), this.recorded.end), number = (text) => (text === "" ? null : +text);
-      this.relive(Object.fromEntries(chosen.filter(([name, value]) => value !== own[name])),
+      this.replayWith(Object.fromEntries(chosen.filter(([name, value]) => value !== own[name])),
         { from, method: number(said("method")), action: number(said("action")), reward: number(said("reward")) });
     };
     place.onchange = wish;
     controls.here.onclick = () => { controls.from.value = Math.max(this.tape.t, 1); wish(); };
     controls.undo.onclick = () => {
-      for (const name of lives.settings) controls[name].value = own[name];
+      for (const name of replayData.settings) controls[name].value = own[name];
       for (const name of ["method", "action", "reward"]) controls[name].value = "";
       controls.from.value = 1;
-      this.relive({});
+      this.replayWith({});
     };
   }
 
   // Live the same time again, from a step on with these settings, by another method, with another action or reward in it;
   // show it at the same step. Without any, show what happened.
-  relive(settings, { from = 1, method = null, action = null, reward = null } = {}) {
+  replayWith(settings, { from = 1, method = null, action = null, reward = null } = {}) {
     const { t } = this.tape, { end, dropped } = this.recorded, told = this.find("parted"), at = from > dropped ? this.recorded.at(from) : null;
     const taken = action !== null && at && action !== at.a, wished = taken || [method, reward].some((each) => each !== null);
     this.from = null;
@@ -303,16 +303,16 @@ class Stepper {
       this.stop();
       this.from = from;
       const fork = { from, method, reward, luck: taken ? luckFor(at.p, action) : null, begins: at?.n === 1 };
-      this.relived = new Relived(this.about, this.lives, settings, fork);
-      this.tape = this.newTape(this.lives.start);
-      for (let done = 0; done < end; done += 1000) this.tape.add(count(Math.min(1000, end - done)).map(() => this.relived.step()));
+      this.replay = new Replay(this.about, this.replayData, settings, fork);
+      this.tape = this.newTape(this.replayData.start);
+      for (let done = 0; done < end; done += 1000) this.tape.add(count(Math.min(1000, end - done)).map(() => this.replay.step()));
       told.textContent = this.parted(settings, { from, method, action: taken ? action : null, reward });
     }
     this.tape.go(Math.min(Math.max(t, this.tape.first), this.tape.end));
     this.show();
   }
 
-  // From where on it is another life, and what either paid.
+  // From which step on the replay differs, and what either paid.
   parted(settings, { from, method, action, reward }) {
     const { names, methods } = this.about, said = Object.entries(settings).map(([name, value]) => `${SETTINGS[name][0]} = ${value}`);
     if (method !== null) said.push(methods[method].algorithm);

@@ -7,7 +7,7 @@ function tableOf(nStates, nActions, [where, values]) {
   return table;
 }
 
-// A frame is one step, as told.py tells it. What the tables were before the step is noted when it is first shown.
+// A frame is one step, as page_data.py tells it. What the tables were before the step is noted when it is first shown.
 class Tape {
   // start: the tables before the first frame, and how many steps there had been; keep: so many frames are kept
   constructor(nStates, nActions, { q, visits, dropped }, keep) {

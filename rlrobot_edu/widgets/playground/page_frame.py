@@ -22,7 +22,7 @@ export default {
 """
 
 
-class Framed(anywidget.AnyWidget):
+class PageFrame(anywidget.AnyWidget):
     """A page in a frame; it runs scripts, which do not reach the notebook.
 
     page: its HTML; title: for those who cannot see it
@@ -32,5 +32,7 @@ class Framed(anywidget.AnyWidget):
     title = traitlets.Unicode().tag(sync=True)
 
     def __init__(self, **told: Any) -> None:
-        self._esm = files(__package__).joinpath("around.js").read_text("utf-8") + _SHOW
+        self._esm = (
+            files(__package__).joinpath("host_page.js").read_text("utf-8") + _SHOW
+        )
         super().__init__(**told)

@@ -16,7 +16,7 @@ PAUSE = 0.05  # between two messages [s]; what comes meanwhile goes with the nex
 KEPT = 2000  # rewards for a page that comes late
 
 
-class CarriedPage(anywidget.AnyWidget):
+class PageWidget(anywidget.AnyWidget):
     """A window's page in a frame, `height` pixels high."""
 
     _esm = files(__package__).joinpath("frame.js").read_text(encoding="utf-8")

@@ -1,7 +1,7 @@
-// The learner's life again, in this page, from where it began: the library's kernels in the same world with the same
-// random numbers, and from one step on otherwise if the reader wishes. It makes frames as told.py does.
+// The learner's simulation again, in this page, from where it began: the library's kernels in the same world with the same
+// random numbers, and from one step on otherwise if the reader wishes. It makes frames as page_data.py does.
 
-// What an equation needs at a frame: a life that was lived again may have gone on by another method and other settings.
+// What an equation needs at a frame: a simulation that was replayed may have gone on by another method and other settings.
 const aboutAt = (about, frame) => ({ ...about, ...about.methods[frame?.method], parameters: frame?.parameters ?? about.parameters });
 
 // The random number by which a softmax, or any other choice that goes through its probabilities, takes action a.
@@ -9,27 +9,27 @@ const luckFor = (p, a) => p.slice(0, a).reduce((sum, x) => sum + x, 0) + p[a] / 
 
 const QUEUE = ["queue_states", "queue_rewards", "queue_count"]; // of loop evasion
 
-class Relived {
-  // lives: what lives.py tells; settings: parameters that are to be others, from the step `from` on
+class Replay {
+  // replayData: what replay.py tells; settings: parameters that are to be others, from the step `from` on
   // fork: method: number of another algorithm from there on; reward: what that step is to pay; luck: by which its
   // action is to be chosen, and whether the step begins an episode
-  constructor(about, lives, settings, { from = 1, method = null, reward = null, luck = null, begins = false } = {}) {
-    const { kernels, world, memory, random, place, scene } = lives;
-    const made = new { BaseWorld, ModelWorld, CellWorld, ChanceWorld }[world.kind](world, kernels, pcg64(random.world));
+  constructor(about, replayData, settings, { from = 1, method = null, reward = null, luck = null, begins = false } = {}) {
+    const { kernels, world, memory, random, place, scene } = replayData;
+    const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, kernels, pcg64(random.world));
     const m = newMemory(world.shape, world.nActions, memory.parameters, kernels);
     m.q = tableOf(m.q.length, world.nActions, memory.q);
     m.visits = tableOf(m.q.length, world.nActions, memory.visits);
     for (const name of QUEUE) m[name].set(memory[name]);
     Object.assign(m.now, memory.now, { register_size: 0 });
-    this.life = new Life(kernels, m, made, pcg64(random.agent));
+    this.simulation = new Simulation(kernels, m, made, pcg64(random.agent));
     Object.assign(this, { about, place, scene, settings, from, method, reward, luck, begins, episode: 0, n: 0 });
     if (from === 1) this.turn(); // before the first action is chosen
   }
 
-  // From here on it is another life.
+  // From here on the settings are others.
   turn() {
-    const { settings, method, life } = this, before = life.m, { q, e, visits, probabilities, bias, now } = before;
-    const m = newMemory(before.shape, probabilities.length, { ...before.parameters, ...settings }, life.kernels);
+    const { settings, method, simulation } = this, before = simulation.m, { q, e, visits, probabilities, bias, now } = before;
+    const m = newMemory(before.shape, probabilities.length, { ...before.parameters, ...settings }, simulation.kernels);
     Object.assign(m, { q, e, visits, probabilities, bias });
     Object.assign(m.now, now, "temperature" in settings ? { temperature: settings.temperature } : {});
     const register = before.register.subarray(0, now.register_size), room = m.register.length; // another λ: another length
@@ -38,10 +38,10 @@ class Relived {
     m.now.register_size = Math.min(register.length, room);
     if (m.queue_states.length === before.queue_states.length) for (const name of QUEUE) m[name].set(before[name]);
     else Object.assign(m.now, { queue_size: 0, queue_unique: 0, queue_end: 0 });
-    life.m = m;
+    simulation.m = m;
     if (!method) return; // 0 is its own
-    const { kernels, pending } = life;
-    life.kernels = { ...kernels, select: kernels[`select_${method}`], learn_step: kernels[`learn_step_${method}`] };
+    const { kernels, pending } = simulation;
+    simulation.kernels = { ...kernels, select: kernels[`select_${method}`], learn_step: kernels[`learn_step_${method}`] };
     this.about = { ...this.about, ...this.about.methods[method] };
     if (pending) m.now.q_old = q[pending[0]][pending[1]]; // TOSL begins as if it had missed nothing
     this.turned = method;
@@ -49,20 +49,20 @@ class Relived {
 
   // The next step, as a frame.
   step() {
-    const { life, from } = this, begins = life.pending === null, t = life.t + 1;
+    const { simulation, from } = this, begins = simulation.pending === null, t = simulation.t + 1;
     if (begins) {
-      life.begin(t === from ? this.luck : null);
+      simulation.begin(t === from ? this.luck : null);
       this.episode += 1;
       this.n = 0;
     }
     if (t === from && from > 1) this.turn();
-    const { about } = this, { nActions } = about, { m } = life;
-    const start = begins ? this.look() : undefined, [s, a] = life.pending, { q_old: qOld, temperature } = m.now;
+    const { about } = this, { nActions } = about, { m } = simulation;
+    const start = begins ? this.look() : undefined, [s, a] = simulation.pending, { q_old: qOld, temperature } = m.now;
     const e = begins ? 0 : m.e[s][a], p = Array.from(m.probabilities);
     const bias = about.isBiased ? Array.from(m.bias) : null, traces = this.traces(s, a, begins);
     const before = m.q.map((row) => row.slice());
     const luck = t + 1 === from && !this.begins ? this.luck : null, where = [], values = [];
-    const { r, sNext: s2, aNext, delta, terminated, truncated } = life.step(t === from ? this.reward : null, luck);
+    const { r, sNext: s2, aNext, delta, terminated, truncated } = simulation.step(t === from ? this.reward : null, luck);
     m.q.forEach((row, i) => row.forEach((value, j) => {
       if (value !== before[i][j]) {
         where.push(i * nActions + j);
@@ -71,14 +71,14 @@ class Relived {
     }));
     const next = before[s2], mean = () => next.reduce((sum, value, i) => sum + value * m.probabilities[i], 0);
     const qNext = terminated ? 0 : { taken: next[aNext], best: Math.max(...next), mean: mean() }[about.next];
-    return { t: life.t - 1, s, a, r, s2, a2: terminated ? null : aNext, delta, terminated, truncated, p, bias, temperature,
+    return { t: simulation.t - 1, s, a, r, s2, a2: terminated ? null : aNext, delta, terminated, truncated, p, bias, temperature,
       episode: this.episode, n: ++this.n, start, look: this.look(), qNext, e, qOld, traces, q: [where, values],
       pNext: Array.from(m.probabilities), parameters: m.parameters, method: this.turned };
   }
 
   // Flat positions and values of the traces that the pairs before still have, and of (s, a) as its visit leaves it.
   traces(s, a, begins) {
-    const { m } = this.life, { nActions, trace } = this.about, where = [], values = [];
+    const { m } = this.simulation, { nActions, trace } = this.about, where = [], values = [];
     if (!trace) return [where, values];
     const size = m.now.register_size, register = m.register.subarray(0, size);
     const goes = !begins && size === m.register.length && !register.includes(s) ? register[size - 1] : -1;
@@ -99,7 +99,7 @@ class Relived {
 
   // What is to be seen now; undefined where that is the state itself.
   look() {
-    const { world } = this.life, { scene } = this;
+    const { world } = this.simulation, { scene } = this;
     if (!scene) return undefined;
     const place = world.readings ? ["x", "y", "theta"].map((name) => world.readings[name]) : this.cellPlace();
     const [x0, y0, theta0] = this.place, turn = place[2] - theta0, cos = Math.cos(turn), sin = Math.sin(turn);
@@ -113,12 +113,12 @@ class Relived {
   }
 
   cellPlace() {
-    const { cell, heading } = this.life.world.drawn[this.life.world.place];
+    const { cell, heading } = this.simulation.world.drawn[this.simulation.world.place];
     return [cell[0] - 0.5, cell[1] - 0.5, (heading * Math.PI) / 180];
   }
 
   beams() {
-    const { world } = this.life;
+    const { world } = this.simulation;
     if (!world.rays) return [];
     const [x, y, theta] = world.place, cos = Math.cos(theta), sin = Math.sin(theta);
     return world.rays.flatMap(([a, b, ahead, aside], i) => {

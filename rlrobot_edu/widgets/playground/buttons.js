@@ -24,7 +24,7 @@ readLink();
 begin();
 showSettings();
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-  while (yours.life.t < 3600) live(3600 - yours.life.t, MOST_MS); // an hour of its life, at once
+  while (yours.simulation.t < 3600) live(3600 - yours.simulation.t, MOST_MS); // an hour of its life, at once
   play(false);
 }
 keepLink();

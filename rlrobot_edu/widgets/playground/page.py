@@ -20,8 +20,8 @@ from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_edu.widgets.playground.framed import Framed
 from rlrobot_edu.widgets.playground.kernels import kernels
+from rlrobot_edu.widgets.playground.page_frame import PageFrame
 from rlrobot_edu.widgets.playground.worlds import base_world, cells_world, cliff_world
 
 TASKS = {  # of the base, as they are called on the page
@@ -63,15 +63,15 @@ METHODS = {
 SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
 LUCKS = 10  # seeds to choose from
 SCRIPTS = (
-    "look.js",
+    "theme.js",
     "room.js",
     "cells.js",
     "curve.js",
     "run.js",
     "page.js",
     "settings.js",
-    "hands.js",
-    "begin.js",
+    "pointer.js",
+    "buttons.js",
 )
 TITLE = "A robot learns, while you watch"
 
@@ -88,7 +88,7 @@ class Playground(Displayed):
     def __init__(self, begin: Mapping[str, str]) -> None:
         self._task = begin["task"]
         script = [
-            life_script(),
+            simulation_script(),
             f"const beginning = {json.dumps(begin)};",
             *map(_text, SCRIPTS),
         ]
@@ -121,9 +121,9 @@ class Playground(Displayed):
         return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
 
     @cached_property
-    def widget(self) -> Framed:
+    def widget(self) -> PageFrame:
         """The page in a frame; no script of it reaches the notebook around it."""
-        return Framed(page=self.html, title=TITLE)
+        return PageFrame(page=self.html, title=TITLE)
 
 
 def playground(
@@ -167,8 +167,8 @@ def playground(
 
 
 @cache
-def life_script() -> str:
-    """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
+def simulation_script() -> str:
+    """JavaScript without a page: ``newSimulation(settings)`` is a learner in its world, see new_simulation.js."""
     tasks = {name: load_task(name) for name in TASKS}
     worlds = {
         name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()
@@ -192,11 +192,13 @@ def life_script() -> str:
         },
     }
     parts = [
-        files("rlrobot_edu.widgets.javascript").joinpath("life.js").read_text("utf-8"),
+        files("rlrobot_edu.widgets.javascript")
+        .joinpath("simulation.js")
+        .read_text("utf-8"),
         f"const kernels = {kernels(list(METHODS), tasks)};",
         f"const about = {json.dumps(about, ensure_ascii=False, separators=(',', ':'))};",
         _text("walls.js"),
-        _text("start.js"),
+        _text("new_simulation.js"),
     ]
     return "\n".join(parts)
 

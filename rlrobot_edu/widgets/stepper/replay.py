@@ -1,4 +1,4 @@
-"""How a page can live an agent's life again: kernels, world and random numbers, as they were at its start."""
+"""What a page needs to replay an agent's learning: kernels, and world and random numbers as they were at its start."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker, TimeLimit
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.memory import NOW, SETTINGS, trace_steps
@@ -26,18 +25,16 @@ from rlrobot_edu.widgets.playground.worlds import (
     World,
     base_world,
     cells_world,
-    chance_world,
     model_world,
 )
 from rlrobot_edu.widgets.stepper.cell_values import INPUTS
-from rlrobot_edu.widgets.stepper.grid_view import letters_of
+from rlrobot_edu.widgets.stepper.page_data import algorithms_for, sparse
 from rlrobot_edu.widgets.stepper.tape import Tape
-from rlrobot_edu.widgets.stepper.told import algorithms_for, sparse
 
 Kernels = dict[str, Callable[..., Any]]
 
 
-class Beginning:
+class ReplayStart:
     """What an agent and its world were before the first step of a tape, as far as a page needs it.
 
     parameters: the agent's, as memory.py names them
@@ -73,7 +70,7 @@ class Beginning:
         told = {
             "world": world, "memory": self._memory, "random": self._random, "settings": self._settings(),
             "start": {"q": self._memory["q"], "visits": self._memory["visits"], "dropped": 0},
-            "scene": tape.view.tell(tape.first_look), "place": _place(self._env),
+            "scene": tape.view.look_data(tape.first_look), "place": _place(self._env),
         }  # fmt: skip
         return f"{{...{json.dumps(told, ensure_ascii=False, separators=(',', ':'))}, kernels: {program_text}}}"
 
@@ -107,7 +104,7 @@ class Beginning:
 
 
 def _random(rng: np.random.Generator) -> dict[str, Any] | None:
-    """The state of a generator in hex, for life.js; None if it is none of NumPy's usual ones."""
+    """The state of a generator in hex, for simulation.js; None if it is none of NumPy's usual ones."""
     state: Any = rng.bit_generator.state
     if state["bit_generator"] != "PCG64":
         return None
@@ -116,7 +113,7 @@ def _random(rng: np.random.Generator) -> dict[str, Any] | None:
 
 
 def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
-    """What life.js needs of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
+    """What simulation.js needs of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
     if isinstance(env, SampleModelEnv):
         model = env.model
         return model_world(model, [], model.r_max), {
@@ -137,30 +134,13 @@ def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
     ):
         kernels = {"drive": drive, "look": look, "reward": task.reward}
         return base_world(task), kernels | ({"goal": task.goal} if task.goal else {})
-    if letters_of(env) is not None and hasattr(env.unwrapped, "P"):
-        return chance_world(env.unwrapped, _episode_steps(env)), {}
     raise ValueError(
-        "a page computes the worked example, sample models, Gymnasium's grids and the base with engine='kinematic', "
-        "not this world."
+        "a page computes the worked example, sample models and the base with engine='kinematic', not this world."
     )
 
 
-def _episode_steps(env: gymnasium.Env) -> int | None:
-    """After how many steps gymnasium.make cuts an episode off. Raises ValueError if other wrappers surround a world."""
-    steps = None
-    while isinstance(env, gymnasium.Wrapper):
-        if isinstance(env, TimeLimit):
-            steps = env._max_episode_steps
-        elif not isinstance(env, OrderEnforcing | PassiveEnvChecker):
-            raise ValueError(
-                f"a page does not know what {type(env).__name__} does to its world."
-            )
-        env = env.env
-    return steps
-
-
 def _place(env: gymnasium.Env) -> list[float] | None:
-    """Where the robot starts: x, y [m] and heading [rad], as life.js tells it; None without a robot."""
+    """Where the robot starts: x, y [m] and heading [rad], as simulation.js tells it; None without a robot."""
     robot = getattr(env, "robot", None)
     if isinstance(robot, CellRobot):
         return [-0.5, -0.5, 0.0]

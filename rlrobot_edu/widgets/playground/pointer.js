@@ -122,7 +122,7 @@ function point(event) {
   pointed = event && !held ? stateAt(x, y) : null;
   tip.hidden = pointed === null;
   if (pointed === null) return;
-  const box = picture.getBoundingClientRect(), q = yours.life.m.q[pointed], best = bestOf(q);
+  const box = picture.getBoundingClientRect(), q = yours.simulation.m.q[pointed], best = bestOf(q);
   const isNew = q.every((value) => value === 0);
   tip.textContent = isNew ? "Here it knows nothing yet." : `Here it would: ${yours.world.actions[best]}. It expects ${number(q[best])} points to come.`;
   tip.style.left = `${Math.max(0, Math.min(event.clientX - box.left + 14, box.width - 205))}px`;

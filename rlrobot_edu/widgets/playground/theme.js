@@ -1,4 +1,4 @@
-// How the page fits into what is around it: colours, and the height of a frame. In a frame see around.js.
+// How the page fits into what is around it: colours, and the height of a frame. In a frame see host_page.js.
 
 const NAMES = ["back", "card", "ink", "faint", "line", "floor", "wall", "chosen", "robot", "beam", "bump", "trail", "goal",
   "box", "ghost", "value"];

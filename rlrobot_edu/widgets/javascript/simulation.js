@@ -1,4 +1,4 @@
-// A learner's life in a page: random numbers, the learner's memory, worlds, and the loop in which they take turns.
+// A learner's simulation in a page: random numbers, the learner's memory, worlds, and the loop in which they take turns.
 // The learning itself, the robot's motion and the draws from a model are the library's kernels, which program.py
 // translates; what stands here does what agent.py, memory.py, robot_env.py and model_env.py do around them.
 "use strict";
@@ -102,23 +102,6 @@ class CellWorld extends ModelWorld {
   }
 }
 
-// A grid of Gymnasium's; `chances`, `starts`: sums of the chances of the outcomes of a pair, and of the states to start in.
-class ChanceWorld extends ModelWorld {
-  first() {
-    return this.pick(this.starts);
-  }
-
-  outcome(a) {
-    const pair = this.place * this.nActions + a;
-    return this.outcomes[pair][this.pick(this.chances[pair])];
-  }
-
-  pick(sums) {
-    const u = this.random.random();
-    return Math.max(0, sums.findIndex((sum) => sum > u));
-  }
-}
-
 // The mobile base among walls; see kinematic/base.py. Readings are the robot's sensors by their names.
 class BaseWorld extends World {
   constructor(about, kernels) {
@@ -185,7 +168,7 @@ class BaseWorld extends World {
 }
 
 // A learner in a world: step() by step(), as rl.learn does it.
-class Life {
+class Simulation {
   constructor(kernels, memory, world, random) {
     Object.assign(this, { kernels, m: memory, world, random, t: 0, pending: null, last: null });
   }

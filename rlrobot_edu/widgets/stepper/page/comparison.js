@@ -1,7 +1,7 @@
 // Two futures side by side: what happened, and what would have happened with the same luck.
 
 // was, other: tapes of the same length, at the same step; from: the step from which on they differ in their settings
-function futuresHtml(about, was, other, from) {
+function comparisonHtml(about, was, other, from) {
   const { t } = other, both = [["As it was", was], ["What if", other]];
   const columns = both.map(([name, tape]) => {
     const its = aboutAt(about, tape.frame), most = largest(tape.q, about.rMax), shown = windowOf(tape);
