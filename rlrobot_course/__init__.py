@@ -3,7 +3,8 @@
 The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing from other lessons:
 
 - `update.md`, a page for each exercise: what is asked, three hints, and the typical mistakes, each with its id, its
-  hint, the small edit that makes it, and wrong answers as learners write them (`grading/page.py` says how);
+  hint, the small edit that makes it, and wrong answers as learners write them (`rlrobot_grading/exercises/page.py`
+  says how);
 - `exercises.py`: right answers and cases; its `check` has the exercises by their names, so that the notebook says
   ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table;

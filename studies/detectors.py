@@ -21,10 +21,10 @@ from typing import Any
 import numpy as np
 
 import rlrobot_course
-from rlrobot_grading import limits
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.question import Question
+from rlrobot_grading.answers import limits
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Evidence
 
 LESSONS = sorted(
     path.parent.name

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.question import Question
-from rlrobot_grading.values import safely
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 
 def explain(number: str, name: str, answer: str) -> str:

@@ -33,7 +33,7 @@ from rlrobot_course.learner.learners_files import (
 from rlrobot_course.learner.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.progress import watched
-from rlrobot_grading.values import one_line, safely
+from rlrobot_grading.answers.values import one_line, safely
 
 FILE = "my_functions.py"
 LESSONS = sorted(

@@ -22,10 +22,10 @@ from rlrobot_course.learner.my_functions import is_notebook
 from rlrobot_course.worlds.tapes import draw
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
-from rlrobot_grading.limits import attempt
-from rlrobot_grading.source import is_unfinished, uses_chance
-from rlrobot_grading.values import one_line, safely, show
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.source import is_unfinished, uses_chance
+from rlrobot_grading.answers.values import one_line, safely, show
+from rlrobot_grading.exercises.verdict import Verdict
 
 FILE = "my_challenges.json"
 LANDMARKS = Path(__file__).with_name("challenges.csv")

@@ -13,6 +13,7 @@ from datetime import date
 from functools import partial
 from pathlib import Path
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.attribution import Owner, class_of, owners_of
 from rlrobot_grading.marking.guard import OPEN, Digests, Guard
 from rlrobot_grading.marking.handed_in import Kept, handed_in
@@ -44,7 +45,6 @@ from rlrobot_grading.marking.submission import (
     sections_of,
 )
 from rlrobot_grading.marking.tables import table_for
-from rlrobot_grading.values import one_line
 
 
 def grade(

@@ -12,9 +12,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.submission import KINDS, LARGEST, is_notebook
 from rlrobot_grading.marking.text import ZIP
-from rlrobot_grading.values import one_line
 
 # What macOS, Windows, Jupyter and editors leave beside the files of people: in a folder, and anywhere
 OF_THE_SYSTEM = re.compile(

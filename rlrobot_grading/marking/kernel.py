@@ -17,8 +17,8 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.guard import OPEN_HOUSE, Guard
-from rlrobot_grading.values import one_line
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
 SETTLED = (

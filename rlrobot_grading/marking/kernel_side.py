@@ -20,11 +20,11 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_course.learner import my_functions
-from rlrobot_grading.limits import attempt
+from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.source import COURSES_OWN, is_courses_own, is_unfinished
+from rlrobot_grading.answers.values import safely
 from rlrobot_grading.marking.rooms import COURSE, room_of
 from rlrobot_grading.marking.serialization import state_of, written
-from rlrobot_grading.source import COURSES_OWN, is_courses_own, is_unfinished
-from rlrobot_grading.values import safely
 
 answers: dict[
     str, Any

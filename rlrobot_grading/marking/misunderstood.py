@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
-from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.hints.detectors import DETECTORS
 from rlrobot_grading.marking.marks import Marked, Score
 from rlrobot_grading.marking.submission import exercises_of
 from rlrobot_grading.marking.tables import as_csv

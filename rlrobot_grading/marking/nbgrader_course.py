@@ -19,11 +19,11 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.cell import bound, handed_in_last
 from rlrobot_grading.marking.marks import NO_RULES, Rules, read_rules
 from rlrobot_grading.marking.rooms import room_of
 from rlrobot_grading.marking.submission import exercises_of, read_submission
-from rlrobot_grading.question import Question
 
 CONFIG = '''"""nbgrader's settings for this course. Show it to no student: from the seed come the hidden tests."""
 

@@ -13,10 +13,10 @@ from datetime import date
 from pathlib import Path
 
 from rlrobot_edu.files import write_whole
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.attribution import CANVAS, MOODLE
 from rlrobot_grading.marking.marks import Marked, Score
 from rlrobot_grading.marking.rooms import room_of
-from rlrobot_grading.values import one_line
 
 CELLS = re.compile(r"\b([Cc]ode cells? )(\d+(?:, \d+)*)")
 # A file that only the kernel knows, as in "(190330142.py, line 1)"

@@ -13,7 +13,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.answers.values import one_line
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.cell import (
     bound,
     calls_in,
@@ -24,8 +26,6 @@ from rlrobot_grading.marking.cell import (
 )
 from rlrobot_grading.marking.rooms import LESSONS, room_of
 from rlrobot_grading.marking.text import INVISIBLE, text_of
-from rlrobot_grading.question import Question
-from rlrobot_grading.values import one_line
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
 KINDS = (

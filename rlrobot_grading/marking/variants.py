@@ -23,16 +23,16 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.answers.source import edited, head_and_body
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.nbgrader_course import checked, solution_of, tell_hints
 from rlrobot_grading.marking.rooms import COURSE, room_of
 from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.students import read_students
 from rlrobot_grading.marking.submission import exercises_of, read_submission
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.question import Question
-from rlrobot_grading.source import edited, head_and_body
-from rlrobot_grading.values import safely
 
 
 @dataclass

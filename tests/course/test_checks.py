@@ -15,13 +15,13 @@ from right_answers import RIGHT
 
 import rlrobot_course
 from rlrobot_course.lesson_03.exercises import target, update
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.page import read_page, with_pages
-from rlrobot_grading.question import Question
-from rlrobot_grading.source import edited
+from rlrobot_grading.answers.source import edited
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.page import read_page, with_pages
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 LESSONS = sorted(
     path.parent.name
@@ -366,7 +366,7 @@ def answer(q, *_):
     ],
 )
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
-    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.3)
     traced = sys.gettrace()
     verdict = exercises("lesson_03")["target"](learner(source))
     assert verdict.status == "wrong" and "has not ended" in verdict.text
@@ -386,7 +386,7 @@ def answer(env, q, choose, update, steps):
 def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(
     monkeypatch,
 ):
-    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.3)
     text = exercises("lesson_03")["learn"](learner(CALLS)).text
     assert "has not ended" in text and "in the line “" in text
 

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.submission import exercises_of, read_submission
 from rlrobot_grading.marking.variants import export_each, own, variant_of
-from rlrobot_grading.question import Question
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]

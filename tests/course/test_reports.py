@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.hints.detectors import DETECTORS
 from rlrobot_grading.marking.marks import Marked, Score
 from rlrobot_grading.marking.misunderstood import as_table, misunderstood
 from rlrobot_grading.marking.options import SYSTEMS

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rlrobot_grading.replay import Outcome
+from rlrobot_grading.answers.replay import Outcome
 
 if TYPE_CHECKING:
-    from rlrobot_grading.exercise import Exercise
+    from rlrobot_grading.exercises.exercise import Exercise
 
 
 class Hint(NamedTuple):

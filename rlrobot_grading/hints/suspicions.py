@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.replay import Case, Outcome
-from rlrobot_grading.source import names_from_outside, unused_arguments
-from rlrobot_grading.values import Unkept, safely, same, show
+from rlrobot_grading.answers.replay import Case, Outcome
+from rlrobot_grading.answers.source import names_from_outside, unused_arguments
+from rlrobot_grading.answers.values import Unkept, safely, same, show
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 DIGITS = range(5)  # after the point, to which an answer may have been rounded
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.values import one_line, show
+from rlrobot_grading.answers.values import one_line, show
 
 FUNCTIONS = (FunctionType, MethodType, BuiltinMethodType)
 LIBRARIES = sys.stdlib_module_names | {

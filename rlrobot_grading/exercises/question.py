@@ -10,11 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.evidence import Hint
-from rlrobot_grading.formula import Formula
-from rlrobot_grading.mistake import Mistake, hinted, with_ids
-from rlrobot_grading.suspicions import unlike
-from rlrobot_grading.values import (
+from rlrobot_grading.answers.values import (
     MOST_SIGNS,
     as_data,
     is_large,
@@ -22,7 +18,11 @@ from rlrobot_grading.values import (
     same,
     show,
 )
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.hints.evidence import Hint
+from rlrobot_grading.hints.formula import Formula
+from rlrobot_grading.hints.suspicions import unlike
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
 DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it

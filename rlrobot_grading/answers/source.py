@@ -14,7 +14,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-from rlrobot_grading.limits import Elsewhere
+from rlrobot_grading.answers.limits import Elsewhere
 
 COURSES_OWN = "This is the course's own solution, or a function that calls it. Write your own: only that counts."
 CHANCE = {

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import Any
 
-from rlrobot_grading.one_change import Change, become, quoted
+from rlrobot_grading.hints.one_change import Change, become, quoted
 
 PUT_AROUND = {
     "0 * ({})": "{} were 0",

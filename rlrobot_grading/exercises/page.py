@@ -36,9 +36,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.question import Question
 
 KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
 NAME = re.compile(r"- `(\w+)` (.+)")
@@ -143,7 +143,7 @@ def read_page(
             begin = number
         elif line:
             raise ValueError(
-                f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}"
+                f"{page}, line {number}: a mistake is told as in rlrobot_grading/exercises/page.py, not by {line!r}"
             )
     if begin:
         raise ValueError(

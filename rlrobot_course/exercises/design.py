@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rlrobot_edu.task.task import Task
-from rlrobot_grading.evidence import Hint
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.limits import attempt
-from rlrobot_grading.replay import Case, Outcome
-from rlrobot_grading.values import as_data, kept, safely, show
+from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.replay import Case, Outcome
+from rlrobot_grading.answers.values import as_data, kept, safely, show
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.hints.evidence import Hint
 
 Readings = dict[str, float]
 Pay = Callable[[Readings, Readings], float]

@@ -13,27 +13,27 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.learner.my_functions import is_notebook, keep
-from rlrobot_grading.detectors import find_hint
-from rlrobot_grading.errors import error_hint
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.limits import PATIENCE, Elsewhere, Failure, TooLong
-from rlrobot_grading.mistake import Mistake, hinted, with_ids
-from rlrobot_grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_grading.source import (
+from rlrobot_grading.answers.limits import PATIENCE, Elsewhere, Failure, TooLong
+from rlrobot_grading.answers.replay import Case, Outcome, cases_of, outcome_of
+from rlrobot_grading.answers.source import (
     COURSES_OWN,
     edited,
     is_courses_own,
     is_unfinished,
     parameters,
 )
-from rlrobot_grading.values import (
+from rlrobot_grading.answers.values import (
     MOST_SHOWN,
     differences,
     one_line,
     safely,
     show,
 )
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.hints.detectors import find_hint
+from rlrobot_grading.hints.errors import error_hint
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 MOST_PAIRED = (
     20  # of the mistakes, the frequent ones first, that are also tried two at a time

@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.limits import Elsewhere, attempt
-from rlrobot_grading.replay import Case
-from rlrobot_grading.source import tree_of
-from rlrobot_grading.values import kept, safely, same, show
+from rlrobot_grading.answers.limits import Elsewhere, attempt
+from rlrobot_grading.answers.replay import Case
+from rlrobot_grading.answers.source import tree_of
+from rlrobot_grading.answers.values import kept, safely, same, show
+from rlrobot_grading.hints.evidence import Evidence
 
 MOST = 500  # calls that are noted
 WORLD = ("reset", "step")

@@ -20,9 +20,9 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.compiling import told_of_compiling, uncompiled
-from rlrobot_grading.frames import told_by
-from rlrobot_grading.values import one_line, safely
+from rlrobot_grading.answers.compiling import told_of_compiling, uncompiled
+from rlrobot_grading.answers.frames import told_by
+from rlrobot_grading.answers.values import one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.limits import Failure
-from rlrobot_grading.source import names_of, parameters
+from rlrobot_grading.answers.limits import Failure
+from rlrobot_grading.answers.source import names_of, parameters
 
 MEANINGS = tomllib.loads(
     Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rlrobot_grading.as_if import one_change
-from rlrobot_grading.events import order_of_events
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.source import uses_chance
-from rlrobot_grading.suspicions import (
+from rlrobot_grading.answers.source import uses_chance
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.hints.as_if import one_change
+from rlrobot_grading.hints.events import order_of_events
+from rlrobot_grading.hints.evidence import Evidence, Hint
+from rlrobot_grading.hints.suspicions import (
     about_the_cases,
     about_the_code,
     about_the_memory,
@@ -21,7 +22,6 @@ from rlrobot_grading.suspicions import (
     from_the_notebook,
     unlike,
 )
-from rlrobot_grading.values import safely
 
 AGAIN = (
     40  # times that a function is asked the same, to see whether there is chance in it

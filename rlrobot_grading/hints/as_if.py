@@ -15,15 +15,17 @@ from itertools import islice, product
 from types import FunctionType
 from typing import Any
 
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.further_changes import (
+from rlrobot_grading.answers.source import names_of, parameters, tree_of
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.hints.evidence import Evidence
+from rlrobot_grading.hints.further_changes import (
     REDUCED,
     changes_everywhere,
     further_changes,
     handed_over,
     put_around,
 )
-from rlrobot_grading.one_change import (
+from rlrobot_grading.hints.one_change import (
     CALLED,
     become,
     changed,
@@ -31,8 +33,6 @@ from rlrobot_grading.one_change import (
     quoted,
     simple_changes,
 )
-from rlrobot_grading.source import names_of, parameters, tree_of
-from rlrobot_grading.values import safely
 
 MOST = 1000  # changes that are tried, the simple ones first
 KINDS = (
