@@ -24,7 +24,6 @@ import rlrobot_course
 from rlrobot_grading.answers import limits
 from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.hints.detectors import DETECTORS
-from rlrobot_grading.hints.evidence import Evidence
 
 LESSONS = sorted(
     path.parent.name
@@ -76,7 +75,7 @@ def alone(exercise: Any, answer: Any) -> list[str]:
         if not right.equals(mine)
     ):
         return []
-    seen = Evidence(exercise, answer, got)
+    seen = exercise.evidence(answer, got)
     return [
         name
         for name, detector in DETECTORS.items()

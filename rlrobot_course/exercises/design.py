@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 from rlrobot_edu.task.task import Task
 from rlrobot_grading.answers.limits import attempt
@@ -43,11 +43,8 @@ class Design(Exercise):
     words: the readings before and after a step, for a learner
     """
 
+    is_exact: ClassVar[bool] = False
     words: Callable[[Readings, Readings], str] = way
-
-    @property
-    def is_exact(self) -> bool:
-        return False
 
     def outcome(
         self, answer: Callable[..., Any], case: Case, endless: bool = False

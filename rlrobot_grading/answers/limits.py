@@ -22,6 +22,7 @@ import numpy as np
 
 from rlrobot_grading.answers.compiling import told_of_compiling, uncompiled
 from rlrobot_grading.answers.frames import told_by
+from rlrobot_grading.answers.notebook import shell
 from rlrobot_grading.answers.values import one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
@@ -214,15 +215,15 @@ def quietly(printed: io.StringIO) -> Iterator[None]:
 @contextmanager
 def exits_raised() -> Iterator[None]:
     """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
-    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
-    if shell is None:
+    here = shell()
+    if here is None:
         yield
         return
-    shell.ask_exit = sys.exit  # hides the method of this name
+    here.ask_exit = sys.exit  # hides the method of this name
     try:
         yield
     finally:
-        del shell.ask_exit
+        del here.ask_exit
 
 
 def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:

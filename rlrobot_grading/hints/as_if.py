@@ -51,11 +51,9 @@ IN_PLACE = re.compile(r"“(\w+)” (?:(?:stood )?in place of “(\w+)”|were s
 
 def one_change(seen: Evidence) -> str:
     """What differs in one thing from the right function and does in every case what the answer does."""
-    if not seen.exercise.is_exact:
+    if not seen.is_exact:
         return ""
-    changes = safely(
-        [], one_change_of, seen.exercise.right
-    )  # its source may not be at hand
+    changes = safely([], one_change_of, seen.right)  # its source may not be at hand
     ranked = sorted(
         ((_rank(kind, said, seen), said, made) for kind, said, made in changes),
         key=lambda one: one[0],
@@ -144,11 +142,7 @@ def _rank(kind: int, said: str, seen: Evidence) -> float:
 
 def _types(name: str | None, seen: Evidence) -> set[str]:
     """Which types an argument has in the cases; none for any other name."""
-    return {
-        type(case[name]).__name__.strip("_")
-        for case in seen.exercise.cases
-        if name in case
-    }
+    return {type(case[name]).__name__.strip("_") for case in seen.cases if name in case}
 
 
 def _in_its_words(said: str, seen: Evidence) -> str:
@@ -157,7 +151,7 @@ def _in_its_words(said: str, seen: Evidence) -> str:
     The variables of the right function that the answer lacks are named by what they are set to, or by the variable of
     the answer that is set in the same way.
     """
-    right, answer = seen.exercise.right, seen.answer
+    right, answer = seen.right, seen.answer
     mine, theirs = (
         names_of(answer),
         (*right.__code__.co_varnames, *right.__code__.co_cellvars),
@@ -171,7 +165,7 @@ def _in_its_words(said: str, seen: Evidence) -> str:
         "np",
         "math",
         *mine,
-        *seen.exercise.lenders,
+        *seen.lenders,
         *more,
     }
     called = dict(

@@ -6,7 +6,7 @@ Each suspicion is a property of the answer's values in every case, so what it te
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ def about_the_values(seen: Evidence) -> str:
         return "with yield in it this function hands out a generator, not a value. Write return."
     if safely(False, inspect.iscoroutinefunction, seen.answer):
         return "async makes this something to be waited for, not a function. Leave the word out."
-    returns = seen.exercise.returns
+    returns = seen.returns
     done = [
         (case, right.values, mine.values)
         for case, right, mine in _tried(seen)
@@ -46,14 +46,14 @@ def about_the_values(seen: Evidence) -> str:
 
 def from_the_notebook(seen: Evidence) -> Hint | None:
     """An argument is taken from the notebook, in place of the one that is given."""
-    outside = safely([], names_from_outside, seen.answer, seen.exercise.right)
+    outside = safely([], names_from_outside, seen.answer, seen.right)
     told = "your function takes {0} from the notebook. It should use the argument that it is given."
     return Hint("code", told.format(*outside)) if outside else None
 
 
 def about_the_code(seen: Evidence) -> str:
     """An argument is never read."""
-    unused = safely([], unused_arguments, seen.answer, seen.exercise.right)
+    unused = safely([], unused_arguments, seen.answer, seen.right)
     return (
         f"your function never looks at {unused[0]}, and the answer depends on it."
         if unused
@@ -63,14 +63,20 @@ def about_the_code(seen: Evidence) -> str:
 
 def about_the_memory(seen: Evidence) -> str:
     """What the wrong changes of a table have in common: more changes than should, or always so many times as much."""
-    return next(
-        (
-            told
-            for name in seen.exercise.tables
-            if (told := safely("", _about_changes, name, seen))
-        ),
-        "",
-    )
+    for name in _tables(seen.memory):
+        told = safely("", _about_changes, name, seen)
+        if told:
+            return told
+    return ""
+
+
+def _tables(memory: Mapping[str, Any]) -> list[str]:
+    """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
+    if not all(
+        isinstance(thing, np.ndarray | int | float) for thing in memory.values()
+    ):
+        return []
+    return [name for name, thing in memory.items() if isinstance(thing, np.ndarray)]
 
 
 def _about_changes(name: str, seen: Evidence) -> str:
@@ -105,7 +111,7 @@ def _about_changes(name: str, seen: Evidence) -> str:
 
 def about_the_cases(seen: Evidence) -> str:
     """What the wrong cases have in common, and the right ones have not: an argument is True, or negative, or empty."""
-    cases = seen.exercise.cases
+    cases = seen.cases
     is_wrong = [not right.equals(mine) for _, right, mine in _tried(seen)]
     if (
         not 2 <= sum(is_wrong) <= len(is_wrong) - 2
@@ -122,9 +128,7 @@ def about_the_cases(seen: Evidence) -> str:
 
 def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
     """The cases that were tried: each with what the right function does in it, and what the learner's does."""
-    return list(
-        zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False)
-    )
+    return list(zip(seen.cases, seen.expected, seen.got, strict=False))
 
 
 def unlike(right: Any, mine: Any, name: str = "this") -> str:

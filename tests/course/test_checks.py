@@ -21,7 +21,7 @@ from rlrobot_grading.exercises.mistake import Mistake
 from rlrobot_grading.exercises.page import read_page, with_pages
 from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.hints.detectors import DETECTORS
-from rlrobot_grading.hints.evidence import Evidence, Hint
+from rlrobot_grading.hints.evidence import Hint
 
 LESSONS = sorted(
     path.parent.name
@@ -489,9 +489,7 @@ def test_the_first_detector_that_has_a_hint_decides():
     check = exercises("lesson_03")["target"]
     for name, body in FOUND_BY.items():
         answer = learner(SIGNATURE + body)
-        seen = Evidence(
-            check, answer, [check.outcome(answer, case) for case in check.cases]
-        )
+        seen = check.evidence(answer, check.outcomes(answer))
         found = [
             (detector, hint)
             for detector, find in DETECTORS.items()
@@ -544,7 +542,7 @@ def test_one_change_is_told_in_the_variables_of_the_answer_with_all_brackets(
 ):
     check, (source, said) = exercises(lesson)[name], LINES[lesson, name]
     answer = learner(f"def {source}")
-    told = DETECTORS["one_change"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["one_change"](check.evidence(answer, check.outcomes(answer)))
     assert said in told, told
 
 
@@ -569,7 +567,7 @@ EVENTS = {
 def test_the_first_call_of_a_loop_that_differs_is_told(line):
     check = exercises("lesson_03")["learn"]
     answer = learner(LOOP.format(line))
-    told = DETECTORS["events"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["events"](check.evidence(answer, check.outcomes(answer)))
     assert EVENTS[line] in told
 
 
@@ -581,7 +579,7 @@ def test_a_table_that_does_not_change_is_told_so():
         " e[s, a] = (1 - alpha) * e[s, a] + 1\n q += alpha * (d + old - q_old) * e\n q[s, a] -= alpha * (old - q_old)\n"
         " return after"
     )
-    told = DETECTORS["memory"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["memory"](check.evidence(answer, check.outcomes(answer)))
     assert told == "e does not change."
 
 

@@ -11,10 +11,11 @@ import time
 import psutil
 import pytest
 
-from rlrobot_course.learner import my_course, my_functions
+from rlrobot_course.learner import my_course
 from rlrobot_course.learner.my_course import copy_missing, set_back
 from rlrobot_course.learner.my_functions import FILE, keep, take, whose
 from rlrobot_course.lesson_03 import check, exercises
+from rlrobot_grading.answers.notebook import is_notebook
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -300,6 +301,6 @@ def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
 
 def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert not my_functions.is_notebook()
+    assert not is_notebook()
     assert check.target(exercises.target)
     assert list(tmp_path.iterdir()) == []
