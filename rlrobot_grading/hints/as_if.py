@@ -17,6 +17,7 @@ from typing import Any
 
 from rlrobot_grading.answers.source import names_of, parameters, tree_of
 from rlrobot_grading.answers.values import safely
+from rlrobot_grading.hints.changed import become, changed, made, quoted
 from rlrobot_grading.hints.evidence import Evidence
 from rlrobot_grading.hints.further_changes import (
     REDUCED,
@@ -25,14 +26,7 @@ from rlrobot_grading.hints.further_changes import (
     handed_over,
     put_around,
 )
-from rlrobot_grading.hints.one_change import (
-    CALLED,
-    become,
-    changed,
-    made,
-    quoted,
-    simple_changes,
-)
+from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
 MOST = 1000  # changes that are tried, the simple ones first
 KINDS = (

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_grading.answers.values import safely, same
+from rlrobot_grading.hints.changed import Change, changed, quoted
 from rlrobot_grading.hints.further_changes import further_changes, put_around
-from rlrobot_grading.hints.one_change import Change, changed, quoted, simple_changes
+from rlrobot_grading.hints.simple_changes import simple_changes
 
 # in words, the formula and its parts, and what other numbers are in it
 Variant = tuple[
