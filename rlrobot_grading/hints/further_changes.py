@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ast
 import copy
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from rlrobot_grading.hints.changed import (
@@ -109,10 +109,10 @@ def changes_everywhere(tree: ast.AST, names: Sequence[str]) -> Iterator[Change]:
         return
     for name in names:
         for value in FIXED:
-            yield f"“{name}” were always {value}", _renamed(tree, {name: repr(value)})
+            yield f"“{name}” were always {value}", renamed(tree, {name: repr(value)})
     for one, other in combinations(names, 2):
         said = f"“{one}” and “{other}” had changed places"
-        yield said, _renamed(tree, {one: other, other: one})
+        yield said, renamed(tree, {one: other, other: one})
 
 
 def _is_written(node: ast.AST) -> bool:
@@ -215,7 +215,8 @@ def _with_argument(node: ast.Call, k: int, code: str) -> str:
     return with_parts(node, args=args)
 
 
-def _renamed(tree: ast.AST, others: dict[str, str]) -> str:
+def renamed(tree: ast.AST, others: Mapping[str, str]) -> str:
+    """The code of a tree with something else in place of some names, wherever they are read."""
     other = copy.deepcopy(tree)
     for node in ast.walk(other):
         if isinstance(node, ast.Name) and node.id in others and not _is_written(node):
