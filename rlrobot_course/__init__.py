@@ -14,7 +14,8 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
 The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
 way; right answers in them are not kept for later lessons.
 
-They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
+They share: `exercises` (what an `exercises.py` is made of, on top of `rlrobot_grading`), `tapes` (recorded
+transitions without chance, which exercises replay),
 `plots` (what figures begin with), `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`,
 `runs`, `prediction` (what the reader expects, and the outcome), `old_questions`
 (what earlier lessons taught; both read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with
@@ -23,7 +24,7 @@ file is read by `sections`), `learners_files` (files that belong to the learner 
 learner is), and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades
 notebooks that are handed in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens
 the learner's copies of the notebooks.
-Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `grading`.
+Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `rlrobot_grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:

@@ -10,7 +10,7 @@ from html import escape
 
 WIDTH = 100  # characters of a line, so that no output of a notebook must be scrolled sideways
 
-# from the Okabe–Ito set, which colour-blind readers tell apart; as in rlrobot_edu
+# from the Okabe–Ito set, which colour-blind readers tell apart; as those of the figures
 BLUE = "#0072b2"
 GREEN = "#009e73"
 GREY = "#7f7f7f"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import functools
 import importlib
 import linecache
@@ -14,8 +15,11 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_course
+import rlrobot_grading
 from rlrobot_course.lesson_03.exercises import target, update
+from rlrobot_edu.show import palette
 from rlrobot_grading.answers.source import edited
+from rlrobot_grading.exercises import verdict as verdicts
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.mistake import Mistake
 from rlrobot_grading.exercises.page import read_page, with_pages
@@ -637,3 +641,12 @@ def test_a_page_takes_the_edits_of_another_page_but_not_its_witnesses(tmp_path):
     assert [
         entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]
     ] == [("half", [])]
+
+
+def test_the_example_of_the_package_runs():
+    assert doctest.testmod(rlrobot_grading) == doctest.TestResults(0, 6)
+
+
+def test_a_verdict_has_the_colours_of_the_figures():
+    for name in ("BLUE", "GREEN", "GREY", "VERMILION"):
+        assert getattr(verdicts, name) == getattr(palette, name)
