@@ -20,10 +20,8 @@ import numpy as np
 from rlrobot_grading.answers.values import one_line, show
 
 FUNCTIONS = (FunctionType, MethodType, BuiltinMethodType)
-LIBRARIES = sys.stdlib_module_names | {
-    "numpy",
-    "scipy",
-}  # their errors speak of what they were given
+# their errors speak of what they were given
+LIBRARIES = sys.stdlib_module_names | {"numpy", "scipy"}
 HARMLESS = (ast.Expression, ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Add, ast.Sub, ast.USub, ast.Call,
             ast.Load)  # fmt: skip
 
@@ -62,9 +60,8 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
 def _about_a_call(frames: list[FrameType], text: str) -> str:
     """What the function was given that the learner's line calls."""
     name = _known_as(frames[0], frames[1].f_code)
-    given = next(
-        (given for given in map(_arguments, frames[1:]) if given), {}
-    )  # it may only hand over its *arguments
+    # it may only hand over its *arguments
+    given = next((given for given in map(_arguments, frames[1:]) if given), {})
     for one, value in given.items():
         if isinstance(value, MethodType | BuiltinMethodType) or (
             type(value) is FunctionType and "function" in text

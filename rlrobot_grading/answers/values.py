@@ -24,13 +24,8 @@ MOST_SHOWN = 15  # entries of an array that are all shown
 MOST_LEVELS = 4  # of lists in lists that are shown
 MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
 
-CONTAINERS = (
-    list,
-    tuple,
-    set,
-    frozenset,
-    deque,
-)  # and dict; their subclasses count as these
+# and dict; their subclasses count as these
+CONTAINERS = (list, tuple, set, frozenset, deque)
 
 T = TypeVar("T")
 
@@ -162,9 +157,8 @@ def _same(a: Any, b: Any, relative: float) -> bool:
     try:
         x, y = _numbers(a), _numbers(b)
     except (TypeError, ValueError, OverflowError):
-        if isinstance(a, list | tuple | deque) and isinstance(
-            b, list | tuple | deque
-        ):  # of arrays of unlike shapes
+        # arrays of unlike shapes
+        if isinstance(a, list | tuple | deque) and isinstance(b, list | tuple | deque):
             return len(a) == len(b) and all(
                 _same(x, y, relative) for x, y in zip(a, b, strict=True)
             )
@@ -177,9 +171,8 @@ def _same(a: Any, b: Any, relative: float) -> bool:
 def _numbers(value: Any) -> np.ndarray:
     if np.asarray(value).dtype.kind in "US":
         raise TypeError("text is no number, even where it could be read as one")
-    return np.asarray(
-        value, dtype=complex if np.iscomplexobj(value) else float
-    )  # float would drop what is imaginary
+    # float would drop what is imaginary
+    return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)
 
 
 def differences(
@@ -264,9 +257,8 @@ def _shown(value: Any, level: int) -> str:
             + "}"
         )
     text = repr(value)
-    return (
-        _kind(value) if " at 0x" in text else text
-    )  # an address says nothing to a learner
+    # an address says nothing to a learner
+    return _kind(value) if " at 0x" in text else text
 
 
 def _in_dict(value: Any, level: int) -> str:

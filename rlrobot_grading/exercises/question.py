@@ -98,9 +98,8 @@ class Question:
             or isinstance(answer, str | bool)
             or isinstance(self.right, str)
         ):
-            return Hint(
-                "", ""
-            )  # what follows looks at numbers, as often as there are changes
+            # what follows looks at numbers, as often as there are changes
+            return Hint("", "")
         if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
             return Hint("formula", told)
         told = safely("", self._how_many, answer)
@@ -219,9 +218,8 @@ def _read(text: str) -> float:
 
 def _letters(value: Any) -> str:
     """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
-    if type(value) in (list, tuple, set, frozenset) and not is_large(
-        value
-    ):  # of these it is sure that they end
+    # of these it is sure that they end
+    if type(value) in (list, tuple, set, frozenset) and not is_large(value):
         value = "".join(value)
     if not isinstance(value, str) or len(value) > MOST_SIGNS:
         return ""

@@ -29,13 +29,14 @@ from rlrobot_grading.hints.further_changes import (
 from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
 MOST = 1000  # changes that are tried, the simple ones first
+# the likely ones first
 KINDS = (
     changes_everywhere,
     simple_changes,
     further_changes,
     handed_over,
     put_around,
-)  # the likely ones first
+)
 NEVER = 99  # the rank of a change that nobody makes
 LONGEST = 90  # characters of a piece of code that is told
 QUOTED = re.compile(r"“([^”]*)”")
@@ -67,9 +68,8 @@ def one_change_of(
 ) -> list[tuple[int, str, Callable[..., Any]]]:
     """Each function that differs in one thing from `right`, or from a function that it calls; its kind, in words."""
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore"
-        )  # of a number that is called, as there may be one among them
+        # of a number that is called, as there may be one among them
+        warnings.simplefilter("ignore")
         return [*islice(_changed(right), MOST), *islice(_changed_inside(right), MOST)]
 
 
@@ -249,8 +249,7 @@ def _set_once(function: Callable[..., Any]) -> dict[str, str]:
         node.targets[0].id: ast.unparse(node.value)
         for node in ast.walk(tree)
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
-        if not isinstance(
-            node.value, ast.List | ast.Dict | ast.Constant
-        )  # it will be filled
+        # a list or a dict will be filled
+        if not isinstance(node.value, ast.List | ast.Dict | ast.Constant)
         if stored.count(node.targets[0].id) == 1
     }

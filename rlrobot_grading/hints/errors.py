@@ -26,9 +26,8 @@ MODULES = {
     "random": "import random",
 }
 MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
-NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {
-    "gamma"
-}  # what beginners write without its np.
+# what beginners write without its np.
+NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {"gamma"}
 NUMPYS |= {
     "argmax",
     "argmin",
