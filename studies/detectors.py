@@ -57,13 +57,11 @@ def wrong_answers(exercise: Any) -> list[Any]:
 def kind_of(id: str, exercise: Any) -> str:
     """The detector whose hint has this id."""
     known = {mistake.id for mistake in exercise.mistakes}
-    return (
-        "two_mistakes"
-        if "+" in id
-        else "known_mistake"
-        if id in known
-        else id or "no hint"
-    )
+    if "+" in id:
+        return "two_mistakes"
+    if id in known:
+        return "known_mistake"
+    return id or "no hint"
 
 
 def alone(exercise: Any, answer: Any) -> list[str]:

@@ -108,16 +108,15 @@ def _array(value: np.ndarray) -> Any:
     """An array of numbers as one that is nothing more; of texts and of objects a list."""
     if np.ma.is_masked(value):
         return Unkept(show(value))
-    array, kind = np.asarray(value), value.dtype.kind
-    if kind in "fc":
-        return array.astype(float if kind == "f" else complex)
-    return (
-        array
-        if kind in "biu"
-        else as_data(array.tolist())
-        if kind in "OU"
-        else Unkept(show(value))
-    )
+    array = np.asarray(value)
+    kind = array.dtype.kind
+    if kind in "biu":
+        return array
+    if kind == "f":
+        return array.astype(float)
+    if kind == "c":
+        return array.astype(complex)
+    return as_data(array.tolist()) if kind in "OU" else Unkept(show(value))
 
 
 def is_large(value: Any) -> bool:
@@ -186,12 +185,9 @@ def differences(
             rows += safely([], _entries, name, right, mine) or [
                 (name, show(right), show(mine))
             ]
-    more = (
-        ((f"and {len(rows) - ROWS_SHOWN} more", "", ""),)
-        if len(rows) > ROWS_SHOWN
-        else ()
-    )
-    return (*rows[:ROWS_SHOWN], *more)
+    if len(rows) > ROWS_SHOWN:
+        rows[ROWS_SHOWN:] = [(f"and {len(rows) - ROWS_SHOWN} more", "", "")]
+    return tuple(rows)
 
 
 def _entries(name: str, right: Any, mine: Any) -> list[tuple[str, str, str]]:
@@ -248,14 +244,11 @@ def _shown(value: Any, level: int) -> str:
     if type(value) is MappingProxyType and not is_large(value):
         value = dict(value)
     if isinstance(value, dict) and level < MOST_LEVELS:
-        return (
-            "{"
-            + ", ".join(
-                f"{_in_dict(key, level)}: {_in_dict(part, level)}"
-                for key, part in value.items()
-            )
-            + "}"
-        )
+        entries = [
+            f"{_in_dict(key, level)}: {_in_dict(part, level)}"
+            for key, part in value.items()
+        ]
+        return "{" + ", ".join(entries) + "}"
     text = repr(value)
     # an address says nothing to a learner
     return _kind(value) if " at 0x" in text else text
@@ -264,11 +257,9 @@ def _shown(value: Any, level: int) -> str:
 def _in_dict(value: Any, level: int) -> str:
     """A key or a value of a dict; tuples in round brackets, for a list can be no key."""
     shown = show(value, level + 1)
-    return (
-        f"({shown[1:-1]})"
-        if isinstance(value, tuple) and shown.startswith("[")
-        else shown
-    )
+    if isinstance(value, tuple) and shown.startswith("["):
+        return f"({shown[1:-1]})"
+    return shown
 
 
 def one_line(text: str, most: int = MOST_SIGNS) -> str:

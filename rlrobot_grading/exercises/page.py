@@ -156,7 +156,8 @@ def read_page(
         raise ValueError(
             f"{page} must begin with the line '# {page.stem}' and, below it, the task"
         )
-    if bare := [entry.id for entry in entries if not entry.edits and not entry.answers]:
+    bare = [entry.id for entry in entries if not entry.edits and not entry.answers]
+    if bare:
         raise ValueError(
             f"{page}: below {bare[0]} there must be an edit, a value or a block of Python"
         )

@@ -91,7 +91,8 @@ class Question:
 
     def found(self, answer: Any) -> Hint:
         """The hint that nobody had to write for a wrong answer, if there is one."""
-        if told := safely("", self._looked_at, answer):
+        told = safely("", self._looked_at, answer)
+        if told:
             return Hint("form", told)
         if (
             safely(True, is_large, answer)
@@ -100,8 +101,10 @@ class Question:
         ):
             # what follows looks at numbers, as often as there are changes
             return Hint("", "")
-        if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
-            return Hint("formula", told)
+        if self.formula:
+            told = safely("", self.formula.told, answer, ROUNDED)
+            if told:
+                return Hint("formula", told)
         told = safely("", self._how_many, answer)
         return Hint("form" if told else "", told)
 
@@ -126,17 +129,16 @@ class Question:
         """What is wrong with the form of a value that may be right."""
         if is_large(answer):
             return ""
+        if self._has_letters and safely("", _letters, answer):
+            return ""
         if self._has_letters:
-            return (
-                ""
-                if safely("", _letters, answer)
-                else "write the letters as text, in quotation marks."
-            )
+            return "write the letters as text, in quotation marks."
         if isinstance(self.right, str):
             return self._word_looked_at(answer)
         if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
             return "the right number, but as text: leave out the quotation marks."
-        if told := unlike(self.right, answer):
+        told = unlike(self.right, answer)
+        if told:
             return told
         if isinstance(answer, bool):
             return "True and False are no numbers."
@@ -165,8 +167,9 @@ class Question:
             same(r, m, ROUNDED)
             for r, m in zip(np.ravel(right), np.ravel(mine), strict=True)
         )
-        told = f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
-        return told if right.size >= MANY and right.shape == mine.shape else ""
+        if right.size < MANY or right.shape != mine.shape:
+            return ""
+        return f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
 
     def _word_looked_at(self, answer: Any) -> str:
         """What is wrong with the form of an answer that should be a word."""
@@ -177,11 +180,9 @@ class Question:
         if len(answer.split()) > 1:
             return "asked is one word alone, written as in the text above."
         words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
-        return (
-            "is it spelled as in the text above?"
-            if get_close_matches(answer.lower(), words, 1, 0.75)
-            else ""
-        )
+        if get_close_matches(answer.lower(), words, 1, 0.75):
+            return "is it spelled as in the text above?"
+        return ""
 
 
 def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:

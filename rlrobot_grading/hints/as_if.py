@@ -53,13 +53,13 @@ def one_change(seen: Evidence) -> str:
         ((_rank(kind, said, seen), said, made) for kind, said, made in changes),
         key=lambda one: one[0],
     )
-    shown = (
-        said
-        for rank, said, function in ranked
-        if rank < NEVER and seen.shows(function, endless=True)
-    )
-    told = (words for said in shown if (words := safely("", _in_its_words, said, seen)))
-    return next((f"it answers as if {words}." for words in told), "")
+    for rank, said, function in ranked:
+        if rank >= NEVER or not seen.shows(function, endless=True):
+            continue
+        words = safely("", _in_its_words, said, seen)
+        if words:
+            return f"it answers as if {words}."
+    return ""
 
 
 @cache
@@ -191,8 +191,10 @@ def _put(piece: str, terms: Mapping[str, str], known: set[str]) -> str:
     """A piece of code with other terms for its names; empty if there are names in it that are not known."""
     if piece in ("and", "or"):
         return piece
-    if word := re.fullmatch(r"(\w+=)([^ =].*)", piece):  # of a call, as in axis=0
-        return word[1] + value if (value := _put(word[2], terms, known)) else ""
+    word = re.fullmatch(r"(\w+=)([^ =].*)", piece)  # of a call, as in axis=0
+    if word:
+        value = _put(word[2], terms, known)
+        return word[1] + value if value else ""
     tree: Any = ast.parse(f"{piece} pass" if piece.endswith(":") else piece).body[0]
     if (
         isinstance(tree, ast.Assign)

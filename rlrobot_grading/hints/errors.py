@@ -68,9 +68,9 @@ def error_hint(
     if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for meaning in MEANINGS:
-        if found := re.search(
-            meaning["pattern"], f"{failure.text}, in the line: {failure.line}"
-        ):
+        text = f"{failure.text}, in the line: {failure.line}"
+        found = re.search(meaning["pattern"], text)
+        if found:
             return meaning["means"].format(**found.groupdict())
     return ""
 

@@ -163,9 +163,8 @@ def _other_statements(
 def _commute(one: ast.stmt, other: ast.stmt) -> bool:
     """Whether two statements do the same in any order: none leaves the function, or changes what the other names."""
     for a, b in ((one, other), (other, one)):
-        if isinstance(
-            a, ast.FunctionDef
-        ):  # what it names is looked up when it is called
+        # what it names is looked up when it is called
+        if isinstance(a, ast.FunctionDef):
             return a.name not in _names(b)
     if any(
         isinstance(node, ast.Return | ast.Break | ast.Continue)

@@ -245,9 +245,8 @@ def _relations(
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(
         same(y.sum(), 1.0) for y in got
     ):
-        seen = next(
-            y for x, y in pairs if not same(x, y)
-        )  # in the case that the learner sees
+        # in the case that the learner sees
+        seen = next(y for x, y in pairs if not same(x, y))
         if np.isnan(seen).any():
             yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
         if not same(seen.sum(), 1.0):
