@@ -304,3 +304,15 @@ def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
     assert not is_notebook()
     assert check.target(exercises.target)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_in_a_notebook_a_check_keeps_a_right_answer(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("rlrobot_grading.exercises.exercise.is_notebook", lambda: True)
+
+    def target(q, r, s_next, terminated, gamma):
+        return r if terminated else r + gamma * max(q[s_next])
+
+    assert f"Kept in {FILE}" in check.target(target).gained
+    assert take("03", "target", folder=tmp_path) is not exercises.target
+    assert "the course's own solution" in check.target(exercises.target).text
