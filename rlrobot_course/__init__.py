@@ -3,7 +3,8 @@
 The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing from other lessons:
 
 - `update.md`, a page for each exercise: what is asked, three hints, and the typical mistakes, each with its id, its
-  hint, the small edit that makes it, and wrong answers as learners write them (`grading/page.py` says how);
+  hint, the small edit that makes it, and wrong answers as learners write them (`rlrobot_grading/exercises/page.py`
+  says how);
 - `exercises.py`: right answers and cases; its `check` has the exercises by their names, so that the notebook says
   ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table;
@@ -13,7 +14,8 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
 The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
 way; right answers in them are not kept for later lessons.
 
-They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
+They share: `exercises` (what an `exercises.py` is made of, on top of `rlrobot_grading`), `tapes` (recorded
+transitions without chance, which exercises replay),
 `plots` (what figures begin with), `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`,
 `runs`, `prediction` (what the reader expects, and the outcome), `old_questions`
 (what earlier lessons taught; both read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with

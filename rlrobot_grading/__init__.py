@@ -1,33 +1,37 @@
-"""What the exercises of all lessons share: a verdict on one answer. Points are made of verdicts in `homework`.
+"""Exercises whose checks name the first wrong step and the likely mistake; `marking` makes points of their verdicts.
 
-Read in this order:
+This package knows nothing of robots and of reinforcement learning, and imports neither `rlrobot_edu` nor the course.
+What an exercise does with a right answer, as keeping it, is given to it.
 
-- `verdict`: what a check says to the learner, a `Verdict`: waiting, right or wrong, the first wrong step and a hint.
-- `exercise`: `Question` (the answer is a value) and `Exercise` (the answer is a function: a tape of arguments is
-  replayed on it, step by step, beside the right function), each with its list of `Mistake`.
-- `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
-- `detectors`: how the hint for a wrong answer is found: an ordered list; `evidence`: what a detector is given.
-- `page`: the Markdown file of an exercise: what is asked, hints, mistakes and wrong answers.
-- `parts`: what the `exercises.py` of a lesson imports of all these.
-- `one_change`, `further_changes`, `as_if`: all functions that differ from the right one in one thing, and the message
-  for an answer that does the same as one of them; `formula`: the same for a question in numbers.
-- `events`: the calls that a loop makes, beside those of the right loop.
-- `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
-- `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames (`frames`).
-- `suspicions`: what the values of an answer have in common that shows no known mistake.
-- `values`: when two values count as the same, how they differ, how they are shown.
+Read in this order; each folder imports those below it alone:
 
-An exercise in five lines, here without a page::
+- `exercises`: what an exercise is. `verdict` is what a check says to the learner; `exercise` has `Exercise`, whose
+  answer is a function, and `question` has `Question`, whose answer is a value; `page` reads the Markdown file of one.
+- `hints`: how the hint for a wrong answer is found. `evidence` is what a detector is given, `detectors` their list.
+- `answers`: how an answer is run, and when two values count as the same.
+- `marking`: notebooks that are handed in are graded by the same checks.
 
-    def redundancy(states):
-        return len(states) / len(set(states))
+An exercise in a few lines, here without a page:
 
-    check = Exercise(
-        redundancy, [{"states": [5, 7, 5, 7]}, {"states": [5, 7, 5]}], returns="redundancy",
-        task="return how many states are in the queue for each different one among them",
-        mistakes={"whole": Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})},
-    )
-    check(learners_function)
+>>> from rlrobot_grading.exercises.exercise import Exercise
+>>> from rlrobot_grading.exercises.mistake import Mistake
+>>> def redundancy(states):
+...     return len(states) / len(set(states))
+>>> check = Exercise(
+...     redundancy,
+...     [{"states": [5, 7, 5]}, {"states": [5, 7, 5, 7]}],
+...     task="write how many states are in the queue for each different one",
+...     returns="redundancy",
+...     mistakes={"whole": Mistake("// cuts off the fraction; divide with /.", {"/": "//"})},
+... )
+>>> def answer(states):
+...     return len(states) // len(set(states))
+>>> check(answer)
+✗ Case 1 of 2 is the first that differs.
+  called with states = [5, 7, 5]
+               expected   got
+  redundancy        1.5     1
+Hint: // cuts off the fraction; divide with /.
 
 A wrong answer is recognised by what it computes, not by how it is written. It gets the hint of the first detector that
 has one, in this order:
@@ -38,10 +42,10 @@ has one, in this order:
 4. Two of the known mistakes at once.
 5. Notebook: an argument is taken from there, not from what the function is given.
 6. One change: in every case it does what the right function does with one thing in it changed.
-7. Events: the first call that differs in the order in which a loop calls the world, `choose` and `update`.
+7. Events: the first call that differs in the order in which a loop calls the functions that it is given.
 8. Memory: more of a table changes than should, or always so many times too much.
 9. Code: an argument is never read.
-10. Cases: it is wrong just where an argument is True, or negative, or empty.
+10. Cases: it is wrong just where an argument is True, or 0, or negative.
 
 An answer that stops with an exception has no values to compare, so `errors` says what the exception means. A verdict
 carries the id of its mistake, or the detector's name; tests ask for that and not for words. The tape needs steps in

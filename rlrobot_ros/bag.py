@@ -5,12 +5,11 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rlrobot_edu.checks import describe_error, did_you_mean
+from rlrobot_edu.checks import describe_error
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.chassis import Chassis
-from rlrobot_edu.checks import describe_error
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_ros.drive import Drive, Track, transitions_of

@@ -21,10 +21,9 @@ from typing import Any
 import numpy as np
 
 import rlrobot_course
-from rlrobot_grading import limits
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.question import Question
+from rlrobot_grading.answers import limits
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
 
 LESSONS = sorted(
     path.parent.name
@@ -58,13 +57,11 @@ def wrong_answers(exercise: Any) -> list[Any]:
 def kind_of(id: str, exercise: Any) -> str:
     """The detector whose hint has this id."""
     known = {mistake.id for mistake in exercise.mistakes}
-    return (
-        "two_mistakes"
-        if "+" in id
-        else "known_mistake"
-        if id in known
-        else id or "no hint"
-    )
+    if "+" in id:
+        return "two_mistakes"
+    if id in known:
+        return "known_mistake"
+    return id or "no hint"
 
 
 def alone(exercise: Any, answer: Any) -> list[str]:
@@ -76,7 +73,7 @@ def alone(exercise: Any, answer: Any) -> list[str]:
         if not right.equals(mine)
     ):
         return []
-    seen = Evidence(exercise, answer, got)
+    seen = exercise.evidence(answer, got)
     return [
         name
         for name, detector in DETECTORS.items()

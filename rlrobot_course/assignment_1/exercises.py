@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Case, Exercise, with_pages
 from rlrobot_course.worlds.tapes import Q_START, Chooser, PatientWorld, rows
-from rlrobot_grading.parts import Case, Exercise, with_pages
 
 
 def state_of(cell, voltage, cuts):

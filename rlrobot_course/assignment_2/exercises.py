@@ -2,6 +2,14 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import (
+    Case,
+    Exercise,
+    Mistake,
+    Question,
+    with_pages,
+    wrong_choices,
+)
 from rlrobot_course.worlds.tapes import (
     Q_START,
     Q_TAPE,
@@ -9,14 +17,6 @@ from rlrobot_course.worlds.tapes import (
     PatientWorld,
     rows,
     with_columns,
-)
-from rlrobot_grading.parts import (
-    Case,
-    Exercise,
-    Mistake,
-    Question,
-    with_pages,
-    wrong_choices,
 )
 
 

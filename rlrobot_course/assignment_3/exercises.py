@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, with_pages
 from rlrobot_course.worlds.tapes import rows, with_columns
-from rlrobot_grading.parts import Exercise, with_pages
 
 
 def return_over_n(rewards, values, t, n, gamma):

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from rlrobot_course.assignment_4.fixtures import draw, table
+from rlrobot_course.exercises.parts import Case, Exercise, with_pages
 from rlrobot_course.worlds.tapes import TapeWorld, rows, with_action
-from rlrobot_grading.parts import Case, Exercise, with_pages
 
 
 def near_states(s, shape, is_circle):

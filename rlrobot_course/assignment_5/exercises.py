@@ -3,8 +3,8 @@
 import numpy as np
 
 from rlrobot_course.assignment_5.parking import PAIRS, words
+from rlrobot_course.exercises.parts import Design, Exercise, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Design, Exercise, Question, with_pages
 
 
 def park_reward(before, after):

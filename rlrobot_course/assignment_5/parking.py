@@ -1,7 +1,7 @@
 """The task of assignment 5: to park in front of a wall."""
 
+from rlrobot_course.exercises.design import Pay, Readings, Situation, paid_by, way
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_grading.design import Pay, Readings, Situation, paid_by, way
 
 LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.question import Question
-from rlrobot_grading.values import safely
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Hint
 
 
 def explain(number: str, name: str, answer: str) -> str:
@@ -69,7 +69,7 @@ def _told_of_value(question: Question, value: Any) -> Iterator[str]:
 
 def _told(exercise: Any, answer: Any) -> Iterator[str]:
     """A line for each detector, in their order: the hint that it has, or that it has none."""
-    seen = Evidence(exercise, answer, exercise.outcomes(answer))
+    seen = exercise.evidence(answer, exercise.outcomes(answer))
     if not seen.wrong:
         return
     yield f"  wrong in the cases {', '.join(str(i + 1) for i in seen.wrong)} of {len(exercise.cases)}"

@@ -8,7 +8,7 @@
 from pathlib import Path
 from types import SimpleNamespace
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.marking.course import LESSON, Course
 from rlrobot_grading.marking.variants import variant_of
 

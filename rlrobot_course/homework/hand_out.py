@@ -15,11 +15,11 @@ import numpy as np
 
 from rlrobot_course.homework import COURSE
 from rlrobot_edu.files import shipped
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.cell import bound, exercise_in_last_line
 from rlrobot_grading.marking.students import read_students
 from rlrobot_grading.marking.submission import read_submission
 from rlrobot_grading.marking.variants import Variant, replaced, variant_of
-from rlrobot_grading.question import Question
 
 NOTEBOOKS = shipped("notebooks") / "homework"
 USE_VARIANT = (

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from rlrobot_grading.source import is_unfinished
+from rlrobot_grading.answers.source import is_unfinished
 
 
 def finished(*answers: Callable[..., Any]) -> bool:

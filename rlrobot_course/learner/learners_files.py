@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from rlrobot_edu.files import write_whole
-from rlrobot_grading.values import safely
+from rlrobot_grading.answers.values import safely
 
 T = TypeVar("T")
 

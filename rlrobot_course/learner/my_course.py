@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_edu.files import shipped, write_whole
-from rlrobot_grading.values import safely
+from rlrobot_grading.answers.values import safely
 
 NOTEBOOKS = shipped("notebooks")
 IN_CHECKOUT = NOTEBOOKS.parent == Path(__file__).parents[2]

@@ -9,7 +9,6 @@ import ast
 import importlib
 import inspect
 import math
-import sys
 import textwrap
 from collections.abc import Callable
 from functools import cache
@@ -33,7 +32,7 @@ from rlrobot_course.learner.learners_files import (
 from rlrobot_course.learner.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.progress import watched
-from rlrobot_grading.values import one_line, safely
+from rlrobot_grading.answers.values import one_line, safely
 
 FILE = "my_functions.py"
 LESSONS = sorted(
@@ -144,12 +143,6 @@ def whose(*functions: Callable[..., Any]) -> str:
         function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions
     ]
     return "your" if all(yours) else "partly your" if any(yours) else "the given"
-
-
-def is_notebook() -> bool:
-    """Whether this runs in the kernel of a notebook, where there is a learner."""
-    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
-    return getattr(shell, "kernel", None) is not None
 
 
 @cache

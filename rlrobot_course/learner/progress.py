@@ -12,7 +12,7 @@ from rlrobot_course.learner.my_functions import (
     is_right,
     syntax_error,
 )
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.exercises.exercise import Exercise
 
 
 class Lesson(NamedTuple):

@@ -1,6 +1,6 @@
 """The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
 
-from rlrobot_grading.design import Readings, Situation, way
+from rlrobot_course.exercises.design import Readings, Situation, way
 
 
 def words(before: Readings, after: Readings) -> str:

@@ -4,9 +4,9 @@ from math import hypot
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Case, Design, Exercise, with_pages
 from rlrobot_course.lesson_01.design import PAIRS, words
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Case, Design, Exercise, with_pages
 
 
 def bin_of(x, cuts):

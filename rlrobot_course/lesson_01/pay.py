@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from rlrobot_course.exercises.design import Pay, paid_by
 from rlrobot_course.lesson_01.design import PAIRS
 from rlrobot_edu import Agent, Film, learn, load_task, make_env, steps
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.rewards import distance_moved
-from rlrobot_grading.design import Pay, paid_by
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Right answers and tapes of lesson 02; the pages of this folder have the tasks, hints and mistakes."""
 
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 
 
 def discounted_return(rewards, gamma):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
     Q_TAPE,
     Fickle,
@@ -12,7 +13,6 @@ from rlrobot_course.worlds.tapes import (
     rows,
     with_columns,
 )
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 BY_HAND = Formula(
     "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, last=3.7, middle=-1, mean=2.9, sum=8.7,

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, with_pages
 from rlrobot_course.worlds import tapes
 from rlrobot_edu.widgets.kernels import probabilities
-from rlrobot_grading.parts import Exercise, with_pages
 
 
 def epsilon_greedy(q_s, epsilon):

@@ -2,9 +2,15 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import (
+    Case,
+    Exercise,
+    Formula,
+    Question,
+    with_pages,
+)
 from rlrobot_course.worlds.tapes import rows
 from rlrobot_edu.widgets.kernels import bias_of
-from rlrobot_grading.parts import Case, Exercise, Formula, Question, with_pages
 
 BY_HAND = Formula(
     "(of_X + of_Y + of_theta + of_d) / 4", Q=5, X=10, Y=2, theta_left=14, theta_right=-1, d=-8, of_X="(Q + X) / 2",

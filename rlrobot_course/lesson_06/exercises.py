@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
     OTHER_Q,
     Q_START,
@@ -13,7 +14,6 @@ from rlrobot_course.worlds.tapes import (
     in_order,
     with_columns,
 )
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 FALL = Formula(
     "1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p"

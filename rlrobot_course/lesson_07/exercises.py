@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import OTHER_Q, Q_START, TAPE, with_columns
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 BY_HAND = Formula(
     "Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps"

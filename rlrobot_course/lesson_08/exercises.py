@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import Q_START, TAPE, rows, with_columns
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 
 def dutch(e, alpha):

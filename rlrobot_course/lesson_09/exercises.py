@@ -4,7 +4,13 @@ from itertools import chain, combinations
 
 import numpy as np
 
-from rlrobot_grading.parts import Case, Exercise, Mistake, Question, with_pages
+from rlrobot_course.exercises.parts import (
+    Case,
+    Exercise,
+    Mistake,
+    Question,
+    with_pages,
+)
 
 
 def redundancy(states):

@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Case, Exercise, with_pages
 from rlrobot_course.lesson_04.exercises import draw, softmax
 from rlrobot_course.lesson_05.exercises import bias
 from rlrobot_course.lesson_08.exercises import true_online_update
@@ -22,7 +23,6 @@ from rlrobot_course.lesson_10.fixtures import (
     ring,
 )
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Case, Exercise, with_pages
 
 
 def preferences(q, shape, s, r_max, gamma):

@@ -2,8 +2,8 @@
 
 import math
 
+from rlrobot_course.exercises.parts import Exercise, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Exercise, Question, with_pages
 
 
 def motion(left, right, radius, separation):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 TO_AND_FRO = Formula(
     "a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back"

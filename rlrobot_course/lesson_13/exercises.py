@@ -2,9 +2,9 @@
 
 import math
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.lesson_13.reward_exercise import RewardExercise
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 
 def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):

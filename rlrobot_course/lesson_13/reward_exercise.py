@@ -10,14 +10,14 @@ import numpy as np
 from rlrobot_course.lesson_13.loops import Loop, best_loop
 from rlrobot_course.worlds.arm_world import Places, places_of
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_grading.detectors import known_mistake
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.limits import Elsewhere, attempt
-from rlrobot_grading.replay import Outcome
-from rlrobot_grading.source import is_unfinished
-from rlrobot_grading.values import safely
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.answers.limits import Elsewhere, attempt
+from rlrobot_grading.answers.replay import Outcome
+from rlrobot_grading.answers.source import is_unfinished
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.hints.detectors import known_mistake
+from rlrobot_grading.hints.evidence import Hint
 
 CONTACT, NEARER, NOTHING = (
     0.05,
@@ -60,7 +60,7 @@ class RewardExercise(Exercise):
             n = f"{len(_arm().angles)} places"
             told = f"Right. The arm can get to {n}: no loop through them, outside contact, pays more than 0 a step."
             return Verdict("right", told, gained=self.gained)
-        hint = known_mistake(Evidence(self, answer, got)) or Hint("rule", broken.hint)
+        hint = known_mistake(self.evidence(answer, got)) or Hint("rule", broken.hint)
         return Verdict("wrong", broken.text, hint=hint.text, id=hint.id)
 
     def _no_number(

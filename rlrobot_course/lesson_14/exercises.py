@@ -1,6 +1,12 @@
 """Right answers and tapes of lesson 14; the pages of this folder have the tasks, hints and mistakes."""
 
-from rlrobot_grading.parts import Case, Exercise, Formula, Question, with_pages
+from rlrobot_course.exercises.parts import (
+    Case,
+    Exercise,
+    Formula,
+    Question,
+    with_pages,
+)
 
 
 def estimate(rows, s, a):

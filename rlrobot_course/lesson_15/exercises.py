@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 AGENTS_NEEDED = Formula(
     "2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3"

@@ -2,9 +2,7 @@
 
 from math import hypot
 
-from rlrobot_course.lesson_16.situations import PAIRS, words
-from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import (
+from rlrobot_course.exercises.parts import (
     Design,
     Formula,
     Mistake,
@@ -12,6 +10,8 @@ from rlrobot_grading.parts import (
     with_pages,
     wrong_choices,
 )
+from rlrobot_course.lesson_16.situations import PAIRS, words
+from rlrobot_course.worlds.tapes import rows
 
 
 def follow_reward(before, after):

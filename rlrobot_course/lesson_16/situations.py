@@ -1,6 +1,6 @@
 """The situations on which a reward for following a wall on the right is tried."""
 
-from rlrobot_grading.design import Readings, Situation, way
+from rlrobot_course.exercises.design import Readings, Situation, way
 
 LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
 

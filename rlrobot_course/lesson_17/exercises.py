@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
     Q_START,
     TapeWorld,
@@ -10,7 +11,6 @@ from rlrobot_course.worlds.tapes import (
     rows,
     taken,
 )
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 
 def dyna(env, q, seen, choose, update, pick, steps):

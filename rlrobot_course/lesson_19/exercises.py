@@ -1,6 +1,6 @@
 """Right answers of lesson 19; the pages of this folder have the tasks, hints and mistakes."""
 
-from rlrobot_grading.parts import Formula, Question, with_pages
+from rlrobot_course.exercises.parts import Formula, Question, with_pages
 
 WHO_PAID = Formula(
     "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=20, own="α * r", own_rest="(1 - α) * own",

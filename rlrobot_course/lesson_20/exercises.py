@@ -1,7 +1,7 @@
 """Right answers and tapes of lesson 20; the pages of this folder have the tasks, hints and mistakes."""
 
+from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import Q_START, Q_TAPE, with_columns
-from rlrobot_grading.parts import Exercise, Formula, Question, with_pages
 
 
 def learn_from(q, rows, alpha, gamma):

@@ -1,7 +1,7 @@
 """Right answers and tapes of lesson 21; the pages of this folder have the tasks, hints and mistakes."""
 
+from rlrobot_course.exercises.parts import Exercise, with_pages
 from rlrobot_course.worlds.tapes import rows
-from rlrobot_grading.parts import Exercise, with_pages
 
 
 def overlaps(left, right, edges):

@@ -1,6 +1,6 @@
 """Right answers and tapes of lesson 22; the pages of this folder have the tasks, hints and mistakes."""
 
-from rlrobot_grading.parts import Formula, Question, with_pages
+from rlrobot_course.exercises.parts import Formula, Question, with_pages
 
 TWO_BIASES = Formula(
     "((Q + other) / members + Q / members) / 2, (2 * N * Q + N_other * other) / (2 * N + N_other)",

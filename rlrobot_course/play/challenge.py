@@ -18,14 +18,14 @@ import numpy as np
 
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
-from rlrobot_course.learner.my_functions import is_notebook
 from rlrobot_course.worlds.tapes import draw
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
-from rlrobot_grading.limits import attempt
-from rlrobot_grading.source import is_unfinished, uses_chance
-from rlrobot_grading.values import one_line, safely, show
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.notebook import is_notebook
+from rlrobot_grading.answers.source import is_unfinished, uses_chance
+from rlrobot_grading.answers.values import one_line, safely, show
+from rlrobot_grading.exercises.verdict import Verdict
 
 FILE = "my_challenges.json"
 LANDMARKS = Path(__file__).with_name("challenges.csv")

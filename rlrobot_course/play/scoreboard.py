@@ -11,12 +11,12 @@ import numpy as np
 from rlrobot_course.figures.plots import BLUE, GREY, SKY, Picture, chart, plain
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
-from rlrobot_course.learner.my_functions import is_notebook
 from rlrobot_course.play.challenge import Score, score_of
 from rlrobot_course.worlds.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_grading.answers.notebook import is_notebook
 
 FILE = "my_scores.json"
 GIVEN = Path(__file__).with_name("scoreboard.csv")

@@ -8,9 +8,9 @@ from pathlib import Path
 import ipywidgets
 
 from rlrobot_course.learner.learners_files import enter, entries
-from rlrobot_course.learner.my_functions import is_notebook
 from rlrobot_edu.show.palette import BLUE
-from rlrobot_grading.verdict import CARD, Verdict
+from rlrobot_grading.answers.notebook import is_notebook
+from rlrobot_grading.exercises.verdict import CARD, Verdict
 
 ASKED = tomllib.loads(
     Path(__file__).with_name("questions.toml").read_text(encoding="utf-8")

@@ -19,7 +19,6 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d.visualizer import meshcat
-from rlrobot_edu.task.messages import check_count
 
 LAST = 100  # steps that a saved notebook keeps of those that were watched
 

@@ -8,8 +8,8 @@ from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 
 LESSON = "lesson_"  # how the folder of a lesson begins; a lesson goes by its number
 

@@ -13,6 +13,7 @@ from datetime import date
 from functools import partial
 from pathlib import Path
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.attribution import Owner, class_of, owners_of
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import Digests, Guard
@@ -43,7 +44,6 @@ from rlrobot_grading.marking.submission import (
     sections_of,
 )
 from rlrobot_grading.marking.tables import points_table
-from rlrobot_grading.values import one_line
 
 
 def grade(

@@ -17,9 +17,9 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
-from rlrobot_grading.values import one_line
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
 # after which a kernel that was asked to end, as by a restart, is gone [s]

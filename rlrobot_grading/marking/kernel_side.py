@@ -19,11 +19,9 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_grading.limits import attempt
+from rlrobot_grading.answers.limits import attempt
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.serialization import state_of, written
-from rlrobot_grading.source import COURSES_OWN, is_courses_own, is_unfinished
-from rlrobot_grading.values import safely
 
 answers: dict[
     str, Any

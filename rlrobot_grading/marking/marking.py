@@ -11,7 +11,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.answers.source import COURSES_OWN
+from rlrobot_grading.answers.values import Unkept
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.marking.cell import bound, changes_checks, hints_asked
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import EndedError, GoneError, Kernel, ended
@@ -21,10 +25,6 @@ from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.serialization import read
 from rlrobot_grading.marking.submission import Submission, read_submission
 from rlrobot_grading.marking.variants import variant_of
-from rlrobot_grading.question import Question
-from rlrobot_grading.source import COURSES_OWN
-from rlrobot_grading.values import Unkept
-from rlrobot_grading.verdict import Verdict
 
 MOST_LEFT_OUT = 5  # cells that end the kernel; after so many the rest is not run
 ASKING = 60.0  # for what a cell has handed in [s]

@@ -11,7 +11,6 @@ from typing import Any
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
 from rlrobot_grading.marking.students import NOBODY, Student
 from rlrobot_grading.marking.text import text_of
-from rlrobot_grading.values import one_line
 
 HINTS = "hints_asked_for"  # why a right answer has not all points
 WAITS = "…"  # what a verdict begins with that waits for an answer

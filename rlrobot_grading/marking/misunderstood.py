@@ -6,7 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.hints.detectors import DETECTORS
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.marks import Marked, Score
 from rlrobot_grading.marking.tables import as_csv

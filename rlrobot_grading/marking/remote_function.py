@@ -11,11 +11,10 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_grading.limits import Elsewhere, Failure, TooLong
+from rlrobot_grading.answers.limits import Elsewhere, Failure, TooLong
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import Kernel
 from rlrobot_grading.marking.serialization import change, read
-from rlrobot_grading.values import one_line
 
 UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 

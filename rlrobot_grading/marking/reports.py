@@ -11,9 +11,9 @@ from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.course import title_of
 from rlrobot_grading.marking.marks import Marked, Score
-from rlrobot_grading.values import one_line
 
 CELLS = re.compile(r"\b([Cc]ode cells? )(\d+(?:, \d+)*)")
 # A file that only the kernel knows, as in "(190330142.py, line 1)"

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 
 MOST_DRAWN = 3  # tapes until one shows all mistakes; one in fifty does not
 Change = Callable[[float], float]

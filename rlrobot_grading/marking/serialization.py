@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.values import (
+from rlrobot_grading.answers.values import (
     CONTAINERS,
     Unkept,
     as_data,

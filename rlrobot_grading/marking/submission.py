@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.cell import (
     bound,
     calls_in,
@@ -21,7 +22,6 @@ from rlrobot_grading.marking.cell import (
 )
 from rlrobot_grading.marking.course import LESSON, Course
 from rlrobot_grading.marking.text import INVISIBLE, text_of
-from rlrobot_grading.values import one_line
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
 NO_CELLS = "This is not a notebook that can be read (it has no cells where a notebook has them)."

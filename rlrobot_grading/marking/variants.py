@@ -19,13 +19,13 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.answers.source import edited, head_and_body
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.secret import secret_twin
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.question import Question
-from rlrobot_grading.source import edited, head_and_body
-from rlrobot_grading.values import safely
 
 
 @dataclass

@@ -180,7 +180,7 @@ def test_what_goes_wrong_in_a_function_is_told_in_a_sentence(answer, told):
 
 
 def test_a_function_that_does_not_end_or_takes_long_is_ended(monkeypatch):
-    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.2)
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.2)
     assert "has not ended after" in watched(endless).text
     monkeypatch.setattr(shared, "SECONDS", 0.05)
 

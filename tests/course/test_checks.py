@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import functools
 import importlib
 import linecache
@@ -14,14 +15,17 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_course
+import rlrobot_grading
 from rlrobot_course.lesson_03.exercises import target, update
-from rlrobot_grading.detectors import DETECTORS
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.page import read_page, with_pages
-from rlrobot_grading.question import Question
-from rlrobot_grading.source import edited
+from rlrobot_edu.show import palette
+from rlrobot_grading.answers.source import edited
+from rlrobot_grading.exercises import verdict as verdicts
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.page import read_page, with_pages
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Hint
 
 LESSONS = sorted(
     path.parent.name
@@ -366,7 +370,7 @@ def answer(q, *_):
     ],
 )
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
-    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.3)
     traced = sys.gettrace()
     verdict = exercises("lesson_03")["target"](learner(source))
     assert verdict.status == "wrong" and "has not ended" in verdict.text
@@ -386,7 +390,7 @@ def answer(env, q, choose, update, steps):
 def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(
     monkeypatch,
 ):
-    monkeypatch.setattr("rlrobot_grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.3)
     text = exercises("lesson_03")["learn"](learner(CALLS)).text
     assert "has not ended" in text and "in the line “" in text
 
@@ -489,9 +493,7 @@ def test_the_first_detector_that_has_a_hint_decides():
     check = exercises("lesson_03")["target"]
     for name, body in FOUND_BY.items():
         answer = learner(SIGNATURE + body)
-        seen = Evidence(
-            check, answer, [check.outcome(answer, case) for case in check.cases]
-        )
+        seen = check.evidence(answer, check.outcomes(answer))
         found = [
             (detector, hint)
             for detector, find in DETECTORS.items()
@@ -544,7 +546,7 @@ def test_one_change_is_told_in_the_variables_of_the_answer_with_all_brackets(
 ):
     check, (source, said) = exercises(lesson)[name], LINES[lesson, name]
     answer = learner(f"def {source}")
-    told = DETECTORS["one_change"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["one_change"](check.evidence(answer, check.outcomes(answer)))
     assert said in told, told
 
 
@@ -569,7 +571,7 @@ EVENTS = {
 def test_the_first_call_of_a_loop_that_differs_is_told(line):
     check = exercises("lesson_03")["learn"]
     answer = learner(LOOP.format(line))
-    told = DETECTORS["events"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["events"](check.evidence(answer, check.outcomes(answer)))
     assert EVENTS[line] in told
 
 
@@ -581,7 +583,7 @@ def test_a_table_that_does_not_change_is_told_so():
         " e[s, a] = (1 - alpha) * e[s, a] + 1\n q += alpha * (d + old - q_old) * e\n q[s, a] -= alpha * (old - q_old)\n"
         " return after"
     )
-    told = DETECTORS["memory"](Evidence(check, answer, check.outcomes(answer)))
+    told = DETECTORS["memory"](check.evidence(answer, check.outcomes(answer)))
     assert told == "e does not change."
 
 
@@ -639,3 +641,12 @@ def test_a_page_takes_the_edits_of_another_page_but_not_its_witnesses(tmp_path):
     assert [
         entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]
     ] == [("half", [])]
+
+
+def test_the_example_of_the_package_runs():
+    assert doctest.testmod(rlrobot_grading) == doctest.TestResults(0, 6)
+
+
+def test_a_verdict_has_the_colours_of_the_figures():
+    for name in ("BLUE", "GREEN", "GREY", "VERMILION"):
+        assert getattr(verdicts, name) == getattr(palette, name)

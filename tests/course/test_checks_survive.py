@@ -19,8 +19,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from test_checks import exercises
 
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.values import MOST_SIGNS, same, show
+from rlrobot_grading.answers.values import MOST_SIGNS, same, show
+from rlrobot_grading.exercises.exercise import Exercise
 
 SECONDS, SIGNS = 5.0, 4000  # a check computes and says no more
 

@@ -8,7 +8,7 @@ import pytest
 from numba.core import event
 
 from rlrobot_course.lesson_03 import check
-from rlrobot_grading import limits
+from rlrobot_grading.answers import limits
 
 
 def fresh(**decorated):

@@ -17,7 +17,7 @@ from rlrobot_course.worlds.tapes import (
     TapeWorld,
     q_learner,
 )
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.exercises.exercise import Exercise
 
 COURSE = Path(importlib.import_module("rlrobot_course").__file__).parent
 STEP = ("q", "s", "a", "r", "s_next", "terminated")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rlrobot_grading.formula import Formula
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.hints.formula import Formula
 
 SARSA = Formula(
     "Q + α * (r + γ * q - Q)", Q=4, α=0.2, r=10, γ=0.9, q=6, worst=-1, δ="r + γ * q - Q"

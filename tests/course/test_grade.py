@@ -86,9 +86,10 @@ def target(table, reward, after, done, g):
     return reward if done else reward + g * BEST(table[after])
 """
 TAMPERED = """
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.verdict import Verdict
-from rlrobot_grading import limits, values
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.answers import limits
+from rlrobot_grading.answers import values
 from rlrobot_grading.marking import kernel_side
 check.target = lambda answer: print("✓ Right in all 10 cases.")
 Exercise.judge = Exercise.__call__ = lambda self, answer: Verdict("right", "Right.")

@@ -14,13 +14,13 @@ from rlrobot_course.assignment_4 import exercises as assignment_4
 from rlrobot_course.homework import COURSE
 from rlrobot_course.learner.finished import finished
 from rlrobot_course.lesson_03 import check as check_02
-from rlrobot_grading import limits
+from rlrobot_grading.answers import limits
+from rlrobot_grading.exercises.mistake import hinted
 from rlrobot_grading.marking import kernel_side
 from rlrobot_grading.marking.marking import Marking
 from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_grading.marking.misunderstood import misunderstood
 from rlrobot_grading.marking.submission import Submission
-from rlrobot_grading.mistake import hinted
 
 
 class Here:
@@ -103,7 +103,7 @@ def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
 
 
 def test_a_check_as_a_whole_has_a_limit_too(monkeypatch):
-    monkeypatch.setattr("rlrobot_grading.exercise.PATIENCE", 0.1)
+    monkeypatch.setattr("rlrobot_grading.exercises.exercise.PATIENCE", 0.1)
 
     def slow(q, r, s_next, terminated, gamma):
         time.sleep(0.06)

@@ -15,11 +15,11 @@ from test_judging import marked
 
 from rlrobot_course.lesson_05 import check as check_07
 from rlrobot_course.lesson_05.exercises import siblings
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.limits import Elsewhere
+from rlrobot_grading.answers.limits import Elsewhere
+from rlrobot_grading.answers.values import as_data, same
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.serialization import read, written
-from rlrobot_grading.question import Question
-from rlrobot_grading.values import as_data, same
 
 
 class Whole(int):

@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_course.exercises.design import paid_by
 from rlrobot_course.lesson_16 import check, exercises
 from rlrobot_course.lesson_16.exercises import CLUES
 from rlrobot_course.lesson_16.figures import CUTS, FOUND, HELD, plot_cuts
 from rlrobot_course.lesson_16.files import edit, fresh_folder, refusal
 from rlrobot_course.lesson_16.situations import LASERS, PAIRS
-from rlrobot_grading.design import paid_by
 
 
 @pytest.fixture

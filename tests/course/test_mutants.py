@@ -9,9 +9,10 @@ import pytest
 from test_checks import EVERY, exercises
 
 from rlrobot_course.lesson_14.exercises import OfRows
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.one_change import changed, made, simple_changes
-from rlrobot_grading.source import parameters
+from rlrobot_grading.answers.source import parameters
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.hints.changed import changed, made
+from rlrobot_grading.hints.simple_changes import simple_changes
 
 FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
 AS_LONG = "both are of one length"

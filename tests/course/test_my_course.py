@@ -11,10 +11,11 @@ import time
 import psutil
 import pytest
 
-from rlrobot_course.learner import my_course, my_functions
+from rlrobot_course.learner import my_course
 from rlrobot_course.learner.my_course import copy_missing, set_back
 from rlrobot_course.learner.my_functions import FILE, keep, take, whose
 from rlrobot_course.lesson_03 import check, exercises
+from rlrobot_grading.answers.notebook import is_notebook
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -300,6 +301,18 @@ def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
 
 def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert not my_functions.is_notebook()
+    assert not is_notebook()
     assert check.target(exercises.target)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_in_a_notebook_a_check_keeps_a_right_answer(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("rlrobot_grading.exercises.exercise.is_notebook", lambda: True)
+
+    def target(q, r, s_next, terminated, gamma):
+        return r if terminated else r + gamma * max(q[s_next])
+
+    assert f"Kept in {FILE}" in check.target(target).gained
+    assert take("03", "target", folder=tmp_path) is not exercises.target
+    assert "the course's own solution" in check.target(exercises.target).text

@@ -15,8 +15,8 @@ from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
 
 from rlrobot_course.authoring.lists import lessons
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 
 ROOT = Path(__file__).parents[2]
 ASSIGNMENTS = sorted(

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rlrobot_course.homework import COURSE
-from rlrobot_grading.detectors import DETECTORS
+from rlrobot_grading.hints.detectors import DETECTORS
 from rlrobot_grading.marking.marks import Marked, Score
 from rlrobot_grading.marking.misunderstood import mistakes_table, misunderstood
 from rlrobot_grading.marking.reports import as_sheet, as_text, cells_shown, sheet_names

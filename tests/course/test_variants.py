@@ -15,11 +15,11 @@ from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
 from rlrobot_course.homework import COURSE, use_variant
 from rlrobot_course.homework.hand_out import hand_out, solution_of
-from rlrobot_grading.exercise import Exercise
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.submission import read_submission
 from rlrobot_grading.marking.variants import variant_of
-from rlrobot_grading.question import Question
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]

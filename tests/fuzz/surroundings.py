@@ -66,8 +66,8 @@ pictures = program(
 
 def _exercises() -> list[str]:
     """Every exercise as a call of `check`."""
-    from rlrobot_grading.exercise import Exercise
-    from rlrobot_grading.question import Question
+    from rlrobot_grading.exercises.exercise import Exercise
+    from rlrobot_grading.exercises.question import Question
 
     lessons = sorted(
         path.parent.name

@@ -12,7 +12,6 @@ import ipywidgets
 import numpy as np
 from PIL import Image
 
-from rlrobot_edu.checks import check_name
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions

@@ -14,7 +14,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-from rlrobot_grading.limits import Elsewhere
+from rlrobot_grading.answers.limits import Elsewhere
 
 COURSES_OWN = "This is the course's own solution, or a function that calls it. Write your own: only that counts."
 CHANCE = {
@@ -41,12 +41,13 @@ def edited(
     head, body = head_and_body(function)[0], edited_body(function, changes)
     made: dict[str, Any] = {}
     file = f"<{function.__name__} {zlib.crc32((head + body).encode()):x}>"
+    # to edit it again
     linecache.cache[file] = (
         len(head + body),
         None,
         (head + body).splitlines(keepends=True),
         file,
-    )  # to edit it again
+    )
     # in `made`: calls of the same name inside it reach the right one
     exec(compile(head + body, file, "exec"), function.__globals__, made)
     return made[function.__name__]  # type: ignore[no-any-return]
@@ -204,6 +205,5 @@ def _arguments_read(function: Callable[..., Any]) -> list[tuple[str, bool]]:
 
 
 def _parts(argval: Any) -> tuple[Any, ...]:
-    return (
-        argval if isinstance(argval, tuple) else (argval,)
-    )  # Python 3.13 loads two names at once
+    # Python 3.13 loads two names at once
+    return argval if isinstance(argval, tuple) else (argval,)

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.limits import Failure, attempt
-from rlrobot_grading.values import kept, safely, same
+from rlrobot_grading.answers.limits import Failure, attempt
+from rlrobot_grading.answers.values import kept, safely, same
 
 Case = Mapping[str, Any]  # the arguments of one call, by name
 

@@ -6,15 +6,15 @@ Each suspicion is a property of the answer's values in every case, so what it te
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.replay import Case, Outcome
-from rlrobot_grading.source import names_from_outside, unused_arguments
-from rlrobot_grading.values import Unkept, safely, same, show
+from rlrobot_grading.answers.replay import Case, Outcome
+from rlrobot_grading.answers.source import names_from_outside, unused_arguments
+from rlrobot_grading.answers.values import Unkept, safely, same, show
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 DIGITS = range(5)  # after the point, to which an answer may have been rounded
 
@@ -23,9 +23,7 @@ def about_the_values(seen: Evidence) -> str:
     """What holds for the values of every case: rounded, of the other sign, too large by 3; or an empty text."""
     if safely(False, inspect.isgeneratorfunction, seen.answer):
         return "with yield in it this function hands out a generator, not a value. Write return."
-    if safely(False, inspect.iscoroutinefunction, seen.answer):
-        return "async makes this something to be waited for, not a function. Leave the word out."
-    returns = seen.exercise.returns
+    returns = seen.returns
     done = [
         (case, right.values, mine.values)
         for case, right, mine in _tried(seen)
@@ -46,31 +44,37 @@ def about_the_values(seen: Evidence) -> str:
 
 def from_the_notebook(seen: Evidence) -> Hint | None:
     """An argument is taken from the notebook, in place of the one that is given."""
-    outside = safely([], names_from_outside, seen.answer, seen.exercise.right)
-    told = "your function takes {0} from the notebook. It should use the argument that it is given."
-    return Hint("code", told.format(*outside)) if outside else None
+    outside = safely([], names_from_outside, seen.answer, seen.right)
+    if not outside:
+        return None
+    told = f"your function takes {outside[0]} from the notebook. It should use the argument that it is given."
+    return Hint("code", told)
 
 
 def about_the_code(seen: Evidence) -> str:
     """An argument is never read."""
-    unused = safely([], unused_arguments, seen.answer, seen.exercise.right)
-    return (
-        f"your function never looks at {unused[0]}, and the answer depends on it."
-        if unused
-        else ""
-    )
+    unused = safely([], unused_arguments, seen.answer, seen.right)
+    if not unused:
+        return ""
+    return f"your function never looks at {unused[0]}, and the answer depends on it."
 
 
 def about_the_memory(seen: Evidence) -> str:
     """What the wrong changes of a table have in common: more changes than should, or always so many times as much."""
-    return next(
-        (
-            told
-            for name in seen.exercise.tables
-            if (told := safely("", _about_changes, name, seen))
-        ),
-        "",
-    )
+    for name in _tables(seen.memory):
+        told = safely("", _about_changes, name, seen)
+        if told:
+            return told
+    return ""
+
+
+def _tables(memory: Mapping[str, Any]) -> list[str]:
+    """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
+    if not all(
+        isinstance(thing, np.ndarray | int | float) for thing in memory.values()
+    ):
+        return []
+    return [name for name, thing in memory.items() if isinstance(thing, np.ndarray)]
 
 
 def _about_changes(name: str, seen: Evidence) -> str:
@@ -94,22 +98,19 @@ def _about_changes(name: str, seen: Evidence) -> str:
         for t in mine[right != 0] / right[right != 0]
     }
     if len(times) == 1:
-        by = (
-            f"changes by {show(times.pop())} times as much as it should, always."
-            if any(times)
-            else "does not change."
-        )
-        return f"{name} {by}"
+        by = times.pop()
+        if by == 0:
+            return f"{name} does not change."
+        return f"{name} changes by {show(by)} times as much as it should, always."
     return ""
 
 
 def about_the_cases(seen: Evidence) -> str:
     """What the wrong cases have in common, and the right ones have not: an argument is True, or negative, or empty."""
-    cases = seen.exercise.cases
+    cases = seen.cases
     is_wrong = [not right.equals(mine) for _, right, mine in _tried(seen)]
-    if (
-        not 2 <= sum(is_wrong) <= len(is_wrong) - 2
-    ):  # a single case that is right or wrong may be a coincidence
+    # a single case that is right or wrong may be a coincidence
+    if not 2 <= sum(is_wrong) <= len(is_wrong) - 2:
         return ""
     for name in cases[0]:
         for told, holds in SIGNS.items():
@@ -122,9 +123,7 @@ def about_the_cases(seen: Evidence) -> str:
 
 def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
     """The cases that were tried: each with what the right function does in it, and what the learner's does."""
-    return list(
-        zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False)
-    )
+    return list(zip(seen.cases, seen.expected, seen.got, strict=False))
 
 
 def unlike(right: Any, mine: Any, name: str = "this") -> str:
@@ -222,8 +221,6 @@ def _relations(
         yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
     if all(same(-x, y) for x, y in pairs):
         yield "the sign is the wrong way round, in every case."
-    if all(same(100 * x, y) for x, y in pairs):
-        yield "your numbers are 100 times as large: are they in per cent?"
     if all(x.ndim for x in expected) and all(same(x[::-1], y) for x, y in pairs):
         yield "the right numbers, in reverse order."
     if all(x.ndim for x in expected) and all(
@@ -242,26 +239,20 @@ def _relations(
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         t = times.pop()
-        yield (
-            f"your numbers are {show(t)} times the right ones, always."
-            if t
-            else "your numbers are 0, always."
-        )
-    if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
-        yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
+        if t == 0:
+            yield "your numbers are 0, always."
+        yield f"your numbers are {show(t)} times the right ones, always."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(
         same(y.sum(), 1.0) for y in got
     ):
-        seen = next(
-            y for x, y in pairs if not same(x, y)
-        )  # in the case that the learner sees
+        # in the case that the learner sees
+        seen = next(y for x, y in pairs if not same(x, y))
         if np.isnan(seen).any():
             yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
         if not same(seen.sum(), 1.0):
             yield f"probabilities sum to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
-        if sums := {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {
-            1.0
-        }:
+        sums = {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}
+        if sums:
             yield f"probabilities sum to 1, and in another case yours sum to {show(min(sums))}."
 
 
@@ -278,5 +269,4 @@ SIGNS: dict[str, Callable[[Any], bool]] = {
         isinstance(value, int | float) and not isinstance(value, bool) and value == 0
     ),
     "is negative": lambda value: isinstance(value, int | float) and value < 0,
-    "is empty": lambda value: len(value) == 0,
 }

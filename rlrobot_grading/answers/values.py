@@ -24,13 +24,8 @@ MOST_SHOWN = 15  # entries of an array that are all shown
 MOST_LEVELS = 4  # of lists in lists that are shown
 MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
 
-CONTAINERS = (
-    list,
-    tuple,
-    set,
-    frozenset,
-    deque,
-)  # and dict; their subclasses count as these
+# and dict; their subclasses count as these
+CONTAINERS = (list, tuple, set, frozenset, deque)
 
 T = TypeVar("T")
 
@@ -113,16 +108,15 @@ def _array(value: np.ndarray) -> Any:
     """An array of numbers as one that is nothing more; of texts and of objects a list."""
     if np.ma.is_masked(value):
         return Unkept(show(value))
-    array, kind = np.asarray(value), value.dtype.kind
-    if kind in "fc":
-        return array.astype(float if kind == "f" else complex)
-    return (
-        array
-        if kind in "biu"
-        else as_data(array.tolist())
-        if kind in "OU"
-        else Unkept(show(value))
-    )
+    array = np.asarray(value)
+    kind = array.dtype.kind
+    if kind in "biu":
+        return array
+    if kind == "f":
+        return array.astype(float)
+    if kind == "c":
+        return array.astype(complex)
+    return as_data(array.tolist()) if kind in "OU" else Unkept(show(value))
 
 
 def is_large(value: Any) -> bool:
@@ -162,9 +156,8 @@ def _same(a: Any, b: Any, relative: float) -> bool:
     try:
         x, y = _numbers(a), _numbers(b)
     except (TypeError, ValueError, OverflowError):
-        if isinstance(a, list | tuple | deque) and isinstance(
-            b, list | tuple | deque
-        ):  # of arrays of unlike shapes
+        # arrays of unlike shapes
+        if isinstance(a, list | tuple | deque) and isinstance(b, list | tuple | deque):
             return len(a) == len(b) and all(
                 _same(x, y, relative) for x, y in zip(a, b, strict=True)
             )
@@ -177,9 +170,8 @@ def _same(a: Any, b: Any, relative: float) -> bool:
 def _numbers(value: Any) -> np.ndarray:
     if np.asarray(value).dtype.kind in "US":
         raise TypeError("text is no number, even where it could be read as one")
-    return np.asarray(
-        value, dtype=complex if np.iscomplexobj(value) else float
-    )  # float would drop what is imaginary
+    # float would drop what is imaginary
+    return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)
 
 
 def differences(
@@ -193,12 +185,9 @@ def differences(
             rows += safely([], _entries, name, right, mine) or [
                 (name, show(right), show(mine))
             ]
-    more = (
-        ((f"and {len(rows) - ROWS_SHOWN} more", "", ""),)
-        if len(rows) > ROWS_SHOWN
-        else ()
-    )
-    return (*rows[:ROWS_SHOWN], *more)
+    if len(rows) > ROWS_SHOWN:
+        rows[ROWS_SHOWN:] = [(f"and {len(rows) - ROWS_SHOWN} more", "", "")]
+    return tuple(rows)
 
 
 def _entries(name: str, right: Any, mine: Any) -> list[tuple[str, str, str]]:
@@ -255,28 +244,22 @@ def _shown(value: Any, level: int) -> str:
     if type(value) is MappingProxyType and not is_large(value):
         value = dict(value)
     if isinstance(value, dict) and level < MOST_LEVELS:
-        return (
-            "{"
-            + ", ".join(
-                f"{_in_dict(key, level)}: {_in_dict(part, level)}"
-                for key, part in value.items()
-            )
-            + "}"
-        )
+        entries = [
+            f"{_in_dict(key, level)}: {_in_dict(part, level)}"
+            for key, part in value.items()
+        ]
+        return "{" + ", ".join(entries) + "}"
     text = repr(value)
-    return (
-        _kind(value) if " at 0x" in text else text
-    )  # an address says nothing to a learner
+    # an address says nothing to a learner
+    return _kind(value) if " at 0x" in text else text
 
 
 def _in_dict(value: Any, level: int) -> str:
     """A key or a value of a dict; tuples in round brackets, for a list can be no key."""
     shown = show(value, level + 1)
-    return (
-        f"({shown[1:-1]})"
-        if isinstance(value, tuple) and shown.startswith("[")
-        else shown
-    )
+    if isinstance(value, tuple) and shown.startswith("["):
+        return f"({shown[1:-1]})"
+    return shown
 
 
 def one_line(text: str, most: int = MOST_SIGNS) -> str:

@@ -15,33 +15,28 @@ from itertools import islice, product
 from types import FunctionType
 from typing import Any
 
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.further_changes import (
+from rlrobot_grading.answers.source import names_of, parameters, tree_of
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.hints.changed import become, changed, made, quoted
+from rlrobot_grading.hints.evidence import Evidence
+from rlrobot_grading.hints.further_changes import (
     REDUCED,
     changes_everywhere,
     further_changes,
     handed_over,
     put_around,
 )
-from rlrobot_grading.one_change import (
-    CALLED,
-    become,
-    changed,
-    made,
-    quoted,
-    simple_changes,
-)
-from rlrobot_grading.source import names_of, parameters, tree_of
-from rlrobot_grading.values import safely
+from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
 MOST = 1000  # changes that are tried, the simple ones first
+# the likely ones first
 KINDS = (
     changes_everywhere,
     simple_changes,
     further_changes,
     handed_over,
     put_around,
-)  # the likely ones first
+)
 NEVER = 99  # the rank of a change that nobody makes
 LONGEST = 90  # characters of a piece of code that is told
 QUOTED = re.compile(r"“([^”]*)”")
@@ -51,22 +46,20 @@ IN_PLACE = re.compile(r"“(\w+)” (?:(?:stood )?in place of “(\w+)”|were s
 
 def one_change(seen: Evidence) -> str:
     """What differs in one thing from the right function and does in every case what the answer does."""
-    if not seen.exercise.is_exact:
+    if not seen.is_exact:
         return ""
-    changes = safely(
-        [], one_change_of, seen.exercise.right
-    )  # its source may not be at hand
+    changes = safely([], one_change_of, seen.right)  # its source may not be at hand
     ranked = sorted(
         ((_rank(kind, said, seen), said, made) for kind, said, made in changes),
         key=lambda one: one[0],
     )
-    shown = (
-        said
-        for rank, said, function in ranked
-        if rank < NEVER and seen.shows(function, endless=True)
-    )
-    told = (words for said in shown if (words := safely("", _in_its_words, said, seen)))
-    return next((f"it answers as if {words}." for words in told), "")
+    for rank, said, function in ranked:
+        if rank >= NEVER or not seen.shows(function, endless=True):
+            continue
+        words = safely("", _in_its_words, said, seen)
+        if words:
+            return f"it answers as if {words}."
+    return ""
 
 
 @cache
@@ -75,9 +68,8 @@ def one_change_of(
 ) -> list[tuple[int, str, Callable[..., Any]]]:
     """Each function that differs in one thing from `right`, or from a function that it calls; its kind, in words."""
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore"
-        )  # of a number that is called, as there may be one among them
+        # of a number that is called, as there may be one among them
+        warnings.simplefilter("ignore")
         return [*islice(_changed(right), MOST), *islice(_changed_inside(right), MOST)]
 
 
@@ -144,11 +136,7 @@ def _rank(kind: int, said: str, seen: Evidence) -> float:
 
 def _types(name: str | None, seen: Evidence) -> set[str]:
     """Which types an argument has in the cases; none for any other name."""
-    return {
-        type(case[name]).__name__.strip("_")
-        for case in seen.exercise.cases
-        if name in case
-    }
+    return {type(case[name]).__name__.strip("_") for case in seen.cases if name in case}
 
 
 def _in_its_words(said: str, seen: Evidence) -> str:
@@ -157,7 +145,7 @@ def _in_its_words(said: str, seen: Evidence) -> str:
     The variables of the right function that the answer lacks are named by what they are set to, or by the variable of
     the answer that is set in the same way.
     """
-    right, answer = seen.exercise.right, seen.answer
+    right, answer = seen.right, seen.answer
     mine, theirs = (
         names_of(answer),
         (*right.__code__.co_varnames, *right.__code__.co_cellvars),
@@ -171,7 +159,7 @@ def _in_its_words(said: str, seen: Evidence) -> str:
         "np",
         "math",
         *mine,
-        *seen.exercise.lenders,
+        *seen.lenders,
         *more,
     }
     called = dict(
@@ -203,8 +191,10 @@ def _put(piece: str, terms: Mapping[str, str], known: set[str]) -> str:
     """A piece of code with other terms for its names; empty if there are names in it that are not known."""
     if piece in ("and", "or"):
         return piece
-    if word := re.fullmatch(r"(\w+=)([^ =].*)", piece):  # of a call, as in axis=0
-        return word[1] + value if (value := _put(word[2], terms, known)) else ""
+    word = re.fullmatch(r"(\w+=)([^ =].*)", piece)  # of a call, as in axis=0
+    if word:
+        value = _put(word[2], terms, known)
+        return word[1] + value if value else ""
     tree: Any = ast.parse(f"{piece} pass" if piece.endswith(":") else piece).body[0]
     if (
         isinstance(tree, ast.Assign)
@@ -261,8 +251,7 @@ def _set_once(function: Callable[..., Any]) -> dict[str, str]:
         node.targets[0].id: ast.unparse(node.value)
         for node in ast.walk(tree)
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
-        if not isinstance(
-            node.value, ast.List | ast.Dict | ast.Constant
-        )  # it will be filled
+        # a list or a dict will be filled
+        if not isinstance(node.value, ast.List | ast.Dict | ast.Constant)
         if stored.count(node.targets[0].id) == 1
     }

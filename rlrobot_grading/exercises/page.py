@@ -36,9 +36,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.mistake import Mistake
-from rlrobot_grading.question import Question
+from rlrobot_grading.exercises.exercise import Exercise, Keep
+from rlrobot_grading.exercises.mistake import Mistake
+from rlrobot_grading.exercises.question import Question
 
 KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
 NAME = re.compile(r"- `(\w+)` (.+)")
@@ -58,12 +58,15 @@ class Entry(NamedTuple):
 
 
 def with_pages(
-    names: dict[str, Any], **exercises: Exercise | Question
+    names: dict[str, Any],
+    keep: Keep | None = None,
+    **exercises: Exercise | Question,
 ) -> SimpleNamespace:
     """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
 
     names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them. The
         right values of questions are added to them
+    keep: of each `Exercise`, what is done with a right answer in a notebook
     Raises ValueError for a page that cannot be understood, OSError if one is missing.
     """
     names.update(
@@ -78,22 +81,22 @@ def with_pages(
     }
     return SimpleNamespace(
         **{
-            name: _with_page(exercises[name], page, names)
+            name: _with_page(exercises[name], page, names, keep)
             for name, page in pages.items()
         }
     )
 
 
-def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
+def _with_page(
+    exercise: Any, page: Path, names: Mapping[str, Any], keep: Keep | None
+) -> Any:
     sections, entries = read_page(page, names)
     text = {heading: " ".join(lines) for heading, lines in sections.items()}
     more: dict[str, Any] = {"because": text.get("Because", "")}
     if not isinstance(exercise, Question):
-        more = {
-            "lenders": {
-                m[1]: m[2] for line in sections["Names"] if (m := NAME.fullmatch(line))
-            }
-        }
+        found = [NAME.fullmatch(line) for line in sections["Names"]]
+        lenders = {name[1]: name[2] for name in found if name}
+        more = {"lenders": lenders, "keep": keep}
     mistakes = [
         Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint
     ]
@@ -143,7 +146,7 @@ def read_page(
             begin = number
         elif line:
             raise ValueError(
-                f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}"
+                f"{page}, line {number}: a mistake is told as in rlrobot_grading/exercises/page.py, not by {line!r}"
             )
     if begin:
         raise ValueError(
@@ -153,7 +156,8 @@ def read_page(
         raise ValueError(
             f"{page} must begin with the line '# {page.stem}' and, below it, the task"
         )
-    if bare := [entry.id for entry in entries if not entry.edits and not entry.answers]:
+    bare = [entry.id for entry in entries if not entry.edits and not entry.answers]
+    if bare:
         raise ValueError(
             f"{page}: below {bare[0]} there must be an edit, a value or a block of Python"
         )

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.limits import Failure
-from rlrobot_grading.source import names_of, parameters
+from rlrobot_grading.answers.limits import Failure
+from rlrobot_grading.answers.source import names_of, parameters
 
 MEANINGS = tomllib.loads(
     Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
@@ -26,9 +26,8 @@ MODULES = {
     "random": "import random",
 }
 MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
-NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {
-    "gamma"
-}  # what beginners write without its np.
+# what beginners write without its np.
+NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {"gamma"}
 NUMPYS |= {
     "argmax",
     "argmin",
@@ -69,9 +68,9 @@ def error_hint(
     if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for meaning in MEANINGS:
-        if found := re.search(
-            meaning["pattern"], f"{failure.text}, in the line: {failure.line}"
-        ):
+        text = f"{failure.text}, in the line: {failure.line}"
+        found = re.search(meaning["pattern"], text)
+        if found:
             return meaning["means"].format(**found.groupdict())
     return ""
 

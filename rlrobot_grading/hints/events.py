@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.evidence import Evidence
-from rlrobot_grading.limits import Elsewhere, attempt
-from rlrobot_grading.replay import Case
-from rlrobot_grading.source import tree_of
-from rlrobot_grading.values import kept, safely, same, show
+from rlrobot_grading.answers.limits import Elsewhere, attempt
+from rlrobot_grading.answers.replay import Case
+from rlrobot_grading.answers.source import tree_of
+from rlrobot_grading.answers.values import kept, safely, same, show
+from rlrobot_grading.hints.evidence import Evidence
 
 MOST = 500  # calls that are noted
 WORLD = ("reset", "step")
@@ -59,7 +59,7 @@ class Noted:
 def order_of_events(seen: Evidence) -> str:
     """What is the first to differ in the calls of a loop, if it is the same in every wrong case."""
     if issubclass(type(seen.answer), Elsewhere) or not any(
-        map(_is_noted, seen.exercise.cases[0].values())
+        map(_is_noted, seen.cases[0].values())
     ):
         return ""  # the calls in another process are not seen
     found = [safely(("", ""), _first_difference, seen, i) for i in seen.wrong]
@@ -85,9 +85,9 @@ def _calls(
 
 def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
     """The first call of case `i` that is another than the right one: of which kind that is, and in words."""
-    case, names = seen.exercise.cases[i], seen.exercise.parameters
+    case, names = seen.cases[i], seen.parameters
     right, mine = (
-        _calls(function, case, names) for function in (seen.exercise.right, seen.answer)
+        _calls(function, case, names) for function in (seen.right, seen.answer)
     )
     called = {call.name for call in mine}
     for k, (wanted, got) in enumerate(zip(right, mine, strict=False)):
@@ -106,7 +106,7 @@ def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
                 )
             calls = (
                 node
-                for node in ast.walk(tree_of(seen.exercise.right))
+                for node in ast.walk(tree_of(seen.right))
                 if isinstance(node, ast.Call)
             )
             named = next(

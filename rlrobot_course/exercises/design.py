@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 from rlrobot_edu.task.task import Task
-from rlrobot_grading.evidence import Hint
-from rlrobot_grading.exercise import Exercise
-from rlrobot_grading.limits import attempt
-from rlrobot_grading.replay import Case, Outcome
-from rlrobot_grading.values import as_data, kept, safely, show
+from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.replay import Case, Outcome
+from rlrobot_grading.answers.values import as_data, kept, safely, show
+from rlrobot_grading.exercises.exercise import Exercise
+from rlrobot_grading.hints.evidence import Hint
 
 Readings = dict[str, float]
 Pay = Callable[[Readings, Readings], float]
@@ -43,11 +43,8 @@ class Design(Exercise):
     words: the readings before and after a step, for a learner
     """
 
+    is_exact: ClassVar[bool] = False
     words: Callable[[Readings, Readings], str] = way
-
-    @property
-    def is_exact(self) -> bool:
-        return False
 
     def outcome(
         self, answer: Callable[..., Any], case: Case, endless: bool = False

@@ -12,14 +12,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.further_changes import further_changes, put_around
-from rlrobot_grading.one_change import Change, changed, quoted, simple_changes
-from rlrobot_grading.values import safely, same
+from rlrobot_grading.answers.values import safely, same
+from rlrobot_grading.hints.changed import Change, changed
+from rlrobot_grading.hints.further_changes import further_changes, put_around, renamed
+from rlrobot_grading.hints.simple_changes import simple_changes
 
-# in words, the formula and its parts, and what other numbers are in it
-Variant = tuple[
-    str, Mapping[str, str], Callable[[Mapping[str, Any]], Mapping[str, Any]]
-]
+Variant = tuple[str, Mapping[str, str]]  # in words, and the formula and its parts
 
 UNITS = {
     "a hundred": 100,
@@ -63,70 +61,56 @@ class Formula:
         """Which change gives this answer; empty if none does, or if that is not certain. near: relative difference"""
         found: list[Changed] = []
         for change in self.changes:
-            if same(answer, change.value, near) and not any(
-                same(change.elsewhere, f.elsewhere) for f in found
-            ):
+            if not same(answer, change.value, near):
+                continue
+            if not any(same(change.elsewhere, other.elsewhere) for other in found):
                 found.append(change)
         likely = [change.said for change in found if change.rank == found[0].rank]
-        return (
-            f"it is as if {', or as if '.join(likely)}."
-            if 1 <= len(likely) <= MOST
-            else ""
-        )
+        if not 1 <= len(likely) <= MOST:
+            return ""
+        return f"it is as if {', or as if '.join(likely)}."
 
     @cached_property
     def changes(self) -> list[Changed]:
         """Each change of the formula that makes another number of it, the likely ones first."""
-        right, found = self.value, []
+        right = self.value
         other = {
             name: number * (1.37 + 0.0917 * i)
             for i, (name, number) in enumerate(self.numbers.items())
         }
+        kinds = self._parts, self._edits, self._other_numbers, self._further_edits
+        found = []
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
-            for rank, kind in enumerate(
-                (self._parts, self._edits, self._other_numbers, self._further_edits)
-            ):
-                for said, texts, change in kind():
-                    value, elsewhere = (
-                        safely(None, self._worth, texts, {**n, **safely({}, change, n)})
-                        for n in (self.numbers, other)
-                    )
-                    if value is not None and not same(value, right, 1e-3):
-                        found.append(
-                            Changed(said.replace("_", " "), rank, value, elsewhere)
-                        )
+            for rank, kind in enumerate(kinds):
+                for said, texts in kind():
+                    value = safely(None, self._worth, texts, self.numbers)
+                    if value is None or same(value, right, 1e-3):
+                        continue
+                    elsewhere = safely(None, self._worth, texts, other)
+                    words = said.replace("_", " ")
+                    found.append(Changed(words, rank, value, elsewhere))
         return found
 
     def _parts(self) -> Iterator[Variant]:
         """A part of the formula alone, or all of it in another unit."""
         for name, text in self.texts.items():
             if name:
-                yield (
-                    f"you had stopped at “{name}”",
-                    {**self.texts, "": name},
-                    _as_they_are,
-                )
+                yield f"you had stopped at “{name}”", self._ending(name)
             for part in ast.walk(ast.parse(text, mode="eval").body):
                 if isinstance(part, ast.BinOp):
-                    yield (
-                        f"you had stopped at {quoted(part)}",
-                        {**self.texts, "": ast.unparse(part)},
-                        _as_they_are,
-                    )
+                    code = ast.unparse(part)
+                    yield f"you had stopped at “{code}”", self._ending(code)
+        whole = self.texts[""]
         if len(np.shape(self.value)) == 1:
-            yield (
-                "they stood in reverse order",
-                {**self.texts, "": f"({self.texts['']})[::-1]"},
-                _as_they_are,
-            )
-        for said, times in UNITS.items():
-            texts = {**self.texts, "": f"np.multiply({times}, {self.texts['']})"}
-            yield (
-                f"{said} times as much were asked. In which unit is it",
-                texts,
-                _as_they_are,
-            )
+            yield "they stood in reverse order", self._ending(f"({whole})[::-1]")
+        for unit, times in UNITS.items():
+            said = f"{unit} times as much were asked. In which unit is it"
+            yield said, self._ending(f"np.multiply({times}, {whole})")
+
+    def _ending(self, text: str) -> dict[str, str]:
+        """The same parts with another formula made of them."""
+        return {**self.texts, "": text}
 
     def _other_numbers(self) -> Iterator[Variant]:
         """One quantity in place of another, or with another sign, or in per cent."""
@@ -138,27 +122,23 @@ class Formula:
         for name in self._used:
             for other in spare:
                 said = f"“{other}” stood in place of “{name}”"
-                yield said, self.texts, lambda of, a=name, b=other: {a: of[b]}
+                yield said, self._renamed({name: other})
         for one, other in combinations(self._rates, 2):
             said = f"“{one}” and “{other}” had changed places"
-            yield said, self.texts, lambda of, a=one, b=other: {a: of[b], b: of[a]}
+            yield said, self._renamed({one: other, other: one})
         for name in self._used:
-            yield (
-                f"“{name}” had the other sign",
-                self.texts,
-                lambda of, a=name: {a: -of[a]},
-            )
-            left, said = (1, "left out") if name in self._rates else (0, "0")
-            yield (
-                f"“{name}” were {said} throughout",
-                self.texts,
-                lambda of, a=name, b=left: {a: b},
-            )
-            yield (
-                f"“{name}” were in per cent",
-                self.texts,
-                lambda of, a=name: {a: 100 * of[a]},
-            )
+            yield f"“{name}” had the other sign", self._renamed({name: f"-{name}"})
+            if name in self._rates:
+                said = f"“{name}” were left out throughout"
+                yield said, self._renamed({name: "1"})
+            else:
+                yield f"“{name}” were 0 throughout", self._renamed({name: "0"})
+            yield f"“{name}” were in per cent", self._renamed({name: f"100 * {name}"})
+
+    def _renamed(self, others: Mapping[str, str]) -> dict[str, str]:
+        """The formula with something else in place of some quantities."""
+        parts = {name: ast.parse(text) for name, text in self.texts.items()}
+        return {name: renamed(part, others) for name, part in parts.items()}
 
     def _edits(self) -> Iterator[Variant]:
         return self._edited(further_changes, simple_changes)
@@ -173,7 +153,7 @@ class Formula:
             for name, text in self.texts.items():
                 known = self._used if changes is put_around else self._rates
                 for said, tree in changed(text, known, changes):
-                    yield said, {**self.texts, name: ast.unparse(tree)}, _as_they_are
+                    yield said, {**self.texts, name: ast.unparse(tree)}
 
     @cached_property
     def _used(self) -> list[str]:
@@ -201,7 +181,3 @@ class Formula:
         for name, text in texts.items():
             known[name] = eval(text, known)
         return known[""]
-
-
-def _as_they_are(numbers: Mapping[str, Any]) -> Mapping[str, Any]:
-    return numbers

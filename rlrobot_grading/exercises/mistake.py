@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.exercises.verdict import Verdict
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.evidence import Hint
-from rlrobot_grading.formula import Formula
-from rlrobot_grading.mistake import Mistake, hinted, with_ids
-from rlrobot_grading.suspicions import unlike
-from rlrobot_grading.values import (
+from rlrobot_grading.answers.values import (
     MOST_SIGNS,
     as_data,
     is_large,
@@ -22,7 +18,11 @@ from rlrobot_grading.values import (
     same,
     show,
 )
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.hints.evidence import Hint
+from rlrobot_grading.hints.formula import Formula
+from rlrobot_grading.hints.suspicions import unlike
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
 DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it
@@ -91,18 +91,20 @@ class Question:
 
     def found(self, answer: Any) -> Hint:
         """The hint that nobody had to write for a wrong answer, if there is one."""
-        if told := safely("", self._looked_at, answer):
+        told = safely("", self._looked_at, answer)
+        if told:
             return Hint("form", told)
         if (
             safely(True, is_large, answer)
             or isinstance(answer, str | bool)
             or isinstance(self.right, str)
         ):
-            return Hint(
-                "", ""
-            )  # what follows looks at numbers, as often as there are changes
-        if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
-            return Hint("formula", told)
+            # what follows looks at numbers, as often as there are changes
+            return Hint("", "")
+        if self.formula:
+            told = safely("", self.formula.told, answer, ROUNDED)
+            if told:
+                return Hint("formula", told)
         told = safely("", self._how_many, answer)
         return Hint("form" if told else "", told)
 
@@ -127,17 +129,16 @@ class Question:
         """What is wrong with the form of a value that may be right."""
         if is_large(answer):
             return ""
+        if self._has_letters and safely("", _letters, answer):
+            return ""
         if self._has_letters:
-            return (
-                ""
-                if safely("", _letters, answer)
-                else "write the letters as text, in quotation marks."
-            )
+            return "write the letters as text, in quotation marks."
         if isinstance(self.right, str):
             return self._word_looked_at(answer)
         if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
             return "the right number, but as text: leave out the quotation marks."
-        if told := unlike(self.right, answer):
+        told = unlike(self.right, answer)
+        if told:
             return told
         if isinstance(answer, bool):
             return "True and False are no numbers."
@@ -166,8 +167,9 @@ class Question:
             same(r, m, ROUNDED)
             for r, m in zip(np.ravel(right), np.ravel(mine), strict=True)
         )
-        told = f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
-        return told if right.size >= MANY and right.shape == mine.shape else ""
+        if right.size < MANY or right.shape != mine.shape:
+            return ""
+        return f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
 
     def _word_looked_at(self, answer: Any) -> str:
         """What is wrong with the form of an answer that should be a word."""
@@ -178,11 +180,9 @@ class Question:
         if len(answer.split()) > 1:
             return "asked is one word alone, written as in the text above."
         words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
-        return (
-            "is it spelled as in the text above?"
-            if get_close_matches(answer.lower(), words, 1, 0.75)
-            else ""
-        )
+        if get_close_matches(answer.lower(), words, 1, 0.75):
+            return "is it spelled as in the text above?"
+        return ""
 
 
 def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:
@@ -219,9 +219,8 @@ def _read(text: str) -> float:
 
 def _letters(value: Any) -> str:
     """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
-    if type(value) in (list, tuple, set, frozenset) and not is_large(
-        value
-    ):  # of these it is sure that they end
+    # of these it is sure that they end
+    if type(value) in (list, tuple, set, frozenset) and not is_large(value):
         value = "".join(value)
     if not isinstance(value, str) or len(value) > MOST_SIGNS:
         return ""

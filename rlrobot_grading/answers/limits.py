@@ -20,9 +20,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.compiling import told_of_compiling, uncompiled
-from rlrobot_grading.frames import told_by
-from rlrobot_grading.values import one_line, safely
+from rlrobot_grading.answers.compiling import told_of_compiling, uncompiled
+from rlrobot_grading.answers.frames import told_by
+from rlrobot_grading.answers.notebook import shell
+from rlrobot_grading.answers.values import one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]
@@ -78,9 +79,8 @@ def attempt(
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
     SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
-    if issubclass(
-        type(answer), Elsewhere
-    ):  # isinstance would ask the answer, which may be anything
+    # isinstance would ask the answer, which may be anything
+    if issubclass(type(answer), Elsewhere):
         return answer.ask(*arguments)
     printed, answer = io.StringIO(), safely(answer, uncompiled, answer)
     try:
@@ -118,10 +118,8 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     def look(frame: FrameType, event: str, argument: Any) -> Any:
         nonlocal countdown
         countdown -= 1
-        if countdown <= 0 and event in (
-            "line",
-            "opcode",
-        ):  # at others the learner's line would get lost
+        # at other events the learner's line would get lost
+        if countdown <= 0 and event in ("line", "opcode"):
             has_computed = time.process_time() - computed > SECONDS
             if has_computed or time.perf_counter() - waited > PATIENCE:
                 sys.setprofile(again)
@@ -191,12 +189,13 @@ def _loops_within_a_line(code: CodeType) -> bool:
     line_of = {
         at: line for begin, end, line in code.co_lines() for at in range(begin, end)
     }
+    # a loop over something ends by itself
     return any(
         "JUMP_BACKWARD" in step.opname
         and line_of[at] == line_of[step.argval]
         and steps[step.argval].opname != "FOR_ITER"
         for at, step in steps.items()
-    )  # a loop over something ends by itself
+    )
 
 
 @contextmanager
@@ -214,15 +213,15 @@ def quietly(printed: io.StringIO) -> Iterator[None]:
 @contextmanager
 def exits_raised() -> Iterator[None]:
     """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
-    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
-    if shell is None:
+    here = shell()
+    if here is None:
         yield
         return
-    shell.ask_exit = sys.exit  # hides the method of this name
+    here.ask_exit = sys.exit  # hides the method of this name
     try:
         yield
     finally:
-        del shell.ask_exit
+        del here.ask_exit
 
 
 def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:

@@ -17,13 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.values import one_line, show
+from rlrobot_grading.answers.values import one_line, show
 
 FUNCTIONS = (FunctionType, MethodType, BuiltinMethodType)
-LIBRARIES = sys.stdlib_module_names | {
-    "numpy",
-    "scipy",
-}  # their errors speak of what they were given
+# their errors speak of what they were given
+LIBRARIES = sys.stdlib_module_names | {"numpy", "scipy"}
 HARMLESS = (ast.Expression, ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Add, ast.Sub, ast.USub, ast.Call,
             ast.Load)  # fmt: skip
 
@@ -49,12 +47,12 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
     known = {**vars(builtins), **frames[0].f_globals, **frames[0].f_locals}
     if type(error) is NameError:
         return _about_a_name(frames[0].f_locals, error.name, line)
-    if found := re.search(r"(\w+)\(\) (missing|takes|got)", text):
-        owner = re.search(rf"(\w+)\.{found[1]}\(", line)
-        return _about_its_arguments(
-            getattr(known[owner[1]], found[1]) if owner else known.get(found[1]),
-            found[1],
-        )
+    found = re.search(r"(\w+)\(\) (missing|takes|got)", text)
+    if found:
+        name = found[1]
+        owner = re.search(rf"(\w+)\.{name}\(", line)
+        called = getattr(known[owner[1]], name) if owner else known.get(name)
+        return _about_its_arguments(called, name)
     is_index = isinstance(error, IndexError) or "indices must be" in text
     return _about_an_index(known, line) if is_index else ""
 
@@ -62,9 +60,8 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
 def _about_a_call(frames: list[FrameType], text: str) -> str:
     """What the function was given that the learner's line calls."""
     name = _known_as(frames[0], frames[1].f_code)
-    given = next(
-        (given for given in map(_arguments, frames[1:]) if given), {}
-    )  # it may only hand over its *arguments
+    # it may only hand over its *arguments
+    given = next((given for given in map(_arguments, frames[1:]) if given), {})
     for one, value in given.items():
         if isinstance(value, MethodType | BuiltinMethodType) or (
             type(value) is FunctionType and "function" in text
@@ -90,13 +87,11 @@ def _arguments(frame: FrameType) -> dict[str, Any]:
 def _known_as(frame: FrameType, code: CodeType) -> str:
     """The name by which a learner's line knows the function of this code, which may have another one at its home."""
     for name, thing in {**frame.f_globals, **frame.f_locals}.items():
-        call = (
-            thing
-            if type(thing) is FunctionType
-            else type(thing).__call__
-            if callable(thing)
-            else None
-        )
+        call = None
+        if type(thing) is FunctionType:
+            call = thing
+        elif callable(thing):
+            call = type(thing).__call__
         if getattr(call, "__code__", None) is code:
             return name
     return code.co_name
@@ -129,9 +124,9 @@ def _about_an_index(known: Mapping[str, Any], line: str) -> str:
         if type(things) not in (list, tuple, np.ndarray):
             continue
         for part in inside.split(","):
-            if told := _about_a_number(
-                name, things, part.strip(), _value(part.strip(), known), "," in inside
-            ):
+            index = _value(part.strip(), known)
+            told = _about_a_number(name, things, part.strip(), index, "," in inside)
+            if told:
                 return told
     return ""
 

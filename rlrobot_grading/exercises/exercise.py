@@ -2,43 +2,44 @@
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
-from rlrobot_course.learner.my_functions import is_notebook, keep
-from rlrobot_grading.detectors import find_hint
-from rlrobot_grading.errors import error_hint
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.limits import PATIENCE, Elsewhere, Failure, TooLong
-from rlrobot_grading.mistake import Mistake, hinted, with_ids
-from rlrobot_grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_grading.source import (
+from rlrobot_grading.answers.limits import PATIENCE, Elsewhere, Failure, TooLong
+from rlrobot_grading.answers.notebook import is_notebook
+from rlrobot_grading.answers.replay import Case, Outcome, cases_of, outcome_of
+from rlrobot_grading.answers.source import (
     COURSES_OWN,
     edited,
     is_courses_own,
     is_unfinished,
     parameters,
 )
-from rlrobot_grading.values import (
+from rlrobot_grading.answers.values import (
     MOST_SHOWN,
     differences,
     one_line,
     safely,
     show,
 )
-from rlrobot_grading.verdict import Verdict
+from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.hints.detectors import find_hint
+from rlrobot_grading.hints.errors import error_hint
+from rlrobot_grading.hints.evidence import Evidence, Hint, Known
 
-MOST_PAIRED = (
-    20  # of the mistakes, the frequent ones first, that are also tried two at a time
-)
+# of the mistakes, the frequent ones first, that are also tried two at a time
+MOST_PAIRED = 20
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
+
+
+Keep = Callable[["Exercise", Callable[..., Any]], str]
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,11 @@ class Exercise:
     another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
         fraction change
     witnesses: by id, wrong answers as learners write them that must be recognised so
+    keep: called in a notebook with this exercise and a right answer; returns a sentence for the verdict
     """
+
+    # whether all right answers return the same, so that a wrong one tells what it does
+    is_exact: ClassVar[bool] = True
 
     right: Callable[..., Any]
     tape: Sequence[Case]
@@ -74,29 +79,23 @@ class Exercise:
     gained: str = ""
     another: Callable[[np.random.Generator, Case], Case] | None = None
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+    keep: Keep | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
-        _ = (
-            self.wrong_functions
-        )  # an edit that no longer fits its function is told here, not to a learner
+        # an edit that no longer fits its function is told here, not to a learner
+        _ = self.wrong_functions
 
     def __call__(self, answer: Any) -> Verdict:
-        """Judge `answer`, and keep it for later lessons if it is right; never raises."""
-        if is_notebook() and safely(False, is_courses_own, answer, self.right):
+        """Judge `answer`, and in a notebook keep it if it is right; never raises."""
+        if not is_notebook():
+            return self.judge(answer)
+        if safely(False, is_courses_own, answer, self.right):
             return Verdict("wrong", COURSES_OWN, id="courses_own")
         verdict = self.judge(answer)
-        lesson = re.search(r"lesson_(\w+)", self.right.__module__)
-        if not (verdict and lesson and is_notebook()):
+        if not verdict or self.keep is None:
             return verdict
-        told = safely(
-            "(Not kept for later lessons.)",
-            keep,
-            answer,
-            lesson[1],
-            self.right.__name__,
-            self.judge,
-        )
+        told = self.keep(self, answer)
         return replace(verdict, gained=f"{verdict.gained} {told}".strip())
 
     def judge(self, answer: Any) -> Verdict:
@@ -108,22 +107,14 @@ class Exercise:
                 "wrong",
                 f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.",
             )
-        expected = (
-            self.expected
-        )  # first: what is compiled meanwhile is not the learner's time
+        expected = self.expected  # what is compiled now is not the learner's time
         got = self.outcomes(answer)
-        wrong = [
-            i
-            for i, (mine, right) in enumerate(zip(got, expected, strict=False))
-            if not right.equals(mine)
-        ]
+        pairs = enumerate(zip(got, expected, strict=False))
+        wrong = [i for i, (mine, right) in pairs if not right.equals(mine)]
         if not wrong:
-            how_often = (
-                f"Right in all {len(self.tape)} {self._unit}s."
-                if len(self.tape) > 1
-                else "Right."
-            )
-            return Verdict("right", how_often, gained=self.gained)
+            n = len(self.tape)
+            told = f"Right in all {n} {self._unit}s." if n > 1 else "Right."
+            return Verdict("right", told, gained=self.gained)
         if safely(False, is_unfinished, answer):
             return self._waits()
         return self._wrong(answer, got, wrong[0], len(wrong))
@@ -150,24 +141,6 @@ class Exercise:
             change if callable(change) else edited(self.right, change)
             for change in wrong
         )
-
-    @property
-    def is_exact(self) -> bool:
-        """Whether all right answers return the same, so that a wrong one tells what it does."""
-        return True
-
-    @property
-    def tables(self) -> list[str]:
-        """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
-        tables = [
-            name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)
-        ]
-        numbers = [
-            name
-            for name, thing in self.memory.items()
-            if isinstance(thing, int | float)
-        ]
-        return tables if len(tables) + len(numbers) == len(self.memory) else []
 
     @property
     def _unit(self) -> str:
@@ -200,18 +173,24 @@ class Exercise:
         return self._tried[function, i]
 
     @cached_property
-    def pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
-        """Two mistakes, and the function that makes both at once."""
+    def _known(self) -> list[Known]:
+        """Each mistake's function, and the hint for it."""
+        hints = [Hint(mistake.id, mistake.hint) for mistake in self.mistakes]
+        return list(zip(hints, self.wrong_functions, strict=True))
+
+    @cached_property
+    def _pairs(self) -> list[Known]:
+        """The functions that make two mistakes at once, each with its hint."""
+        frequent = self.mistakes[:MOST_PAIRED]
+        edits = [mistake for mistake in frequent if not callable(mistake.wrong)]
         pairs = []
-        frequent = [
-            mistake
-            for mistake in self.mistakes[:MOST_PAIRED]
-            if not callable(mistake.wrong)
-        ]
-        for one, other in combinations(frequent, 2):
+        for one, other in combinations(edits, 2):
+            if one.wrong.keys() & other.wrong.keys():
+                continue
             both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
-            if both is not None and not one.wrong.keys() & other.wrong.keys():
-                pairs.append((one, other, both))
+            if both is not None:
+                told = f"two things at once. First, {one.hint} Second, {other.hint}"
+                pairs.append((Hint(f"{one.id}+{other.id}", told), both))
         return pairs
 
     def _waits(self) -> Verdict:
@@ -219,21 +198,18 @@ class Exercise:
 
     def outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
         """What `answer` does in every case; a function that does not end is tried no further."""
-        outcomes, begun = [], time.perf_counter()
+        outcomes: list[Outcome] = []
+        begun = time.perf_counter()
         for case in self.cases:
-            outcomes.append(self.outcome(answer, case))
+            outcome = self.outcome(answer, case)
             waited = time.perf_counter() - begun
-            if (
-                waited > PATIENCE
-                and not isinstance(answer, Elsewhere)
-                and not outcomes[-1].failure
-            ):
-                slow = Failure(
-                    TooLong.__name__,
-                    f"has taken {waited:.0f} seconds for the {self._unit}s so far",
-                )
-                outcomes[-1] = replace(outcomes[-1], failure=slow)
-            if (failure := outcomes[-1].failure) and failure.kind == TooLong.__name__:
+            is_slow = waited > PATIENCE and not isinstance(answer, Elsewhere)
+            if is_slow and not outcome.failure:
+                told = f"has taken {waited:.0f} seconds for the {self._unit}s so far"
+                failure = Failure(TooLong.__name__, told)
+                outcome = replace(outcome, failure=failure)
+            outcomes.append(outcome)
+            if outcome.failure and outcome.failure.kind == TooLong.__name__:
                 break
         return outcomes
 
@@ -257,37 +233,31 @@ class Exercise:
         called = self._called(self.cases[first])
         here = f"{self._unit} {first + 1} of {n}"
         if mine.failure:
-            line = f", in the line “{mine.failure.line}”" if mine.failure.line else ""
-            ends = f"{'' if mine.failure.kind == TooLong.__name__ else 'stops with '}{mine.failure.text}{line}"
-            told = error_hint(mine.failure, answer, self.right, self.lenders)
-            return Verdict(
-                "wrong",
-                one_line(f"In {here} your function {ends}.", 400),
-                called,
-                hint=told,
-                id="exception",
-            )
+            ends = mine.failure.text
+            if mine.failure.kind != TooLong.__name__:
+                ends = f"stops with {ends}"
+            if mine.failure.line:
+                ends = f"{ends}, in the line “{mine.failure.line}”"
+            text = one_line(f"In {here} your function {ends}.", 400)
+            hint = error_hint(mine.failure, answer, self.right, self.lenders)
+            return Verdict("wrong", text, called, hint=hint, id="exception")
         rows = differences(right.values, mine.values)
         if not rows:
             names = " and ".join(mine.spoilt)
             told = f"The result is right, but in {here} your function changes {names}, which it should only read."
-            return Verdict(
-                "wrong", told, called, hint=COPY.format(mine.spoilt[0]), id="spoilt"
-            )
+            copy = COPY.format(mine.spoilt[0])
+            return Verdict("wrong", told, called, hint=copy, id="spoilt")
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
-        hint = self.hint_on(answer, got)
-        if mine.spoilt and not hint.text:
-            hint = Hint(
-                "spoilt",
-                ("{0} changes, and it should only be read: " + COPY).format(
-                    *mine.spoilt
-                ),
-            )
-        return Verdict("wrong", where, called, rows, hint.text, id=hint.id)
+        id, told = self.hint_on(answer, got)
+        if mine.spoilt and not told:
+            name = mine.spoilt[0]
+            told = f"{name} changes, and it should only be read: {COPY.format(name)}"
+            id = "spoilt"
+        return Verdict("wrong", where, called, rows, told, id=id)
 
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
@@ -302,4 +272,23 @@ class Exercise:
 
     def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
         """The hint for a wrong answer that has done this in the cases; empty where no detector knows one."""
-        return find_hint(Evidence(self, answer, got))
+        return find_hint(self.evidence(answer, got))
+
+    def evidence(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Evidence:
+        """What the detectors are given of a wrong answer."""
+        return Evidence(
+            answer=answer,
+            right=self.right,
+            parameters=self.parameters,
+            cases=self.cases,
+            expected=self.expected,
+            got=got,
+            outcome=self.outcome,
+            mistaken=self.mistaken,
+            mistakes=self._known,
+            pairs=lambda: self._pairs,
+            memory=self.memory,
+            returns=self.returns,
+            lenders=self.lenders,
+            is_exact=self.is_exact,
+        )

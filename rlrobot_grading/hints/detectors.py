@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rlrobot_grading.as_if import one_change
-from rlrobot_grading.events import order_of_events
-from rlrobot_grading.evidence import Evidence, Hint
-from rlrobot_grading.source import uses_chance
-from rlrobot_grading.suspicions import (
+from rlrobot_grading.answers.source import uses_chance
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.hints.as_if import one_change
+from rlrobot_grading.hints.events import order_of_events
+from rlrobot_grading.hints.evidence import Evidence, Hint
+from rlrobot_grading.hints.suspicions import (
     about_the_cases,
     about_the_code,
     about_the_memory,
@@ -21,59 +22,43 @@ from rlrobot_grading.suspicions import (
     from_the_notebook,
     unlike,
 )
-from rlrobot_grading.values import safely
 
-AGAIN = (
-    40  # times that a function is asked the same, to see whether there is chance in it
-)
+# times that a function is asked the same, to see whether there is chance in it
+AGAIN = 40
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
 
 def chance(seen: Evidence) -> Hint | None:
     """It answers differently when it is asked again. This comes first: chance may look like any mistake."""
-    exercise, first = seen.exercise, seen.wrong[0]
+    first = seen.wrong[0]
     before = seen.got[first]
-    if (
-        not safely(False, uses_chance, seen.answer)
-        or before.failure
-        or not before.equals(before)
-    ):
+    if not safely(False, uses_chance, seen.answer) or before.failure:
+        return None
+    if not before.equals(before):
         return None  # some values equal nothing, not even themselves
-    again = (exercise.outcome(seen.answer, exercise.cases[first]) for _ in range(AGAIN))
+    again = (seen.outcome(seen.answer, seen.cases[first]) for _ in range(AGAIN))
     if all(outcome.failure or outcome.equals(before) for outcome in again):
         return None
-    if in_the_code := from_the_notebook(seen) or about_the_code(seen):
-        return (
-            in_the_code if isinstance(in_the_code, Hint) else Hint("code", in_the_code)
-        )
-    right, mine = (
-        outcome.values.get(exercise.returns)
-        for outcome in (exercise.expected[first], before)
-    )
+    outside = from_the_notebook(seen)
+    if outside:
+        return outside
+    unread = about_the_code(seen)
+    if unread:
+        return Hint("code", unread)
+    right = seen.expected[first].values.get(seen.returns)
+    mine = before.values.get(seen.returns)
     shape = safely("", unlike, right, mine)
     return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
 
 
 def known_mistake(seen: Evidence) -> Hint | None:
     """It computes what one of the exercise's mistakes computes, in every case."""
-    pairs = zip(seen.exercise.mistakes, seen.exercise.wrong_functions, strict=True)
-    return next(
-        (
-            Hint(mistake.id, mistake.hint)
-            for mistake, wrong in pairs
-            if seen.shows(wrong)
-        ),
-        None,
-    )
+    return next((hint for hint, wrong in seen.mistakes if seen.shows(wrong)), None)
 
 
 def two_mistakes(seen: Evidence) -> Hint | None:
     """It makes two of the mistakes at once."""
-    for one, other, both in seen.exercise.pairs:
-        if seen.shows(both):
-            told = f"two things at once. First, {one.hint} Second, {other.hint}"
-            return Hint(f"{one.id}+{other.id}", told)
-    return None
+    return next((hint for hint, both in seen.pairs() if seen.shows(both)), None)
 
 
 DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
@@ -93,6 +78,9 @@ DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
 def find_hint(seen: Evidence) -> Hint:
     """The hint of the first detector that has one; an empty hint where none has."""
     for name, detector in DETECTORS.items():
-        if found := detector(seen):
-            return found if isinstance(found, Hint) else Hint(name, found)
+        found = detector(seen)
+        if isinstance(found, Hint):
+            return found
+        if found:
+            return Hint(name, found)
     return Hint("", "")

@@ -1,0 +1,37 @@
+"""What the `exercises.py` of a lesson is made of, to be imported in one line."""
+
+import re
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+from rlrobot_course.exercises.design import Design as Design
+from rlrobot_course.learner.my_functions import keep
+from rlrobot_grading.answers.replay import Case as Case
+from rlrobot_grading.answers.values import safely
+from rlrobot_grading.exercises import page
+from rlrobot_grading.exercises.exercise import Exercise as Exercise
+from rlrobot_grading.exercises.mistake import Mistake as Mistake
+from rlrobot_grading.exercises.mistake import wrong_choices as wrong_choices
+from rlrobot_grading.exercises.question import Question as Question
+from rlrobot_grading.hints.formula import Formula as Formula
+
+
+def with_pages(
+    names: dict[str, Any], **exercises: Exercise | Question
+) -> SimpleNamespace:
+    """The exercises of a lesson, each with its page; right answers are kept in the learner's file.
+
+    names: the ``globals()`` of the lesson's `exercises.py`. See `rlrobot_grading.exercises.page.with_pages`
+    """
+    return page.with_pages(names, keep=_kept, **exercises)
+
+
+def _kept(exercise: Exercise, answer: Callable[..., Any]) -> str:
+    """Keep a right answer for later lessons; says so. In an assignment nothing is kept."""
+    lesson = re.search(r"lesson_(\w+)", exercise.right.__module__)
+    if lesson is None:
+        return ""
+    told = "(Not kept for later lessons.)"
+    name = exercise.right.__name__
+    return safely(told, keep, answer, lesson[1], name, exercise.judge)

@@ -1,0 +1,11 @@
+"""How the hint for a wrong answer is found.
+
+Read `evidence` first, which says what a detector is given, then `detectors`, the ordered list of them.
+
+- `as_if`: the hint for an answer that does the same as the right function with one thing in it changed. `changed`
+  makes such functions; `simple_changes` and `further_changes` say what may be changed. `formula`: the same for a
+  question in numbers.
+- `events`: the calls that a loop makes, beside those of the right loop.
+- `suspicions`: what the values of an answer have in common that shows no known mistake.
+- `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames.
+"""
