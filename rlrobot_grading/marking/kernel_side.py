@@ -20,6 +20,8 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_grading.answers.limits import attempt
+from rlrobot_grading.answers.source import COURSES_OWN, is_courses_own, is_unfinished
+from rlrobot_grading.answers.values import safely
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.serialization import state_of, written
 

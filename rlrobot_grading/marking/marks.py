@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
 from rlrobot_grading.marking.students import NOBODY, Student
 from rlrobot_grading.marking.text import text_of

@@ -12,6 +12,7 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_grading.answers.limits import Elsewhere, Failure, TooLong
+from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import Kernel
 from rlrobot_grading.marking.serialization import change, read
