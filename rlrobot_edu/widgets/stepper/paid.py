@@ -11,8 +11,8 @@ import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.step import NO_ACTION
-from rlrobot_edu.tools.credit.linear import Linear, plain
 from rlrobot_edu.widgets.javascript.program import program
+from rlrobot_edu.widgets.stepper.linear import Linear, plain
 from rlrobot_edu.widgets.stepper.told import algorithms_for
 
 ARITHMETIC = {
