@@ -31,7 +31,6 @@ from .show.film import film as film
 from .show.in3d.visualizer import meshcat as meshcat
 from .show.in3d.visualizer import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
-from .task.drawing import Drawing as Drawing
 from .task.task import Task as Task
 from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task

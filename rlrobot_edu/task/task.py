@@ -8,9 +8,9 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_between, check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
+from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
@@ -28,7 +28,7 @@ class Task:
     ----------
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
-    scene : str or Drawing
+    scene : str or Room
         Where it stands: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
     inputs : sequence of InputVariable
         What makes a state, one bin of each.
@@ -69,7 +69,7 @@ class Task:
     """
 
     robot: str
-    scene: str | Drawing
+    scene: str | Room
     inputs: Sequence[InputVariable]
     outputs: Sequence[OutputVariable]
     reward: Callable[[Readings, Readings], float]
@@ -91,7 +91,7 @@ class Task:
             ROBOTS[known(self.robot, ROBOTS, "robot", "a task")],
             f"robot {self.robot!r}",
         )
-        if isinstance(self.scene, Drawing) and card.size:
+        if isinstance(self.scene, Room) and card.size:
             self.scene.check_start(*card.size)
         else:
             known(self.scene, card.scenes, "scene", owner)
