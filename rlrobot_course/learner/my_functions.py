@@ -138,7 +138,7 @@ def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     return was_right or _right(known, lesson, name) is not None
 
 
-def whose(*functions: Callable[..., Any]) -> str:
+def owner_of(*functions: Callable[..., Any]) -> str:
     """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
     yours = [
         function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from rlrobot_course.worlds.own_reward import Paid as Paid
+from rlrobot_course.worlds.own_reward import OwnReward as OwnReward
 from rlrobot_course.worlds.tapes import with_action
 from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.robots.scene import Scene, Solid, pose

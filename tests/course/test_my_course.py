@@ -13,7 +13,7 @@ import pytest
 
 from rlrobot_course.learner import my_course, my_functions
 from rlrobot_course.learner.my_course import copy_missing, set_back
-from rlrobot_course.learner.my_functions import FILE, keep, take, whose
+from rlrobot_course.learner.my_functions import FILE, keep, owner_of, take
 from rlrobot_course.lesson_03 import check, exercises
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
@@ -224,7 +224,7 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(
         "yours: target, update; given: learn (yours comes here when its check in lesson 03 is green)\n"
     )
     assert learn is exercises.learn and update is not exercises.update
-    assert [whose(update, target), whose(learn), whose(learn, update)] == [
+    assert [owner_of(update, target), owner_of(learn), owner_of(learn, update)] == [
         "your",
         "the given",
         "partly your",
