@@ -163,7 +163,7 @@ interval (no test was registered).
 ## How the question arose
 
 The first study was not registered. Thirty robots of each kind learned with TOSL and one of five biases: the paper's,
-VBIASSR, and [three more](../../rlrobot_course/lesson_22/biases.py): OBIASSR asks the other states alone, FBIASSR fades,
+VBIASSR, and three more: OBIASSR asks the other states alone, FBIASSR fades,
 TBIASSR counts Q(s) once, as SR does. Their rivals were SR at T = 1, at T = 1/2, and at the T between at which SR counts
 Q(s) as QBIASSR does. Mean final average rewards:
 

@@ -58,8 +58,8 @@ def scoreboard(
     A lesson that the learner has not finished has the bar of `studies/scoreboard.py`, marked as given.
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
-    owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for the
-        later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
+    owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for
+        the later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
         the score of fewer than sixteen is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.

@@ -2,13 +2,8 @@
 
 import importlib.util
 import json
-import os
-import signal
-import subprocess
-import sys
 import time
 
-import psutil
 import pytest
 
 from rlrobot_course.learner import my_course, my_functions
@@ -154,33 +149,6 @@ def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(
     ]
     assert "--ip=127.0.0.1" in Lab.command
     assert capsys.readouterr().out.splitlines()[-1].startswith("JupyterLab has ended.")
-
-
-SLEEPER = "import os, time; print(os.getpid(), flush=True); time.sleep(600)"
-
-
-@pytest.mark.skipif(
-    not hasattr(signal, "SIGHUP"), reason="Windows ends programs otherwise"
-)
-@pytest.mark.parametrize("sent", ["SIGTERM", "SIGHUP"])
-def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
-    (tmp_path / "jupyterlab.py").write_text(SLEEPER)
-    slow = "import subprocess as s, time; start = s.Popen; s.Popen = lambda *x, **y: (start(*x, **y), time.sleep(1))[0]"
-    call = "import sys, pathlib; from rlrobot_course.learner import my_course as m; "
-    call += "m.open_lab([], *map(pathlib.Path, sys.argv[1:]))"
-    paths = os.pathsep.join([str(tmp_path), str(my_course.NOTEBOOKS.parent)])
-    command = subprocess.Popen(
-        [sys.executable, "-c", f"{slow}\n{call}", course["source"], course["folder"]],
-        stdout=subprocess.PIPE,
-        text=True,
-        env=os.environ | {"PYTHONPATH": paths},
-    )
-    lab = psutil.Process(
-        next(int(line) for line in command.stdout if line.strip().isdecimal())
-    )
-    command.send_signal(getattr(signal, sent))
-    assert not psutil.wait_procs([lab], timeout=60)[1], "JupyterLab runs on"
-    command.communicate(timeout=60)
 
 
 def module_of(path, source):
