@@ -7,23 +7,30 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
   says how);
 - `exercises.py`: right answers and cases; its `check` has the exercises by their names, so that the notebook says
   ``check.update(update)``;
-- `given.py`, if exercises share something: a world, a table;
+- `fixtures.py`, if exercises share something: a world, a table;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
 - `challenge.py`, in six: what counts in the open challenge, and how one robot or agent fares with an answer.
 
-The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
-way; right answers in them are not kept for later lessons.
+The folders `assignment_1` to `assignment_5`, for the notebooks in `notebooks/homework/`, are built in the same way;
+right answers in them are not kept for later lessons.
 
-They share: `exercises` (what an `exercises.py` is made of, on top of `rlrobot_grading`), `tapes` (recorded
-transitions without chance, which exercises replay),
-`plots` (what figures begin with), `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`,
-`runs`, `prediction` (what the reader expects, and the outcome), `old_questions`
-(what earlier lessons taught; both read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with
-another reward), `clinic` (a task measured against the best loop in it), `my_functions` (right answers are kept; its
-file is read by `sections`), `learners_files` (files that belong to the learner lose nothing), `progress` (how far a
-learner is), and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades
-notebooks that are handed in, by the same checks. `my_course` opens the learner's copies of the notebooks.
-Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `grading`.
+Lessons share these folders:
+
+- `exercises`: what an `exercises.py` is made of, on top of `rlrobot_grading`;
+- `worlds`: where exercises and robots act: recorded transitions without chance (`tapes`), an arm as a table
+  (`arm_world`), any environment behind two short methods (`short_world`), a robot with a reward of one's own
+  (`own_reward`), and a task measured against the best loop in it (`clinic`);
+- `learner`: what belongs to the learner: copies of the notebooks (`my_course`), right answers that are kept
+  (`my_functions`, read by `sections`), files that lose nothing (`learners_files`), how far a learner is (`progress`),
+  and whether all answers of an assignment's last cell are written (`finished`);
+- `questions`: what the reader expects, and the outcome (`prediction`), and what earlier lessons taught
+  (`old_questions`); both read `questions.toml`;
+- `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`), and the numbers of
+  the reproduction (`report`);
+- `figures`: what figures begin with (`plots`), ways through a room (`paths`), and curves of runs (`runs`).
+
+Exercises, verdicts and hints are `rlrobot_grading`. `commands` are those of ``rlrobot-edu``.
+Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `rlrobot_grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:

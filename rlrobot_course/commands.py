@@ -113,6 +113,6 @@ def add_commands(commands: Commands) -> None:
     add("course", write_lessons, "check 04").add_argument(
         "words",
         nargs="+",
-        help='check 04, new 18 "Title", or explain 02 update answer.py',
+        help='check 04, new 23 "Title", or table',
     )
     add("compile", compile_kernels)

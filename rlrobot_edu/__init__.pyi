@@ -28,16 +28,13 @@ from .show.film import film as film
 from .show.in3d.visualizer import meshcat as meshcat
 from .show.in3d.visualizer import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
-from .task.drawing import Drawing as Drawing
 from .task.task import Task as Task
 from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
 from .tools.check_task import check_task as check_task
-from .tools.credit.credit import credit as credit
 from .tools.new_task import new_task as new_task
-from .tools.transfer.transfer import transfer as transfer
 from .widgets.bias_explorer.explorer import BiasExplorer as BiasExplorer
 from .widgets.driving.pad import teleoperate as teleoperate
 from .widgets.driving.teaching import learn_from as learn_from

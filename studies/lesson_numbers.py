@@ -20,7 +20,7 @@ from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_06.figures import way_of
-from rlrobot_course.lesson_12.worlds import Paid
+from rlrobot_course.lesson_12.worlds import OwnReward
 from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of
@@ -354,7 +354,7 @@ def lesson_12() -> list[Row]:
                 + factor * (far(before) - zero)
             )
 
-        env = Paid(rl.make_env(task, seed=seed), pay)
+        env = OwnReward(rl.make_env(task, seed=seed), pay)
         return rl.learn(
             rl.Agent(task, seed=seed), env, steps=10_800, progress=False, keep=True
         )

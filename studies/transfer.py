@@ -1,4 +1,4 @@
-"""Does it help to transfer knowledge? Measures four carries of `rl.transfer` and writes docs/studies/transfer.md.
+"""Does it help to transfer knowledge? Measures four carries and writes docs/studies/transfer.md.
 
 ``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works,
 and writes
@@ -17,6 +17,7 @@ from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_21.transfer import carried_over, transfer
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.experiments.workers import workers
@@ -86,9 +87,9 @@ def once(
         if way == "number for number":
             agent.q[:] = source.q
         elif i:
-            agent = rl.transfer(source, carry.target, seed=agent_seed)
+            agent = transfer(source, carry.target, seed=agent_seed)
             agent.q[:] *= 0.5 if way.endswith("halved") else 1.0
-            share = agent.report.share
+            share = carried_over(source, agent.task)[1].mean()
         with rl.make_env(carry.target, env_seed, engine=carry.engine) as env:
             rewards[i] = rl.learn(agent, env, steps=steps, progress=False).rewards
     return rewards, share
@@ -96,11 +97,11 @@ def once(
 
 PAGE = """# Does it help to transfer knowledge?
 
-Written by `python studies/transfer.py`. `rl.transfer` begins a new agent with the Q of another: bins by the overlap of
-their physical intervals, actions by the robot's command. We measured four transfers, and one to the same robot for
-comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,} steps, in the sample
-model {model_steps:,}), each by itself. From each of them one agent of the target begins, and another begins from
-scratch. All have random numbers of their own. Every step is one second, so {source_steps:,} steps are an hour.
+Written by `python studies/transfer.py`. `transfer` of lesson 21 begins a new agent with the Q of another: bins by the
+overlap of their physical intervals, actions by the robot's motion. We measured four transfers, and one to the same
+robot for comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,} steps, in
+the sample model {model_steps:,}), each by itself. From each of them one agent of the target begins, and another begins
+from scratch. All have random numbers of their own. Every step is one second, so {source_steps:,} steps are an hour.
 
 ![{alt}](../pictures/transfer.png)
 
@@ -136,7 +137,7 @@ VERDICT = """## What it shows
   robot*, earn far more. So the transfer itself does not cause the loss. The curve begins high and falls. In free space
   both engines move the robot alike, to the millimetre; so the cause may be the walls, but we have not shown it.
 - *Halved* was not tested against the plain transfer. Its mean is lower in the first 300 steps where the transfer gains
-  much (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. So `rl.transfer` copies Q as it
+  much (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. So `transfer` copies Q as it
   is; `agent.q[:] *= 0.5` is one line.
 
 In none of the transfers were agents with knowledge significantly worse. Others may be: an agent with a low temperature

@@ -1,4 +1,4 @@
-"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, list all in README.md, or explain a hint."""
+"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or list all in README.md."""
 
 import subprocess
 import sys
@@ -28,15 +28,10 @@ def run(words: Sequence[str]) -> int:
         case ["table"]:
             write_table(root)
             return 0
-        case ["explain", number, name, answer]:
-            from rlrobot_course.authoring.explain import explain
-
-            print(explain(number, name, answer))
-            return 0
-    told = " ".join(words)
+    command = " ".join(words)
     raise ValueError(
-        f"'course {told}' is not known: write course check 04, course new 23 \"Title of the lesson\","
-        " course table, or course explain 03 update answer.py"
+        f"'course {command}' is not known: write course check 04, course new 23 \"Title of the lesson\","
+        " or course table"
     )
 
 
@@ -53,9 +48,9 @@ def command_of(number: str, notebook: Path) -> list[str]:
 
     Raises ValueError if what the tests need is not installed.
     """
-    if missing := [
-        name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)
-    ]:
+    tools = ("pytest", "nbval", "hypothesis")
+    missing = [name for name in tools if not find_spec(name)]
+    if missing:
         raise ValueError(f"this needs {', '.join(missing)}: make tools installs it")
     return [
         sys.executable, "-m", "pytest", "-q", "--tb=line", "-rfE", "-p", "no:cacheprovider",

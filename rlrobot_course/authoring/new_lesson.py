@@ -50,7 +50,7 @@ def new_lesson(root: Path, number: str, title: str) -> str:
 def files_for(
     root: Path, number: str, title: str, name: str, before: Path
 ) -> dict[Path, str]:
-    """By their paths the files of the lesson: its notebook, its room, the test of its figure, and the questions."""
+    """By their paths the files of the lesson: its notebook, its folder, the test of its figure, and the questions."""
     files = {}
     for source in sorted(TEMPLATE.rglob("*.txt")):
         text = (
@@ -72,8 +72,8 @@ def files_for(
                     (root / QUESTIONS).read_text(encoding="utf-8") + "\n" + text
                 )
             case _:
-                room = root / f"rlrobot_course/lesson_{number}"
-                files[room / source.relative_to(TEMPLATE).with_suffix("")] = text
+                folder = root / f"rlrobot_course/lesson_{number}"
+                files[folder / source.relative_to(TEMPLATE).with_suffix("")] = text
     return files
 
 

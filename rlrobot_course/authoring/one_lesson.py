@@ -1,7 +1,7 @@
 """A plugin of pytest: ``-p rlrobot_course.authoring.one_lesson --lesson 06`` keeps the tests of one lesson.
 
-A test belongs to a lesson if it has the lesson's number, room or notebook among its parameters, or stands in its
-notebook or in a file named after its room.
+A test belongs to a lesson if it has the lesson's number, folder or notebook among its parameters, or stands in its
+notebook or in a file named after its folder.
 """
 
 from pathlib import Path

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import signal
 import subprocess
 import sys
 import time
@@ -52,21 +51,7 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
         f"--ServerApp.root_dir={folder.parent}", f"--LabApp.app_settings_dir={settings}",
         f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
     ]  # fmt: skip
-    ended, lab = False, None
-
-    def end(*_: object) -> None:
-        nonlocal ended
-        ended = True
-        if lab:
-            lab.terminate()
-
-    for name in {"SIGTERM", "SIGHUP"} & {
-        *dir(signal)
-    }:  # who ends this program ends JupyterLab, too
-        signal.signal(getattr(signal, name), end)
     lab = subprocess.Popen(command, cwd=folder)
-    if ended:  # while it started
-        lab.terminate()
     while True:
         try:
             code = lab.wait()

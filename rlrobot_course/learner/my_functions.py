@@ -94,38 +94,44 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     """
     path = beside_the_lessons(Path(folder, FILE))
     known = _kept(path)
-    functions, yours, given, rooms = [], [], [], []
+    functions, yours, given, lessons = [], [], [], []
     for name in names:
-        rooms_of_it = [
-            room
-            for room in LESSONS
-            if room.startswith(lesson) and name in vars(check_of(room))
-        ]
-        if not rooms_of_it:
-            raise ValueError(
-                f"lesson {lesson} has no function {name!r:.200} that could be taken from there"
-            )
-        room = rooms_of_it[0]
-        mine = _right(known, room, name)
-        is_right = mine is not None
-        (yours if is_right else given).append(name)
-        rooms += [room] * (not is_right and room not in rooms)
-        functions.append(mine if is_right else vars(check_of(room))[name].right)
-        kept = known.get((room, name), "")
-        if not is_right and kept.startswith(NOT_KEPT):
-            print(
-                f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}."
-            )
-    if given and (mistake := syntax_error(path)):
+        number = _lesson_with(lesson, name)
+        mine = _right(known, number, name)
+        if mine is not None:
+            yours.append(name)
+            functions.append(mine)
+            continue
+        given.append(name)
+        functions.append(vars(check_of(number))[name].right)
+        if number not in lessons:
+            lessons.append(number)
+        kept = known.get((number, name), "")
+        if kept.startswith(NOT_KEPT):
+            reason = kept.removeprefix(NOT_KEPT).strip()
+            print(f"{name} is green, but it is not kept: {reason}.")
+    mistake = syntax_error(path)
+    if given and mistake:
         print(mistake)
-    told = [f"yours: {', '.join(yours)}"] * bool(yours)
-    where = f"(yours comes here when its check in lesson {' or '.join(rooms)} is green)"
-    told += [f"given: {', '.join(given)} {where}"] * bool(
-        given and (yours or watched())
-    )
-    if told:
-        print("; ".join(told))
+    owners = []
+    if yours:
+        owners.append(f"yours: {', '.join(yours)}")
+    if given and (yours or watched()):
+        where = f"when its check in lesson {' or '.join(lessons)} is green"
+        owners.append(f"given: {', '.join(given)} (yours comes here {where})")
+    if owners:
+        print("; ".join(owners))
     return functions if len(functions) > 1 else functions[0]
+
+
+def _lesson_with(lesson: str, name: str) -> str:
+    """The lesson, or the part of it, that has an exercise of this name. Raises ValueError if none has."""
+    for number in LESSONS:
+        if number.startswith(lesson) and name in vars(check_of(number)):
+            return number
+    raise ValueError(
+        f"lesson {lesson} has no function {name!r:.200} that could be taken from there"
+    )
 
 
 def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
@@ -137,7 +143,7 @@ def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     return was_right or _right(known, lesson, name) is not None
 
 
-def whose(*functions: Callable[..., Any]) -> str:
+def owner_of(*functions: Callable[..., Any]) -> str:
     """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
     yours = [
         function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions

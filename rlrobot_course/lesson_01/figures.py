@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from rlrobot_course.figures.plots import BLACK, ORANGE, Picture, plain
-from rlrobot_course.lesson_01.pay import Drive
+from rlrobot_course.lesson_01.drive import Drive
 from rlrobot_edu import plot_scene
 from rlrobot_edu.task.variables import InputVariable
 

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 
-from rlrobot_course.worlds.own_reward import Paid as Paid
+from rlrobot_course.worlds.own_reward import OwnReward as OwnReward
 from rlrobot_course.worlds.tapes import with_action
 from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 
-CorridorPay = Callable[[int, int, bool], float]
+CorridorReward = Callable[[int, int, bool], float]
 
 AWAY, NEARER = 0, 1  # actions in the corridor
 LANE_START, LANE_CELLS, STEP = (
@@ -21,13 +21,14 @@ LANE_GOAL = LANE_START + STEP * (LANE_CELLS - 1.5)  # x from which on it has arr
 class Corridor:
     """Cells in a row, with the goal beyond the last one, where an episode terminates.
 
-    pay: reward of a step, from the cell before it, the cell after it, and whether that is the goal
+    reward: of a step, from the cell before it, the cell after it, and whether that is the goal
     n_cells: how many; cell number n_cells is the goal
     reset() -> state, the first cell; step(action) -> state, reward, terminated, truncated. At its far end it is closed.
     """
 
-    def __init__(self, pay: CorridorPay, n_cells: int = 6) -> None:
-        self.pay, self.n_cells, self.s, self.goals = pay, n_cells, 0, 0
+    def __init__(self, reward: CorridorReward, n_cells: int = 6) -> None:
+        self.reward, self.n_cells = reward, n_cells
+        self.s, self.goals = 0, 0
 
     def reset(self) -> int:
         """Start an episode in the first cell."""
@@ -40,7 +41,7 @@ class Corridor:
         s, self.s = self.s, max(0, self.s + (1 if a == NEARER else -1))
         terminated = self.s == self.n_cells
         self.goals += terminated
-        return self.s, self.pay(s, self.s, terminated), terminated, False
+        return self.s, self.reward(s, self.s, terminated), terminated, False
 
 
 def lane() -> Task:

@@ -3,7 +3,7 @@
 from typing import Any
 
 from rlrobot_course.play.challenge import Challenge, Watched, number
-from rlrobot_course.worlds.own_reward import Paid, Readings
+from rlrobot_course.worlds.own_reward import OwnReward, Readings
 from rlrobot_edu import Agent, Realism, learn, make_env
 from rlrobot_edu.task.rewards import distance_moved
 
@@ -11,7 +11,7 @@ STOPS_OR_TURNS = {1, 2, 3, 4, 6}  # actions of wander_1k that do not drive
 REALITY = Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
 
 
-class Guarded(Paid):
+class Guarded(OwnReward):
     """A robot whose actions a guard may replace; `metres` are the way of each step, and −0.1 for one that touches."""
 
     def __init__(self, env: Any, guard: Watched) -> None:

@@ -9,7 +9,7 @@ from rlrobot_course.figures.plots import BLUE, VERMILION, Picture
 from rlrobot_edu import Agent, Step
 
 
-def paid_by(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray:
+def shares_of(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray:
     """What step `t` has paid for each value by SARSA(λ) after these steps of one episode; array (n_states, n_actions).
 
     t: from 1. Q is a sum of the rewards, each times a weight. So it is what Q is where all other rewards are 0.
@@ -28,14 +28,14 @@ def paid_by(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray
     return agent.q.copy()
 
 
-def plot_paid(
+def plot_shares(
     steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]
 ) -> Picture:
     """Maps of what step `t` has paid by SARSA(λ), a panel for each λ: rows are the states that it reached.
 
     steps: of one episode, from `rl.steps`; t: from 1
     """
-    maps = {lam: paid_by(steps, t, world, lam) for lam in lambdas}
+    maps = {lam: shares_of(steps, t, world, lam) for lam in lambdas}
     states = np.flatnonzero(np.any(list(maps.values()), axis=(0, 2)))
     most = max(np.abs(paid).max() for paid in maps.values())
     picture = Picture(figsize=(1 + 2.6 * len(maps), 2.2 + 0.3 * len(states)))

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from rlrobot_course.figures.plots import BLACK, CURVES, GREY, Picture, plain
+from rlrobot_course.lesson_21.bins import edges
 from rlrobot_edu.task.task_file import load_task
 
 FAR = 1.0  # where the drawing of rulers ends [m]
@@ -25,8 +26,8 @@ def plot_rulers(
     figure, told = Picture(figsize=(7.4, 3.6)), []
     ax = figure.subplots()
     middles = []
-    for y, edges in ((1.0, target), (0.0, source)):
-        ends = np.minimum(edges, FAR)
+    for y, ruler in ((1.0, target), (0.0, source)):
+        ends = np.minimum(ruler, FAR)
         for i, (left, right) in enumerate(pairwise(ends)):
             colour = CURVES[i][0]
             ax.barh(
@@ -42,7 +43,7 @@ def plot_rulers(
                 (left + right) / 2, y, str(i), ha="center", va="center", color=BLACK
             )
         middles.append((ends[:-1] + ends[1:]) / 2)
-        for edge in edges[1:-1]:
+        for edge in ruler[1:-1]:
             ax.text(
                 edge,
                 y + (0.2 if y else -0.2),
@@ -84,5 +85,4 @@ def plot_rulers(
 
 def edges_of(task: str, name: str = "laser_front") -> list[float]:
     """The edges of an input's bins [m], with the ends of what its sensor can read."""
-    variable = next(v for v in load_task(task).inputs if v.name == name)
-    return [variable.low, *(variable.cuts or ()), variable.high]
+    return edges(next(v for v in load_task(task).inputs if v.name == name))

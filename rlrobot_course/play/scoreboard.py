@@ -40,7 +40,7 @@ LOOKS = {
 
 
 class Bar(NamedTuple):
-    """A lesson's bar. owner: of its functions, as `my_functions.whose` says it"""
+    """A lesson's bar. owner: of its functions, as `my_functions.owner_of` says it"""
 
     label: str
     score: Score
@@ -58,16 +58,16 @@ def scoreboard(
     A lesson that the learner has not finished has the bar of `studies/scoreboard.py`, marked as given.
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
-    owner: of the functions that `learn` calls, from `my_functions.whose`; the score of "your" functions is kept for the
-        later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
+    owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for
+        the later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
         the score of fewer than sixteen is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
-    bars = {number: bar for number, bar in given().items() if number <= lesson}
+    bars = {number: bar for number, bar in library_bars().items() if number <= lesson}
     if lesson not in bars:
         raise ValueError(
-            f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(given())}"
+            f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(library_bars())}"
         )
     score = Score(*mean_and_half(earned(learn, robots)))
     if is_notebook():
@@ -121,7 +121,7 @@ def earned(
     return np.array(means)
 
 
-def given(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
+def library_bars(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
     """By lesson, the bar of the library's agents. robot: "held", by walls, or "ideal"; robots: how many of the study"""
     with GIVEN.open(encoding="utf-8", newline="") as file:
         rows = [

@@ -19,7 +19,7 @@ from rlrobot_edu.files import sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import CHANGED, REMEDY, from_csv, to_csv
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.task.drawing import Drawing
+from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
@@ -68,13 +68,14 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
         {"time_limit": source.time_limit} if source.time_limit else {}
     )
     return csv, json.dumps(
-        package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn
+        package, indent=2, ensure_ascii=False, allow_nan=False, default=asdict
     ) + "\n"
 
 
-def _drawn(scene: Drawing) -> Json:
-    """A drawing as people see it best: line by line."""
-    return {"lines": scene.text.split("\n"), "cell": scene.cell}
+def _room(fields: Json) -> Room:
+    """The room that a data package describes. Raises TypeError or ValueError if it describes none."""
+    places = {name: place and tuple(place) for name, place in fields.items()}
+    return Room(**places | {"walls": tuple(map(tuple, fields.get("walls", ())))})
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -137,9 +138,7 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         }
         values["time_limit"] = section.get("time_limit")
         if isinstance(scene := values["scene"], dict):
-            values["scene"] = Drawing(
-                "\n".join(scene.get("lines", "")), scene.get("cell", 0)
-            )
+            values["scene"] = _room(scene)
         task_name, rows, rewards = (
             values.pop(key) for key in ("task", "rows", "rewards")
         )

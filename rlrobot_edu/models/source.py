@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from rlrobot_edu.checks import check_count, check_numbers, first_difference
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.task.drawing import Drawing
+from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
@@ -44,7 +44,7 @@ class Source:
     actions: ActionSpace
     rewards: tuple[float, ...]
     robot: str = ""
-    scene: str | Drawing = ""
+    scene: str | Room = ""
     step_time: float | None = None
     episode_steps: int | None = None
     method: str = "unknown"

@@ -1,4 +1,4 @@
-"""The arenas that mobile robots move about in: walls and starting place, as data; and what a drawing makes of them."""
+"""The arenas that mobile robots move about in: walls and starting place, as data; and the arena of a `Room`."""
 
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, radians, sin
@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
-from rlrobot_edu.task.drawing import Drawing
+from rlrobot_edu.task.room import Room
 
 Place = (
-    str | Drawing
-)  # where a robot may be: in an arena of this name, or in one that is drawn
+    str | Room
+)  # where a robot may be: in an arena of this name, or in a room of one's own
 THICKNESS = 0.1  # of a wall, where nothing else is said [m]
 TABLE_HEIGHT = (
     0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
@@ -160,7 +160,7 @@ ARENAS = {
 
 
 def arena_of(scene: Place) -> Arena:
-    """The arena of this name, or the one that is drawn."""
+    """The arena of this name, or the room."""
     if isinstance(scene, str):
         return ARENAS[scene]
     walls = [

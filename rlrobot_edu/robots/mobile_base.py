@@ -32,7 +32,7 @@ class MobileBase(SimulatedRobot):
 
     A copy goes on as the robot does, to the last bit.
 
-    scene: name of an arena, or a drawing of one
+    scene: name of an arena, or a room
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own
     realism: its weaknesses, of which lag and wall friction act here, the others in a `RealisticRobot`; None is the

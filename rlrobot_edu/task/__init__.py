@@ -8,7 +8,7 @@ StateSpace, ActionSpace         all combinations of bins, of values, each with i
 Quantity, RobotCard             a sensor's or a command's unit and range; what a robot can sense and do (robot_cards.py)
 Task                            inputs, outputs, reward and the robot: the learning problem (task.py)
 
-`Drawing` is a room drawn with characters, for a task with a world of its own (drawing.py).
+`Room` is a room of one's own, for a robot on wheels (room.py); `tools/drawing.py` draws one with characters.
 
 The functions: `load_task` reads a task from its file, `available_tasks` names those that come along (task_file.py).
 Task files share rewards.py and wheel_commands.py.

@@ -27,7 +27,7 @@ class RobotCard(NamedTuple):
 
     stops: where some readings end, by the sensor's name; for people, since a simulator may go a little beyond
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
-    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
+    size: length and width [m] of a robot on wheels, which can stand in a `Room`; None for the others
     """
 
     sensors: dict[str, Quantity]

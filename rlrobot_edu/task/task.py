@@ -17,8 +17,8 @@ from rlrobot_edu.checks import (
     describe_error,
     file_and_line,
 )
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
+from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
 
@@ -36,7 +36,7 @@ class Task:
     ----------
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
-    scene : str or Drawing
+    scene : str or Room
         Where it stands: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
     inputs : sequence of InputVariable
         What makes a state, one bin of each.
@@ -77,7 +77,7 @@ class Task:
     """
 
     robot: str
-    scene: str | Drawing
+    scene: str | Room
     inputs: Sequence[InputVariable]
     outputs: Sequence[OutputVariable]
     reward: Callable[[Readings, Readings], float]
@@ -99,7 +99,7 @@ class Task:
             ROBOTS[check_name(self.robot, ROBOTS, "robot", "a task")],
             f"robot {self.robot!r}",
         )
-        if isinstance(self.scene, Drawing) and card.size:
+        if isinstance(self.scene, Room) and card.size:
             self.scene.check_start(*card.size)
         else:
             check_name(self.scene, card.scenes, "scene", owner)

@@ -5,6 +5,6 @@ check_task.py    `check_task` lets the robot act, and tells what is worth a look
 trial.py         what it has seen: the robot at random, with one action for ever, and with an agent that learns
 blind.py         a method that sees nothing: what it earns can be had without looking
 doctor.py        what is installed, what is missing, and what that disables
-transfer/        what one agent has learned, carried over to another task or robot
-credit/          which rewards a value is made of
+drawing.py       `draw_room` makes a room of characters: the scene of a task
+commands.py      the commands of ``rlrobot-edu``
 """

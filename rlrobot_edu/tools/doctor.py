@@ -6,7 +6,6 @@ an extra brings are ours.
 
 import importlib.util
 import platform
-import re
 import sys
 import tempfile
 import textwrap
@@ -176,29 +175,25 @@ def _folder() -> Finding:
         )
 
 
-def _needed(
-    distribution: str, extra: str = ""
-) -> tuple[list[Requirement], list[Requirement]]:
-    """The requirements of a distribution, or of an extra of it: those on this computer, and those only on others."""
+def _needed(extra: str = "") -> list[Requirement]:
+    """The requirements of the package on this computer, or those of one of its extras."""
     try:
-        requirements = [
-            Requirement(line) for line in metadata.requires(distribution) or []
-        ]
+        lines = metadata.requires(NAME) or []
     except metadata.PackageNotFoundError:
-        return [], []
-    asks = (
-        re.compile(f'extra == "{re.escape(extra)}"')
-        if extra
-        else re.compile("extra ==")
-    )
-    mine = [r for r in requirements if bool(asks.search(str(r.marker))) == bool(extra)]
-    here = [r for r in mine if r.marker is None or r.marker.evaluate({"extra": extra})]
-    return here, [r for r in mine if r not in here]
+        return []
+    found = []
+    for requirement in map(Requirement, lines):
+        marker = requirement.marker
+        of_extra = marker is not None and "extra ==" in str(marker)
+        applies = marker is None or marker.evaluate({"extra": extra})
+        if applies and of_extra == bool(extra):
+            found.append(requirement)
+    return found
 
 
 def _core() -> Iterator[Finding]:
     """What the toolkit itself needs: each is imported, because one that is damaged is no better than none."""
-    for requirement in _needed(NAME)[0]:
+    for requirement in _needed():
         fault = _fault(requirement)
         try:
             if not fault:
@@ -217,38 +212,24 @@ def _core() -> Iterator[Finding]:
 
 def _extra(name: str) -> Finding:
     """What an extra needs, and with which versions it is there."""
-    here, elsewhere = _needed(NAME, name)
-    if not here and not elsewhere:
-        return Finding(
-            name,
-            f"pip knows no such extra, as of an older toolkit.\nWithout it {WITHOUT[name]}.",
-            ANEW,
-        )
-    if not here:
-        names = ", ".join(sorted({requirement.name for requirement in elsewhere}))
-        computer = f"Python {sys.version_info[0]}.{sys.version_info[1]} on {sys.platform} {platform.machine()}"
-        return Finding(
-            name, f"no wheel of {names} for {computer}.\nWithout it {WITHOUT[name]}."
-        )
-    for requirement in list(here):
-        for part in requirement.extras:
-            here += _needed(requirement.name, part)[0]
-    faults = [
-        f"{requirement.name} {fault}"
-        for requirement in here
-        if (fault := _fault(requirement))
-    ]
-    if faults:
-        return Finding(
-            name,
-            f'{"; ".join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"',
-        )
+    requirements = _needed(name)
+    versions, faults = [], []
+    for requirement in requirements:
+        fault = _fault(requirement)
+        if fault:
+            faults.append(f"{requirement.name} {fault}")
+        else:
+            version = metadata.version(requirement.name)
+            versions.append(f"{requirement.name} {version}")
+    if requirements and not faults:
+        return Finding(name, ", ".join(versions))
+    missing = (
+        "; ".join(faults)
+        or "nothing of it is for this computer, or pip knows an older toolkit"
+    )
     return Finding(
         name,
-        ", ".join(
-            f"{requirement.name} {metadata.version(requirement.name)}"
-            for requirement in here
-        ),
+        f'{missing}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"',
     )
 
 

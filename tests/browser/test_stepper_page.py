@@ -7,6 +7,7 @@ import pytest
 from waiting import until
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_19.credit import credit as credit_in
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.page_data import feed, frame_data
 from rlrobot_edu.widgets.stepper.saved_page import style
@@ -158,7 +159,7 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
     page.click(f"section.q td[data-at='{13 * 3 + 1}']")
     page.get_by_role("combobox", name="rather than").select_option("0")
     said = page.inner_text(".rl-paid p[role=status]")
-    credit = rl.credit(
+    credit = credit_in(
         rl.Agent("worked_example", "TOSL+SR", seed=0),
         rl.make_env("worked_example", seed=0),
         200,

@@ -9,7 +9,7 @@ from rlrobot_course.figures.paths import drive, length_of
 from rlrobot_course.lesson_12.episodes import drive_episodes
 from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
 from rlrobot_course.lesson_12.figures import film_in_lane, place_values
-from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, Paid, lane
+from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, OwnReward, lane
 
 TASK = rl.load_task("navigation_1k")
 
@@ -57,7 +57,7 @@ def test_shaping_with_any_potential_leaves_the_best_actions_as_they_are(seed):
 
 def test_a_robot_is_paid_by_its_own_function_and_all_else_stays():
     env, twin = (
-        Paid(
+        OwnReward(
             rl.make_env(TASK, seed=0),
             lambda before, after, r, end: r + after["x"] - before["x"],
         ),

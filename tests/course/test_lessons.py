@@ -32,14 +32,14 @@ SOME = (
 )
 COPIED = (
     "rlrobot_edu",
+    "rlrobot_ros",
+    "rlrobot_grading",
     "rlrobot_course",
     "tests",
     "notebooks",
-    "notebooks/homework",
     "docs",
     "tasks",
     "studies",
-    "docs/lite",
 )
 COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
 

@@ -2,18 +2,13 @@
 
 import importlib.util
 import json
-import os
-import signal
-import subprocess
-import sys
 import time
 
-import psutil
 import pytest
 
 from rlrobot_course.learner import my_course
 from rlrobot_course.learner.my_course import copy_missing, set_back
-from rlrobot_course.learner.my_functions import FILE, keep, take, whose
+from rlrobot_course.learner.my_functions import FILE, keep, owner_of, take
 from rlrobot_course.lesson_03 import check, exercises
 from rlrobot_grading.answers.notebook import is_notebook
 
@@ -157,33 +152,6 @@ def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(
     assert capsys.readouterr().out.splitlines()[-1].startswith("JupyterLab has ended.")
 
 
-SLEEPER = "import os, time; print(os.getpid(), flush=True); time.sleep(600)"
-
-
-@pytest.mark.skipif(
-    not hasattr(signal, "SIGHUP"), reason="Windows ends programs otherwise"
-)
-@pytest.mark.parametrize("sent", ["SIGTERM", "SIGHUP"])
-def test_who_ends_the_command_ends_jupyterlab_too(course, tmp_path, sent):
-    (tmp_path / "jupyterlab.py").write_text(SLEEPER)
-    slow = "import subprocess as s, time; start = s.Popen; s.Popen = lambda *x, **y: (start(*x, **y), time.sleep(1))[0]"
-    call = "import sys, pathlib; from rlrobot_course.learner import my_course as m; "
-    call += "m.open_lab([], *map(pathlib.Path, sys.argv[1:]))"
-    paths = os.pathsep.join([str(tmp_path), str(my_course.NOTEBOOKS.parent)])
-    command = subprocess.Popen(
-        [sys.executable, "-c", f"{slow}\n{call}", course["source"], course["folder"]],
-        stdout=subprocess.PIPE,
-        text=True,
-        env=os.environ | {"PYTHONPATH": paths},
-    )
-    lab = psutil.Process(
-        next(int(line) for line in command.stdout if line.strip().isdecimal())
-    )
-    command.send_signal(getattr(signal, sent))
-    assert not psutil.wait_procs([lab], timeout=60)[1], "JupyterLab runs on"
-    command.communicate(timeout=60)
-
-
 def module_of(path, source):
     """A learner's functions as a module of their own, so that their source can be read."""
     path.write_text(source)
@@ -225,7 +193,7 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(
         "yours: target, update; given: learn (yours comes here when its check in lesson 03 is green)\n"
     )
     assert learn is exercises.learn and update is not exercises.update
-    assert [whose(update, target), whose(learn), whose(learn, update)] == [
+    assert [owner_of(update, target), owner_of(learn), owner_of(learn, update)] == [
         "your",
         "the given",
         "partly your",

@@ -12,7 +12,13 @@ import scoreboard as study
 from rlrobot_course.learner.my_functions import take
 from rlrobot_course.play import scoreboard as board
 from rlrobot_course.play.challenge import Score
-from rlrobot_course.play.scoreboard import Bar, earned, given, plot_bars, scoreboard
+from rlrobot_course.play.scoreboard import (
+    Bar,
+    earned,
+    library_bars,
+    plot_bars,
+    scoreboard,
+)
 
 
 def at_random(world, steps):
@@ -183,7 +189,7 @@ def test_a_learners_functions_earn_number_for_number_what_the_library_earns(
 @pytest.mark.long
 def test_an_hour_of_a_learners_robots_is_the_given_bar():
     mean, half = board.mean_and_half(earned(LEARNERS["04"]))
-    assert Score(round(mean, 4), round(half, 4)) == given()["04"].score
+    assert Score(round(mean, 4), round(half, 4)) == library_bars()["04"].score
 
 
 @pytest.mark.parametrize("robot", study.WORLDS)
@@ -194,9 +200,9 @@ def test_the_table_has_all_lessons(robot):
         for lesson, (label, *_) in study.FURTHER.items()
         if robot == "held"
     }
-    assert {lesson: bar.label for lesson, bar in given(robot).items()} == named
+    assert {lesson: bar.label for lesson, bar in library_bars(robot).items()} == named
     assert {
-        lesson: bar.label for lesson, bar in given(robot, study.ALL).items()
+        lesson: bar.label for lesson, bar in library_bars(robot, study.ALL).items()
     } == named | further
 
 
@@ -207,7 +213,8 @@ def test_own_scores_are_kept_and_shown_as_ones_own_in_later_lessons(learner):
     later = scoreboard("05", forward, "the given")
     assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in later.alt
     assert (
-        f"lesson 04, softmax: {given()['04'].score} (the given functions)" in later.alt
+        f"lesson 04, softmax: {library_bars()['04'].score} (the given functions)"
+        in later.alt
     )
     assert "lesson 06" not in later.alt
 

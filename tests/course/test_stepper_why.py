@@ -1,10 +1,11 @@
-"""Why is a number so, and what if? The stepper's page beside `rl.credit`, and beside agents that live otherwise."""
+"""Why is a number so, and what if? The stepper's page beside lesson 19's `credit`, and beside other agents."""
 
 import numpy as np
 import pytest
 from in_node import on_its_page
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_19.credit import credit as credit_in
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.methods import Method
@@ -33,13 +34,14 @@ def test_the_page_tells_the_same_shares_as_the_library(method, settings):
     every = f"{pairs}.map((at) => shares(120, Math.floor(at / {n_actions}), at % {n_actions}))"
     told = on_its_page(stepper, f"((shares) => {every})({SHARES})")
     agent = rl.Agent("worked_example", method, seed=1, **settings)
-    credit = rl.credit(agent, rl.make_env("worked_example", seed=1), 120)
+    credit = credit_in(agent, rl.make_env("worked_example", seed=1), 120)
     shares = [credit.shares(s, a) for s, a in np.ndindex(n_states, n_actions)]
     np.testing.assert_allclose(told, shares, atol=1e-12)
     paid = on_its_page(
         stepper, "new Ledger(stepper.about, stepper.tape).grow().paidBy(55, 120)"
     )
-    np.testing.assert_allclose(paid, credit.paid_by(55), atol=1e-12)
+    paid_by_55 = np.reshape(shares, (n_states, n_actions, -1))[..., 54]
+    np.testing.assert_allclose(paid, paid_by_55, atol=1e-12)
 
 
 def test_at_any_step_also_of_a_tape_that_has_dropped_some_the_shares_are_the_librarys():
@@ -50,7 +52,7 @@ def test_at_any_step_also_of_a_tape_that_has_dropped_some_the_shares_are_the_lib
             f"stepper.tape.q.map((row, s) => [...row].map((_, a) => shares({t}, s, a)))"
         )
         told = np.array(on_its_page(stepper, f"((shares) => {rows})({SHARES})"))
-        credit = rl.credit(
+        credit = credit_in(
             rl.Agent("worked_example", "TOSL+SR", seed=1),
             rl.make_env("worked_example", seed=1),
             t,
@@ -68,7 +70,7 @@ def test_the_answer_names_the_steps_that_made_the_difference():
     told = on_its_page(
         stepper, "paidHtml(stepper.about, stepper.tape, { s: 13, a: 1, rather: 0 })"
     )
-    credit = rl.credit(
+    credit = credit_in(
         rl.Agent("worked_example", "TOSL+SR", seed=0),
         rl.make_env("worked_example", seed=0),
         200,

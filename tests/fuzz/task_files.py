@@ -12,7 +12,8 @@ from fuzz.targets import Case, Target, lay, snapshot, unchanged
 from fuzz.values import value
 
 FILE = """{doc}
-from rlrobot_edu import Drawing, InputVariable, OutputVariable, Task
+from rlrobot_edu import InputVariable, OutputVariable, Task
+from rlrobot_edu.tools.drawing import draw_room
 import sys
 nan, inf = float("nan"), float("inf")
 
@@ -90,7 +91,7 @@ def drawings() -> st.SearchStrategy[str]:
     rooms = rows.map(lambda rows: "\n".join(["##########", *rows, "##########"]))
     cells = st.sampled_from(["0.6", "0.06", "9", *ODD])
     return st.builds(
-        "Drawing({!r}, cell={})".format, rooms | st.text(max_size=30), cells
+        "draw_room({!r}, cell={})".format, rooms | st.text(max_size=30), cells
     )
 
 

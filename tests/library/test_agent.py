@@ -142,12 +142,12 @@ def test_a_damaged_agent_file_is_refused_and_nothing_is_unpickled(tmp_path, dama
 SCRIPT = """
 import hashlib, sys
 import rlrobot_edu as rl
-from rlrobot_course.lesson_22.biases import BIASES
+from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_course.lesson_17.sweeping import SWEEPING
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
 methods = "Q+EG Q+EGLE Q+GREEDY Q+RANDOM SARSA+SR ESARSA+SR SL+SR TOSL+SR".split()
-methods += ["TOSL+QBIASSR", *(rl.Method("TOSL", bias) for bias in BIASES)]
+methods += ["TOSL+QBIASSR", rl.Method("TOSL", VBIASSR)]
 for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", SWEEPING)]:
     agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)

@@ -69,9 +69,7 @@ def test_an_extra_is_there_with_its_versions_or_is_missed_with_the_command_that_
 ):
     says = said(extra).says
     if doctor.WITHOUT[extra] in says:
-        assert any(
-            words in says for words in (COMMAND(extra), "no wheel", "no such extra")
-        )
+        assert COMMAND(extra) in says
     else:
         for name, version in (part.split(" ") for part in says.split(", ")):
             assert metadata.version(name) == version
@@ -107,28 +105,10 @@ def test_a_part_of_an_extra_that_is_missing_is_named_with_what_it_disables(absen
     assert not finding.to_do and not finding.is_broken  # nobody must have it
 
 
-def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
-    absent("websockets")  # rlrobot-edu[ros]
-    assert "websockets is missing" in said("all").says
-
-
-def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
-    needs(
-        'pybullet>=3; python_version < "3" and extra == "arm"',
-        'rosbags; extra == "ros"',
-    )
-    assert said("arm").says.startswith(
-        f"no wheel of pybullet for Python 3.{sys.version_info.minor} on {sys.platform}"
-    )
-    assert COMMAND("arm") not in said("arm").says
-
-
-def test_an_extra_that_an_older_installation_did_not_have_is_no_wheel_that_is_missing(
-    needs,
-):
+def test_an_extra_of_which_nothing_is_known_says_how_it_is_installed(needs):
     needs('rosbags; extra == "ros"')  # a checkout has gone on since pip was told of it
-    assert said("arm").says.startswith("pip knows no such extra")
-    assert str(doctor.examine()).count("pip install -e .") == 1
+    assert said("arm").says.startswith("nothing of it is for this computer")
+    assert COMMAND("arm") in said("arm").says
 
 
 @pytest.mark.parametrize(

@@ -469,28 +469,3 @@ def test_what_a_method_refers_to_is_as_it_is_when_learning_begins(
         for agent in (old, new):
             rl.learn(agent, rl.make_env(world, seed=0), 8, progress=False)
         assert (new.q.sum(), old.q.sum() - before) == (8 * k, 8 * k)
-
-
-# Transfer
-
-
-def test_transfer_keeps_the_very_method():
-    impostor = rl.Algorithm("Q", method_of(UPDATE).algorithm.update)
-    planner = rl.Method("Q", "SR", "dyna").planner._replace(name="mine")
-    source = rl.Agent(
-        "wander_simple", rl.Method(impostor, "SR"), planner=planner, seed=0
-    )
-    source.q[:] = 1.0
-    agent = rl.transfer(source, "giraff_wander_simple")
-    assert agent.method == source.method and agent.method.planner.name == "mine"
-    assert rl.transfer(
-        source, "giraff_wander_simple", planner=None
-    ).method == rl.Method(impostor, "SR")
-    assert rl.transfer(
-        source, "giraff_wander_simple", method="TOSL+SR"
-    ).method == rl.Method("TOSL", "SR", planner)
-    mine = rl.Selection("SR", rl.Method("Q", "GREEDY").selection.weigh)
-    given = rl.transfer(
-        source, "giraff_wander_simple", method=rl.Method("SARSA", mine)
-    ).method
-    assert given == rl.Method("SARSA", mine, planner)

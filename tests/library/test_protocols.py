@@ -61,7 +61,6 @@ CLASSES = {
     "Task": (lambda: rl.load_task("wander_simple"), ("one",)),
     "InputVariable": (lambda: rl.InputVariable("x", cuts=[0.2, 0.5], unit="m"), ("values",)),
     "OutputVariable": (lambda: rl.OutputVariable("x", [-1, 1], "rad/s", ["back", "on"]), ("values",)),
-    "Drawing": (lambda: rl.Drawing("#####\n#>.G#\n#####"), ("values",)),
     "Realism": (lambda: rl.Realism(lag=0.1), ("values",)),
     "StateSpace": (lambda: rl.load_task("wander_simple").states, ("values",)),
     "Bin": (lambda: rl.load_task("wander_simple").states.decode(0)["laser_front_left"], ("values",)),

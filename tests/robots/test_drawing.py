@@ -3,7 +3,8 @@
 import json
 import pickle
 import re
-from dataclasses import replace
+from dataclasses import asdict, replace
+from inspect import cleandoc
 
 import gymnasium
 import numpy as np
@@ -21,6 +22,8 @@ from rlrobot_edu.robots.engines.kinematic.base import KinematicBase, walls_of
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
+from rlrobot_edu.task.room import Room
+from rlrobot_edu.tools.drawing import _grid, draw_room
 
 CORRIDOR = """
     ###############
@@ -31,8 +34,8 @@ CORRIDOR = """
               # G #
               #####
 """
-ROOM = rl.Drawing(CORRIDOR)
-BAY = rl.Drawing("""
+ROOM = draw_room(CORRIDOR)
+DRAWN_BAY = """
     +----------+
     |          |
     |  ^  ##   |
@@ -40,7 +43,8 @@ BAY = rl.Drawing("""
     |   #  #   |
     |          |
     +----------+
-""", cell=0.45)  # fmt: skip
+"""
+BAY = draw_room(DRAWN_BAY, cell=0.45)
 
 
 def in_a(room, task="wander_simple", **changed):
@@ -48,21 +52,21 @@ def in_a(room, task="wander_simple", **changed):
     return replace(rl.load_task(task), scene=room, fingerprint="", **changed)
 
 
-def cells(room):
-    """The same arena, but with a wall of its own for each cell: what `Drawing.walls` must come to."""
-    (*lines,), size = room.text.split("\n"), room.cell
+def cells(text, size):
+    """The arena of a drawing, but with a wall of its own for each cell: what the room's walls must come to."""
+    lines = cleandoc(text).split("\n")
     places = [
         (i, j)
         for i, line in enumerate(lines)
         for j, sign in enumerate(line)
-        if sign == "#"
+        if sign in "#+-|"
     ]
-    middle_x, middle_y = len(lines[0]) / 2, len(lines) / 2
+    middle_x, middle_y = max(map(len, lines)) / 2, len(lines) / 2
     walls = [
         Wall((j + 0.5 - middle_x) * size, (middle_y - i - 0.5) * size, size, size)
         for i, j in places
     ]
-    return arena_of(room)._replace(walls=tuple(walls))
+    return arena_of(draw_room(text, size))._replace(walls=tuple(walls))
 
 
 signs = st.sampled_from("#+-| .>^<vG\n\t\rS")
@@ -88,14 +92,12 @@ rooms = st.builds(
 @example(" " * 10_000 + "#", 1.0)
 def test_any_text_is_a_room_or_is_refused_in_one_sentence(text, cell):
     try:
-        room = rl.Drawing(text, cell)
+        room = draw_room(text, cell)
     except ValueError as error:
         assert 10 < len(str(error)) < 300 and "\n" not in str(error)
         return
-    assert (
-        rl.Drawing(room.text, cell) == room
-    )  # its one form is a drawing, too, and the same
-    grid = np.array([[*line] for line in room.text.split("\n")])
+    grid = _grid(text)
+    assert draw_room("\n".join(map("".join, grid)), cell) == room
     covered, (height, width) = np.zeros(grid.shape, dtype=int), grid.shape
     for x_min, y_min, x_max, y_max in room.walls:
         columns = [round(x / cell + width / 2) for x in (x_min, x_max)]
@@ -161,7 +163,7 @@ def test_any_text_is_a_room_or_is_refused_in_one_sentence(text, cell):
 )
 def test_what_is_no_room_is_refused_with_what_is_wrong_and_where(text, expected):
     with pytest.raises(ValueError) as error:
-        rl.Drawing(text)
+        draw_room(text)
     assert expected in str(error.value)
 
 
@@ -171,7 +173,7 @@ def test_a_cell_of_no_size_is_refused(cell):
         ValueError,
         match=r"the cell of a drawing must be a number of metres, at least 0.05 and at most",
     ):
-        rl.Drawing(CORRIDOR, cell)
+        draw_room(CORRIDOR, cell)
 
 
 @pytest.mark.parametrize(
@@ -180,11 +182,11 @@ def test_a_cell_of_no_size_is_refused(cell):
         CORRIDOR.replace("\n", "\r\n"), re.sub("(?m)^    ", "\t", CORRIDOR), CORRIDOR.replace("#\n", "#  \t\n"),
         CORRIDOR.replace("#", "+"), CORRIDOR.replace(" ", "."), CORRIDOR.strip(), f"\n\n  \n{CORRIDOR}\n\n",
         "\n".join(line[4:] for line in CORRIDOR.split("\n")),
-        CORRIDOR.replace("    ###############\n", "###############\n", 1).strip("\n"), ROOM.text,
+        CORRIDOR.replace("    ###############\n", "###############\n", 1).strip("\n"),
     ],
 )  # fmt: skip
 def test_line_ends_tabs_indentation_and_signs_that_mean_the_same_do_not_matter(same):
-    drawing = rl.Drawing(same)
+    drawing = draw_room(same)
     assert (
         drawing == ROOM and hash(drawing) == hash(ROOM) and drawing.walls == ROOM.walls
     )
@@ -196,36 +198,29 @@ def test_a_room_whose_first_line_is_not_its_leftmost_is_drawn_as_it_stands():
         "  ####\n###  #\n#> ###\n####",
         "\n      ####\n    ###  #\n    #> ###\n    ####\n",
     ):
-        assert rl.Drawing(text).text == "..####\n###..#\n#>.###\n####.."
+        assert draw_room(text) == draw_room("..####\n###..#\n#>.###\n####..")
 
 
-def test_it_reads_and_prints_as_it_was_drawn():
-    assert (
-        eval(repr(ROOM), {"Drawing": rl.Drawing})
-        == ROOM
-        == pickle.loads(pickle.dumps(ROOM))
-    )
-    where = "x = 0, y = 0 is its middle; x = -0.5 to 0.5 m, y = -0.5 to 0.5 m; 4 walls"
-    assert (
-        str(rl.Drawing("###\n#>#\n###", 1))
-        == f"a drawing, each character 1.0 m:\n###\n#>#\n###\n{where}"
-    )
-    assert rl.Drawing(CORRIDOR, 0.7) != ROOM and ROOM != BAY
+def test_it_reads_and_prints_as_a_room():
+    assert eval(repr(ROOM), {"Room": Room}) == ROOM == pickle.loads(pickle.dumps(ROOM))
+    said = "a room with 4 walls, x = -0.5 to 0.5 m, y = -0.5 to 0.5 m"
+    assert str(draw_room("###\n#>#\n###", 1)) == said
+    assert draw_room(CORRIDOR, 0.7) != ROOM and ROOM != BAY
 
 
 def test_walls_are_few_and_long_and_no_straight_face_has_a_seam():
-    assert len(rl.Drawing("########\n#>     #\n########").walls) == 4
+    assert len(draw_room("########\n#>     #\n########").walls) == 4
     assert (
-        len(rl.Drawing("##########\n##>     ##\n##      ##\n##########").walls) == 4
+        len(draw_room("##########\n##>     ##\n##      ##\n##########").walls) == 4
     )  # thick ones, too
     assert len(ROOM.walls) == 6
     lines = [f"##{'.' * 30}##" for _ in range(30)]
-    busy = rl.Drawing("\n".join(["#" * 34, "##>" + "." * 29 + "##", *lines, "#" * 34]))
+    busy = draw_room("\n".join(["#" * 34, "##>" + "." * 29 + "##", *lines, "#" * 34]))
     assert len(busy.walls) == 4
 
 
 def test_the_places_are_those_of_the_drawing():
-    room = rl.Drawing("#####\n#  G#\n# v #\n#   #\n#####", cell=2)
+    room = draw_room("#####\n#  G#\n# v #\n#   #\n#####", cell=2)
     assert (
         room.start == (0, 0, -np.pi / 2)
         and room.goal == (2, 2, 1)
@@ -243,19 +238,19 @@ def test_a_robot_that_does_not_fit_where_it_starts_is_refused_with_the_task():
     for text in ("#####\n#>  #\n#####", "###\n#^#\n# #\n# #\n###"):
         with pytest.raises(
             ValueError,
-            match="does not fit where it starts in the drawing; make its cells larger",
+            match=r"does not fit where it starts, at .*; let it start farther",
         ):
             in_a(
-                rl.Drawing(text, cell=0.5)
+                draw_room(text, cell=0.5)
             )  # its back would be a centimetre in the wall
-        in_a(rl.Drawing(text, cell=0.52))
+        in_a(draw_room(text, cell=0.52))
     in_a(
-        rl.Drawing("#####\n# > #\n#####", cell=0.42)
+        draw_room("#####\n# > #\n#####", cell=0.42)
     )  # along a corridor it needs its width alone
     with pytest.raises(ValueError, match="does not fit"):
-        in_a(rl.Drawing("#####\n# v #\n#####", cell=0.42))
+        in_a(draw_room("#####\n# v #\n#####", cell=0.42))
     with pytest.raises(
-        ValueError, match=r"robot 'arm' has no scene Drawing\(.*It has: table"
+        ValueError, match=r"robot 'arm' has no scene Room\(.*It has: table"
     ):
         in_a(ROOM, "arm_1k")
 
@@ -274,19 +269,21 @@ def bullet():
     return module.BulletBase
 
 
-@pytest.mark.parametrize("room", [ROOM, BAY], ids=["corridor", "bay"])
+@pytest.mark.parametrize(
+    ("text", "cell"), [(CORRIDOR, 0.6), (DRAWN_BAY, 0.45)], ids=["corridor", "bay"]
+)
 @pytest.mark.parametrize(
     "kind", [MobileBase, KinematicBase, Giraff, bullet], ids=lambda kind: kind.__name__
 )
 def test_the_lasers_measure_to_the_cells_that_were_drawn_and_no_wall_is_entered(
-    kind, room
+    kind, text, cell
 ):
     kind, chassis = (
         bullet() if kind is bullet else kind,
         getattr(kind, "chassis", PIONEER),
     )
-    real = cells(room)
-    for readings in drives(kind, room, 60):
+    real = cells(text, cell)
+    for readings in drives(kind, draw_room(text, cell), 60):
         exact = exact_lasers(real, chassis, readings)
         assert [readings[laser] for laser in LASERS] == pytest.approx(exact, abs=1e-6)
         if chassis.hull:
@@ -317,7 +314,7 @@ def test_the_square_drawn_with_the_same_measures_is_the_square_of_the_toolkit(
 ):
     inside, its = "\n".join(["#" + "." * 20 + "#"] * 19), arena_of("square_2x2")
     edge, row = "#" * 22, "#.........>..........#"
-    mine = arena_of(rl.Drawing(f"{edge}\n{inside}\n{row}\n{edge}", cell=0.1))._replace(
+    mine = arena_of(draw_room(f"{edge}\n{inside}\n{row}\n{edge}", cell=0.1))._replace(
         start=its.start
     )
     assert mine.bounds == pytest.approx(its.bounds)
@@ -341,7 +338,7 @@ def test_the_square_drawn_with_the_same_measures_is_the_square_of_the_toolkit(
 def test_along_a_wall_of_many_cells_a_robot_glides_as_along_one(kind):
     edge, free = "#" * 42, "#" + "." * 40 + "#"
     robot = kind(
-        rl.Drawing(
+        draw_room(
             "\n".join([edge, free, "#.>".ljust(41, ".") + "#", free, edge]), cell=0.3
         ),
         1.0,
@@ -397,25 +394,29 @@ def test_gymnasium_registers_a_task_in_a_drawn_room():
         del gymnasium.registry["drawn-v0"]
 
 
-def test_a_recording_keeps_the_drawing_line_by_line_and_asks_for_the_same(tmp_path):
+def test_a_recording_keeps_the_room_and_asks_for_the_same(tmp_path):
     task = in_a(BAY)
     recording = rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=30)
     recording.save(tmp_path)
     package = json.loads((tmp_path / "datapackage.json").read_text())
-    assert package["rlrobot"]["scene"] == {"lines": BAY.text.split("\n"), "cell": 0.45}
+    assert package["rlrobot"]["scene"] == json.loads(json.dumps(asdict(BAY)))
     assert rl.Recording.load(tmp_path, task).source == recording.source
     for other in (ROOM, "square_2x2"):
         with pytest.raises(
             ValueError,
-            match="not a recording of task wander_simple: scene is a drawing",
+            match="not a recording of task wander_simple: scene is a room",
         ):
             rl.Recording.load(tmp_path, in_a(other))
+    sound = asdict(BAY)
     for spoilt in (
         {},
         {"lines": ["#"], "cell": 1},
-        {"lines": 3, "cell": 1},
-        {"lines": [3], "cell": 1},
-        {"lines": []},
+        sound | {"walls": 3},
+        sound | {"walls": [[0, 0, 1]]},
+        sound | {"walls": [[1, 0, 0, 1]]},
+        sound | {"bounds": [0, 0, 1, "1"]},
+        sound | {"start": [0, 0]},
+        sound | {"goal": 3},
     ):
         package["rlrobot"]["scene"] = spoilt
         (tmp_path / "datapackage.json").write_text(json.dumps(package))

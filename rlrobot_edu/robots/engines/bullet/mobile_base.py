@@ -75,7 +75,7 @@ def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
 class BulletBase(BulletRobot):
     """A body on two driven wheels and two casters, in an arena. Its wheels hold, or slip, by friction.
 
-    scene: name of an arena, or a drawing of one
+    scene: name of an arena, or a room
     step_time: duration of one control step [s]
     """
 

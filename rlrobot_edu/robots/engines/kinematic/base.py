@@ -107,7 +107,7 @@ class KinematicBase(KinematicRobot, MobileBase):
 
     Without momentum, friction or lag. It looks like the base in pymunk.
 
-    scene: name of an arena, or a drawing of one
+    scene: name of an arena, or a room
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own. Raises ValueError for a disc.
     """

@@ -1,14 +1,15 @@
-"""A world of one's own, drawn with characters: a small value that can be the scene of a task."""
+"""A room drawn with characters, one for each square of its floor, as the scene of a task."""
 
 import inspect
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 import numpy as np
+from scipy import ndimage
 
 from rlrobot_edu.checks import check_between
+from rlrobot_edu.task.room import Box, Room
 
 WALL, FREE, GOAL = "#", ".", "G"
 HEADINGS = {">": 0.0, "^": math.pi / 2, "<": math.pi, "v": -math.pi / 2}  # [rad]
@@ -16,11 +17,8 @@ ALSO = str.maketrans("+-| ", "###.")  # what may stand for walls and for free fl
 MOST = 80  # lines, and characters in a line: a page
 CELL = (0.05, 10.0)  # the smallest and the largest [m]
 
-Box = tuple[float, float, float, float]  # its least x and y, and its largest
 
-
-@dataclass(frozen=True)
-class Drawing:
+def draw_room(text: str, cell: float = 0.6) -> Room:
     '''A room seen from above, drawn with one character for each square cell of its floor.
 
     =============== ==============================================================
@@ -39,20 +37,14 @@ class Drawing:
     ----------
     text : str
         The drawing, the top line first: x points to the right, y up, and (0, 0) is the middle of the drawing.
-        It is kept in one form, with ``#`` for walls and ``.`` for free floor, so that equal drawings are equal.
     cell : float [m]
-        Width of a cell, and so of a wall and of the narrowest corridor: from 0.05 to 10.
+        Width of a cell, and so of a wall and of the narrowest corridor: from 0.05 to 10. In cells of 0.6 the mobile
+        base can just turn round.
 
-    Attributes
-    ----------
-    start : tuple of float
-        x, y and theta of the robot at the beginning [m, m, rad].
-    goal : tuple of float, or None
-        x, y and radius of the goal [m]; the reward or the goal of a task may ask how far it is.
-    walls : tuple of tuple of float
-        x_min, y_min, x_max, y_max of each wall [m]. Cells side by side are one long wall; crossing walls overlap.
-    bounds : tuple of float
-        x_min, y_min, x_max, y_max of the drawing without its outermost cells [m].
+    Returns
+    -------
+    Room
+        Wall cells side by side are one long wall, and crossing walls overlap. The goal is as wide as a cell.
 
     Raises
     ------
@@ -62,7 +54,7 @@ class Drawing:
 
     Examples
     --------
-    >>> room = Drawing("""
+    >>> room = draw_room("""
     ...     ########
     ...     #>    G#
     ...     ########
@@ -70,87 +62,36 @@ class Drawing:
     >>> room.bounds
     (-1.8, -0.3, 1.8, 0.3)
     '''
+    if not isinstance(text, str):
+        raise ValueError(f"a drawing is a text of lines, got {text!r:.200}")
+    check_between("the cell of a drawing", cell, *CELL, unit=" of metres")
+    grid = _grid(text)
+    starts = np.argwhere(np.isin(grid, [*HEADINGS])).tolist()
+    goals = np.argwhere(grid == GOAL).tolist()
+    if len(starts) != 1 or len(goals) > 1:
+        expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
+        raise ValueError(
+            f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}"
+        )
+    _check_room(grid, *starts, *goals)
+    height, width = grid.shape
 
-    text: str
-    cell: float = 0.6  # in which the mobile base can just turn round
-    start: tuple[float, float, float] = field(init=False, repr=False, compare=False)
-    goal: tuple[float, float, float] | None = field(
-        init=False, repr=False, compare=False
+    def point(line: float, column: float) -> tuple[float, float]:
+        x, y = (column - width / 2) * cell, (height / 2 - line) * cell
+        return round(x, 9), round(y, 9)
+
+    def middle(line: int, column: int) -> tuple[float, float]:
+        return point(line + 0.5, column + 0.5)
+
+    def box(top: int, left: int, bottom: int, right: int) -> Box:
+        return *point(bottom, left), *point(top, right)
+
+    return Room(
+        walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
+        bounds=box(1, 1, height - 1, width - 1),
+        start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]),
+        goal=(*middle(*goals[0]), cell / 2) if goals else None,
     )
-    walls: tuple[Box, ...] = field(init=False, repr=False, compare=False)
-    bounds: Box = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.text, str):
-            raise ValueError(f"a drawing is a text of lines, got {self.text!r:.200}")
-        check_between("the cell of a drawing", self.cell, *CELL, unit=" of metres")
-        grid, cell = _grid(self.text), float(self.cell)
-        starts, goals = (
-            np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL)
-        )
-        if len(starts) != 1 or len(goals) > 1:
-            expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
-            raise ValueError(
-                f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}"
-            )
-        _check_room(grid, *starts, *goals)
-        height, width = grid.shape
-
-        def point(line: float, column: float) -> tuple[float, float]:
-            return round((column - width / 2) * cell, 9), round(
-                (height / 2 - line) * cell, 9
-            )
-
-        def middle(line: int, column: int) -> tuple[float, float]:
-            return point(line + 0.5, column + 0.5)
-
-        def box(top: int, left: int, bottom: int, right: int) -> Box:
-            return *point(bottom, left), *point(top, right)
-
-        # as they are from now on: the dataclass is frozen for everybody else
-        vars(self).update(
-            text="\n".join(map("".join, grid)),
-            cell=cell,
-            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]),
-            goal=(*middle(*goals[0]), cell / 2) if goals else None,
-            walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
-            bounds=box(1, 1, height - 1, width - 1),
-        )
-
-    def __str__(self) -> str:
-        floor = "x = 0, y = 0 is its middle; x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(
-            *self.bounds
-        )
-        return f"a drawing, each character {self.cell!r} m:\n{self.text}\n{floor}; {len(self.walls)} walls"
-
-    def check_start(self, length: float, width: float) -> None:
-        """Check that a robot has room where it starts.
-
-        Parameters
-        ----------
-        length, width : float [m]
-            Its size.
-
-        Raises
-        ------
-        ValueError
-            If it would stand in a wall.
-        """
-        x, y, theta = self.start
-        dx, dy = (
-            (length / 2, width / 2)
-            if theta in (0.0, math.pi)
-            else (width / 2, length / 2)
-        )
-        if any(
-            x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1
-            for x0, y0, x1, y1 in self.walls
-        ):
-            size = f"{length:g} m long and {width:g} m wide"
-            advice = f"make its cells larger than {self.cell:g} m, or let it start farther from the walls"
-            raise ValueError(
-                f"the robot, {size}, does not fit where it starts in the drawing; {advice}"
-            )
 
 
 def _grid(text: str) -> np.ndarray:
@@ -190,10 +131,6 @@ def _check_room(
     grid: np.ndarray, start: list[int], goal: list[int] | None = None
 ) -> None:
     """Raises ValueError unless walls close the room around the start, and the goal is in it."""
-    from scipy import (
-        ndimage,
-    )  # here, because few tasks need it, and every program reads this file
-
     region = ndimage.label(grid != WALL)[0]
     reached = region == region[*start]
     if goal and not reached[*goal]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_course.lesson_19.linear import Linear, plain
 from rlrobot_edu.checks import check_count, check_index
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
@@ -14,13 +15,12 @@ from rlrobot_edu.learning.loop import steps as walk
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.step import NO_ACTION
 from rlrobot_edu.learning.traces import forget
-from rlrobot_edu.tools.credit.linear import Linear, plain
 
 MOST_NUMBERS = 50_000_000  # 400 MB
 
 
 class Credit:
-    """What each Q(s, a) is made of: a share of each reward, and what was there before.
+    """What each Q(s, a) is made of: a share of each reward.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class Credit:
 
     Notes
     -----
-    ``q[s, a]`` is ``start(s, a)`` plus the sum of ``shares(s, a)``, but for rounding.
+    Where all values were 0 at first, ``q[s, a]`` is the sum of ``shares(s, a)``, but for rounding.
     """
 
     def __init__(self, steps: list[Step], q: np.ndarray, made_of: np.ndarray) -> None:
@@ -78,49 +78,6 @@ class Credit:
         shares: np.ndarray = self.weights(s, a) * self.rewards
         return shares
 
-    def start(self, s: int, a: int) -> float:
-        """What of Q(s, a) stems from the values before the first step.
-
-        Parameters
-        ----------
-        s, a : int
-            State and action.
-
-        Returns
-        -------
-        float
-            What no reward of these steps has paid.
-        """
-        return float(self.q[s, a] - self.shares(s, a).sum())
-
-    def paid_by(self, t: int) -> np.ndarray:
-        """What one step has paid for every value.
-
-        Parameters
-        ----------
-        t : int
-            Number of the step, from 1, as the stepper counts.
-
-        Returns
-        -------
-        array (n_states, n_actions)
-            Its share in each.
-
-        Raises
-        ------
-        ValueError
-            If there is no such step.
-        """
-        if t not in range(1, len(self.steps) + 1):
-            raise ValueError(
-                f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}"
-            )
-        weights = [
-            made.weights[t - 1] if isinstance(made, Linear) else 0.0
-            for made in self._made_of.flat
-        ]
-        return np.array(weights).reshape(self.q.shape) * float(self.rewards[t - 1])
-
     def why(self, s: int, a: int, rather_than: int) -> str:
         """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.
 
@@ -138,20 +95,13 @@ class Credit:
         most = [
             int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]
         ]
-        told = (
-            "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most)
-            or "no reward yet"
-        )
+        reasons = [f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most]
         apart = f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}"
-        return f"{apart}. Most of it: {told}."
+        return f"{apart}. Most of it: {'; '.join(reasons) or 'no reward yet'}."
 
     def _step(self, t: int) -> str:
         step = self.steps[t]
         return f"action {step.a} in state {step.s} paid {step.r:g}"
-
-    def __repr__(self) -> str:
-        touched = sum(isinstance(made, Linear) for made in self._made_of.flat)
-        return f"<Credit of {len(self.steps)} steps: {touched} values, {np.count_nonzero(self.rewards)} rewards but 0>"
 
 
 def credit(agent: Agent, env: Env, steps: int) -> Credit:
@@ -174,7 +124,7 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     Raises
     ------
     ValueError
-        For an agent that plans, and if it would have to keep too many numbers.
+        For an agent that plans.
 
     Notes
     -----
@@ -186,10 +136,6 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     if agent.method.planner:
         raise ValueError(
             "an agent that plans learns from imagined steps, too; credit is for those that do not plan"
-        )
-    if agent.q.size * steps > MOST_NUMBERS:
-        raise ValueError(
-            f"{agent.q.size} values times {steps} steps are more numbers than {MOST_NUMBERS:,}; take fewer steps"
         )
     m = _memory_of(agent)
     update, forget_traces = plain(agent.method.algorithm.update), plain(forget)
