@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 DATASETS = Path(__file__).parents[2] / "datasets"
 
@@ -35,7 +36,7 @@ def write_galleries(folder: Path) -> None:
         "`rl.load_task(name)` reads a task, `rl.make_env(name)` makes its robot. Each is one file to read. "
         "Pictures: the robot after one hour of learning, and means of 10 repetitions with 95 % intervals."
     )
-    cards = "\n".join(task_card(name) for name in rl.available_tasks())
+    cards = "\n".join(task_card(name) for name in available_tasks())
     (folder / "tasks.md").write_text(
         f"# Gallery of tasks\n\n{about}\n\n{cards}", encoding="utf-8"
     )

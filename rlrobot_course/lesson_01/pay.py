@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from rlrobot_course.lesson_01.design import PAIRS
-from rlrobot_edu import Agent, Film, learn, load_task, make_env, steps
+from rlrobot_edu import Agent, learn, load_task, make_env, steps
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.film import Film
 from rlrobot_edu.task.reward_parts import distance_moved
 from rlrobot_grading.design import Pay, paid_by
 

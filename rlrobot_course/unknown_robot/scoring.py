@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 from numpy.typing import NDArray
 
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
@@ -20,7 +20,6 @@ from rlrobot_edu import (
     record,
     value_iteration,
 )
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_ros.live.served_body import TICK
 
@@ -87,7 +86,7 @@ def rulers(task: Task, secret: Secret, seconds: float = HOUR) -> tuple[float, fl
     """
     steps = round(seconds / task.step_time)
     random, _ = _drive(task, secret, Agent(task, "Q+RANDOM", seed=0), 0, steps)
-    pupils = workers()(
+    pupils = Parallel(n_jobs=-1)(
         delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS)
     )
     best, recording = max(pupils, key=lambda pupil: float(pupil[0]))

@@ -50,13 +50,16 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
         raise FileExistsError(
             f"{path} is there already; choose another name, or move it away"
         )
+    scenes = list(card.scenes)
+    if card.size:
+        scenes.append("a Drawing (from rlrobot_edu.task.drawing import Drawing)")
     template = "".join(
         (TEMPLATES / f"{part}.txt").read_text(encoding="utf-8")
         for part in ("head", robot)
     )
     text = Template(template).substitute(
         title=name.replace("_", " ").capitalize(), file=path.name, robot=robot, scene=card.scenes[0],
-        scenes=", ".join([*card.scenes, *["rl.Drawing"] * bool(card.size)]),
+        scenes=", ".join(scenes),
         sensors=_listed(card.sensors | card.stops), commands=_listed(card.commands),
     )  # fmt: skip
     write_whole(path, text)

@@ -12,7 +12,8 @@ from fuzz.targets import Case, Target, lay, snapshot, unchanged
 from fuzz.values import value
 
 FILE = """{doc}
-from rlrobot_edu import Drawing, InputVariable, OutputVariable, Task
+from rlrobot_edu import InputVariable, OutputVariable, Task
+from rlrobot_edu.task.drawing import Drawing
 import sys
 nan, inf = float("nan"), float("inf")
 

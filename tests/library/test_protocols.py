@@ -11,6 +11,7 @@ from worlds import recording_of
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.task.drawing import Drawing
 
 ROWS = [(0, 0, 5.0, 1, 0), (1, 1, 0.0, 2, 0), (2, 0, -1.0, 0, 1), (0, 0, 5.0, 1, 0)]
 
@@ -61,7 +62,7 @@ CLASSES = {
     "Task": (lambda: rl.load_task("wander_simple"), ("one",)),
     "InputVariable": (lambda: rl.InputVariable("x", cuts=[0.2, 0.5], unit="m"), ("values",)),
     "OutputVariable": (lambda: rl.OutputVariable("x", [-1, 1], "rad/s", ["back", "on"]), ("values",)),
-    "Drawing": (lambda: rl.Drawing("#####\n#>.G#\n#####"), ("values",)),
+    "Drawing": (lambda: Drawing("#####\n#>.G#\n#####"), ("values",)),
     "Realism": (lambda: rl.Realism(lag=0.1), ("values",)),
     "StateSpace": (lambda: rl.load_task("wander_simple").states, ("values",)),
     "Bin": (lambda: rl.load_task("wander_simple").states.decode(0)["laser_front_left"], ("values",)),

@@ -18,6 +18,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_course.authoring.lists import lessons
+from rlrobot_edu.task.task_file import available_tasks
 
 ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
@@ -98,7 +99,7 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
     for notebook in [*lessons(ROOT).values(), *ROOT.glob("notebooks/homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
-    assert set(rl.available_tasks()) <= {
+    assert set(available_tasks()) <= {
         anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors
     }
     for dataset in (ROOT / "datasets").glob("*/README.md"):

@@ -21,6 +21,7 @@ from rlrobot_edu.task.reward_parts import (
     wander_reward,
 )
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
+from rlrobot_edu.task.task_file import available_tasks
 
 # Steps after which ten repetitions (of the slow mobile manipulator, four) tell learning from chance
 STEPS = {
@@ -57,7 +58,7 @@ def random_walk(name, engine=None):
 
 
 def test_no_task_is_left_out():
-    assert STEPS.keys() | ARM_STEPS.keys() == set(rl.available_tasks())
+    assert STEPS.keys() | ARM_STEPS.keys() == set(available_tasks())
 
 
 @pytest.mark.long

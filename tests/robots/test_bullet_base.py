@@ -10,6 +10,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
+from rlrobot_edu.task.task_file import available_tasks
 
 WHEEL_RADIUS = PIONEER.wheel_radius
 there = pytest.importorskip(
@@ -19,7 +20,7 @@ there = pytest.importorskip(
 )
 BulletBase = there.BulletBase
 TASKS = [
-    name for name in rl.available_tasks() if rl.load_task(name).robot == "mobile_base"
+    name for name in available_tasks() if rl.load_task(name).robot == "mobile_base"
 ]
 
 

@@ -19,6 +19,7 @@ from rlrobot_edu.robots.arenas import ARENAS, Wall, arena_of
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase, walls_of
 from rlrobot_edu.robots.giraff import GIRAFF, Giraff
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 CORRIDOR = """
@@ -30,8 +31,8 @@ CORRIDOR = """
               # G #
               #####
 """
-ROOM = rl.Drawing(CORRIDOR)
-BAY = rl.Drawing("""
+ROOM = Drawing(CORRIDOR)
+BAY = Drawing("""
     +----------+
     |          |
     |  ^  ##   |
@@ -87,12 +88,12 @@ rooms = st.builds(
 @example(" " * 10_000 + "#", 1.0)
 def test_any_text_is_a_room_or_is_refused_in_one_sentence(text, cell):
     try:
-        room = rl.Drawing(text, cell)
+        room = Drawing(text, cell)
     except ValueError as error:
         assert 10 < len(str(error)) < 300 and "\n" not in str(error)
         return
     assert (
-        rl.Drawing(room.text, cell) == room
+        Drawing(room.text, cell) == room
     )  # its one form is a drawing, too, and the same
     grid = np.array([[*line] for line in room.text.split("\n")])
     covered, (height, width) = np.zeros(grid.shape, dtype=int), grid.shape
@@ -160,7 +161,7 @@ def test_any_text_is_a_room_or_is_refused_in_one_sentence(text, cell):
 )
 def test_what_is_no_room_is_refused_with_what_is_wrong_and_where(text, expected):
     with pytest.raises(ValueError) as error:
-        rl.Drawing(text)
+        Drawing(text)
     assert expected in str(error.value)
 
 
@@ -170,7 +171,7 @@ def test_a_cell_of_no_size_is_refused(cell):
         ValueError,
         match=r"the cell of a drawing must be a number of metres, at least 0.05 and at most",
     ):
-        rl.Drawing(CORRIDOR, cell)
+        Drawing(CORRIDOR, cell)
 
 
 @pytest.mark.parametrize(
@@ -183,7 +184,7 @@ def test_a_cell_of_no_size_is_refused(cell):
     ],
 )  # fmt: skip
 def test_line_ends_tabs_indentation_and_signs_that_mean_the_same_do_not_matter(same):
-    drawing = rl.Drawing(same)
+    drawing = Drawing(same)
     assert (
         drawing == ROOM and hash(drawing) == hash(ROOM) and drawing.walls == ROOM.walls
     )
@@ -195,36 +196,36 @@ def test_a_room_whose_first_line_is_not_its_leftmost_is_drawn_as_it_stands():
         "  ####\n###  #\n#> ###\n####",
         "\n      ####\n    ###  #\n    #> ###\n    ####\n",
     ):
-        assert rl.Drawing(text).text == "..####\n###..#\n#>.###\n####.."
+        assert Drawing(text).text == "..####\n###..#\n#>.###\n####.."
 
 
 def test_it_reads_and_prints_as_it_was_drawn():
     assert (
-        eval(repr(ROOM), {"Drawing": rl.Drawing})
+        eval(repr(ROOM), {"Drawing": Drawing})
         == ROOM
         == pickle.loads(pickle.dumps(ROOM))
     )
     where = "x = 0, y = 0 is its middle; x = -0.5 to 0.5 m, y = -0.5 to 0.5 m; 4 walls"
     assert (
-        str(rl.Drawing("###\n#>#\n###", 1))
+        str(Drawing("###\n#>#\n###", 1))
         == f"a drawing, each character 1.0 m:\n###\n#>#\n###\n{where}"
     )
-    assert rl.Drawing(CORRIDOR, 0.7) != ROOM and ROOM != BAY
+    assert Drawing(CORRIDOR, 0.7) != ROOM and ROOM != BAY
 
 
 def test_walls_are_few_and_long_and_no_straight_face_has_a_seam():
-    assert len(rl.Drawing("########\n#>     #\n########").walls) == 4
+    assert len(Drawing("########\n#>     #\n########").walls) == 4
     assert (
-        len(rl.Drawing("##########\n##>     ##\n##      ##\n##########").walls) == 4
+        len(Drawing("##########\n##>     ##\n##      ##\n##########").walls) == 4
     )  # thick ones, too
     assert len(ROOM.walls) == 6
     lines = [f"##{'.' * 30}##" for _ in range(30)]
-    busy = rl.Drawing("\n".join(["#" * 34, "##>" + "." * 29 + "##", *lines, "#" * 34]))
+    busy = Drawing("\n".join(["#" * 34, "##>" + "." * 29 + "##", *lines, "#" * 34]))
     assert len(busy.walls) == 4
 
 
 def test_the_places_are_those_of_the_drawing():
-    room = rl.Drawing("#####\n#  G#\n# v #\n#   #\n#####", cell=2)
+    room = Drawing("#####\n#  G#\n# v #\n#   #\n#####", cell=2)
     assert (
         room.start == (0, 0, -np.pi / 2)
         and room.goal == (2, 2, 1)
@@ -244,15 +245,13 @@ def test_a_robot_that_does_not_fit_where_it_starts_is_refused_with_the_task():
             ValueError,
             match="does not fit where it starts in the drawing; make its cells larger",
         ):
-            in_a(
-                rl.Drawing(text, cell=0.5)
-            )  # its back would be a centimetre in the wall
-        in_a(rl.Drawing(text, cell=0.52))
+            in_a(Drawing(text, cell=0.5))  # its back would be a centimetre in the wall
+        in_a(Drawing(text, cell=0.52))
     in_a(
-        rl.Drawing("#####\n# > #\n#####", cell=0.42)
+        Drawing("#####\n# > #\n#####", cell=0.42)
     )  # along a corridor it needs its width alone
     with pytest.raises(ValueError, match="does not fit"):
-        in_a(rl.Drawing("#####\n# v #\n#####", cell=0.42))
+        in_a(Drawing("#####\n# v #\n#####", cell=0.42))
     with pytest.raises(
         ValueError, match=r"robot 'arm' has no scene Drawing\(.*It has: table"
     ):
@@ -316,7 +315,7 @@ def test_the_square_drawn_with_the_same_measures_is_the_square_of_the_toolkit(
 ):
     inside, its = "\n".join(["#" + "." * 20 + "#"] * 19), arena_of("square_2x2")
     edge, row = "#" * 22, "#.........>..........#"
-    mine = arena_of(rl.Drawing(f"{edge}\n{inside}\n{row}\n{edge}", cell=0.1))._replace(
+    mine = arena_of(Drawing(f"{edge}\n{inside}\n{row}\n{edge}", cell=0.1))._replace(
         start=its.start
     )
     assert mine.bounds == pytest.approx(its.bounds)
@@ -340,7 +339,7 @@ def test_the_square_drawn_with_the_same_measures_is_the_square_of_the_toolkit(
 def test_along_a_wall_of_many_cells_a_robot_glides_as_along_one(kind):
     edge, free = "#" * 42, "#" + "." * 40 + "#"
     robot = kind(
-        rl.Drawing(
+        Drawing(
             "\n".join([edge, free, "#.>".ljust(41, ".") + "#", free, edge]), cell=0.3
         ),
         1.0,
