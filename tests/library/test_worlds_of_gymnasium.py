@@ -72,6 +72,37 @@ def test_a_repetition_in_gymnasiums_world_can_be_made_again_by_hand():
     )
 
 
+@pytest.mark.parametrize(
+    "world", [CLIFF, gymnasium.spec(CLIFF), lambda: gymnasium.make(CLIFF)]
+)
+def test_an_agent_takes_whatever_world_make_env_takes(world):
+    agent = rl.Agent(world, "Q+EG", gamma=1, seed=0)
+    assert agent.q.shape == (48, 4) and agent.task is None
+    history = rl.learn(agent, rl.make_env(world, seed=0), steps=50, progress=False)
+    assert len(history) == 50
+
+
+def test_an_agent_of_an_unknown_world_is_refused_as_its_environment_is():
+    for make in (rl.Agent, rl.make_env):
+        with pytest.raises(gymnasium.error.Error, match="Did you mean: `CliffWalking`"):
+            make("CliffWalkin-v1")
+        with pytest.raises(ValueError, match="no task 'wandr'; did you mean"):
+            make("wandr")
+    assert rl.Agent("rlrobot/wander_simple-v0").task.name == "wander_simple"
+
+
+def test_episodes_need_no_steps_and_one_of_the_two_is_needed():
+    agent, env = rl.Agent(CLIFF, "Q+EG", seed=0), rl.make_env(CLIFF, seed=0)
+    for call in (rl.learn, rl.evaluate):
+        with pytest.raises(ValueError, match="give steps= or episodes="):
+            call(agent, env)
+        with pytest.raises(TypeError, match="positional"):
+            call(agent, env, 10, 2)
+    assert len(rl.learn(agent, env, episodes=3, progress=False).returns) == 3
+    history = rl.evaluate(agent, env, steps=40, progress=False)
+    assert len(history) == 40
+
+
 def test_each_repetition_makes_its_own_environment_and_closes_it():
     made = []
 
