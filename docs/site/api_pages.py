@@ -15,8 +15,6 @@ TITLES = {  # by folder of the library: what one wants to do with its names
     "widgets": "Step through, watch and drive it",
     "models": "Record, and learn from a model",
     "experiments": "Repeat and compare",
-    "tools": "Check a task, explain values, transfer knowledge",
-    "ros": "Use a real robot",
 }
 
 
@@ -47,7 +45,7 @@ def write_api(api: Path) -> None:
     lines = [
         "# API by what you want to do",
         "",
-        "All names are in `import rlrobot_edu as rl`.",
+        "These names are in `import rlrobot_edu as rl`; all else is imported from its module, which says what it is.",
     ]
     for folder, names in groups().items():
         text = f"# {TITLES[folder]}\n\n" + "\n".join(described(name) for name in names)

@@ -9,6 +9,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_20 import driver
 from rlrobot_course.lesson_20.figures import mean_and_half, plot_dots, plot_worth
 from rlrobot_course.lesson_20.pupils import copies, pupils
+from rlrobot_edu.experiments.repetitions import repetition
 from rlrobot_edu.widgets.driving.pad import teleoperate
 
 FAR = dict.fromkeys(
@@ -76,12 +77,17 @@ def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
     )
 
 
-def test_pupils_without_a_teacher_are_those_of_repeat_and_a_lesson_changes_them(lesson):
+def test_pupils_without_a_teacher_are_plain_repetitions_and_a_lesson_changes_them(
+    lesson,
+):
     with joblib.parallel_config("sequential"):
         alone, taught = (
             pupils(each, steps=60, repetitions=2) for each in (None, lesson)
         )
-        same = rl.repeat("wander_1k", repetitions=2, steps=60, n_jobs=1, progress=False)
+        same = [
+            repetition("wander_1k", {"method": "TOSL+QBIASSR"}, {"steps": 60}, seed)
+            for seed in np.random.SeedSequence(0).spawn(2)
+        ]
     by_itself, again, with_lesson = (
         [h.rewards for h in runs] for runs in (alone, same, taught)
     )

@@ -445,14 +445,14 @@ def test_an_input_that_no_reward_depends_on_is_not_shown_to_be_needed():
 
 def test_all_kinds_of_learners_have_random_numbers_of_their_own(monkeypatch):
     seeds = []
-    real = check_task_module.repeat
+    real = check_task_module.run
 
-    def repeat(*arguments, seed, **more):
-        seeds.append(seed)
-        return real(*arguments, seed=seed, **more)
+    def run(jobs, **more):
+        seeds.extend(job.args[-1] for job in jobs.values())
+        return real(jobs, **more)
 
-    monkeypatch.setattr(check_task_module, "repeat", repeat)
+    monkeypatch.setattr(check_task_module, "run", run)
     check_task("wander_simple", steps=100)
-    assert len(seeds) == len(set(seeds)) == 5, (
-        "those that look, at random, blind, and without each of two inputs"
-    )
+    kinds = 5  # those that look, at random, blind, and without each of two inputs
+    distinct = {(seed.entropy, seed.spawn_key) for seed in seeds}
+    assert len(seeds) == len(distinct) == kinds * check_task_module.LEARNERS
