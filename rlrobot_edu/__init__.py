@@ -3,7 +3,8 @@
     import rlrobot_edu as rl
 
 ``__init__.pyi`` lists the public names and their files; they load when they are first used, so importing the package
-is quick. Where to begin reading:
+is quick. Whatever else a folder holds is imported from its module, as in
+``from rlrobot_edu.learning.history import History``. Where to begin reading:
 
 environments  `make_env`, with which most programs begin
 task/         what a robot senses, does and is rewarded for
@@ -19,7 +20,9 @@ jit/ (the compiler of the kernels).
 On top of this core:
 
 widgets/      what a notebook shows and a learner touches
-tools/        new-task, check-task and doctor; transfer/ and credit/
+tools/        new-task, check-task and doctor
+
+Real robots are in the package `rlrobot_ros`.
 """
 
 import sys
@@ -44,12 +47,24 @@ if (
 import gymnasium
 import lazy_loader
 
-from rlrobot_edu.task.task_file import available_tasks
+from rlrobot_edu.public_names import no_such_name, without_extra
+from rlrobot_edu.task.task_file import available_tasks as _available_tasks
 from rlrobot_edu.version import __version__ as __version__
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
-for _name in available_tasks():
+
+def __getattr__(name: str) -> object:
+    """A public name, which loads now; of any other, an AttributeError says where it is."""
+    if name in __all__:
+        try:
+            return _load(name)
+        except ImportError as missing:
+            return without_extra(missing)
+    raise no_such_name(name, __all__)
+
+
+for _name in _available_tasks():
     gymnasium.register(
         f"rlrobot/{_name}-v0",
         "rlrobot_edu.environments:make_env",

@@ -1,45 +1,31 @@
 # The public face: what `import rlrobot_edu as rl` offers. Editors and mypy read it, and so does the lazy import.
+# All else is imported from its module, as `from rlrobot_edu.learning.history import History`.
 from .environments import make_env as make_env
 from .experiments.compare import compare as compare
+from .experiments.compare import repeat as repeat
 from .experiments.comparison import Comparison as Comparison
-from .experiments.repeat import repeat as repeat
-from .experiments.runs import Runs as Runs
 from .learning.agent import Agent as Agent
 from .learning.algorithm import Algorithm as Algorithm
-from .learning.algorithm import Planner as Planner
 from .learning.algorithm import Selection as Selection
-from .learning.history import History as History
-from .learning.loop import Step as Step
 from .learning.loop import evaluate as evaluate
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method
-from .models.model_env import SampleModelEnv as SampleModelEnv
 from .models.read_recording import read_recording as read_recording
 from .models.recording import Recording as Recording
 from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
 from .models.value_iteration import value_iteration as value_iteration
 from .robots.realism import Realism as Realism
-from .robots.robot_env import RobotEnv as RobotEnv
 from .show.curves import plot_learning as plot_learning
-from .show.film import Film as Film
 from .show.film import film as film
 from .show.in3d.visualizer import meshcat as meshcat
-from .show.in3d.visualizer import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
 from .task.task import Task as Task
-from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
-from .tools.check_task import check_task as check_task
-from .tools.new_task import new_task as new_task
-from .widgets.bias_explorer.explorer import BiasExplorer as BiasExplorer
-from .widgets.driving.pad import teleoperate as teleoperate
-from .widgets.driving.teaching import learn_from as learn_from
 from .widgets.playground.page import playground as playground
-from .widgets.sliders import ParameterSliders as ParameterSliders
 from .widgets.stepper.widget import Stepper as Stepper
 from .widgets.watching import watch as watch
 

@@ -8,6 +8,7 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
+from rlrobot_edu.learning.worlds import named
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
@@ -22,20 +23,17 @@ World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
 
 
 def as_world(world: World | str | Path) -> World:
-    """The task, model, or function or spec of a Gymnasium environment itself; an id, as CliffWalking-v1, is a spec's.
+    """The task, the model, or what makes a Gymnasium environment: its spec or a function.
 
     Raises ValueError if it is none of these, nor the name or path of a task; gymnasium.error.Error for an id unknown.
     """
-    if isinstance(world, SampleModel | EnvSpec) or callable(world):
-        return world
+    world = named(world)
     if isinstance(world, gymnasium.Env):
         raise ValueError(
             f"{world} must be a new one each time: give its id, or a function that makes it"
         )
-    if (
-        isinstance(world, str) and world.rpartition("-v")[2].isdecimal()
-    ):  # no task's name has a hyphen
-        return gymnasium.spec(world)
+    if isinstance(world, SampleModel | EnvSpec) or callable(world):
+        return world
     return load_task(world)
 
 

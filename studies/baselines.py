@@ -16,12 +16,11 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_edu.experiments.statistics import Tukey, mean_band
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 
@@ -149,7 +148,7 @@ def measure(repetitions: int, steps: int) -> dict[str, Any]:
         for t in TASKS
         for m in (*TABLES, *NETWORKS)
     ]
-    runs = workers(verbose=5)(delayed(run)(*job, steps) for job in jobs)
+    runs = Parallel(n_jobs=-1, verbose=5)(delayed(run)(*job, steps) for job in jobs)
     found: dict[str, Any] = {
         task: {method: [] for method in (*TABLES, *NETWORKS)} for task in TASKS
     }

@@ -18,11 +18,10 @@ from typing import Any
 import numpy as np
 from better_bias_methods import LINEAR, OWN
 from better_bias_worlds import World, coarse, worlds
-from joblib import delayed
+from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.tools.blind import BLIND
 
@@ -144,7 +143,7 @@ def run(name: str, labels: list[str], finals: Finals, n_jobs: int) -> None:
         done = finals.get(label, [])
         missing = range(len(done), repetitions(name, label))
         if missing:
-            finals[label] = done + workers(n_jobs)(
+            finals[label] = done + Parallel(n_jobs)(
                 delayed(one)(name, label, number) for number in missing
             )
             STORE.mkdir(parents=True, exist_ok=True)

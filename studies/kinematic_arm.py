@@ -13,11 +13,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.robots.arm.arm_body import (
     OBJECT,
     OBJECT_PLACE,
@@ -287,7 +286,9 @@ def main() -> None:
     """Measure, and write the page."""
     found = {}
     for name in TASKS:
-        parts = workers()(delayed(episode)(name, seed) for seed in range(EPISODES))
+        parts = Parallel(n_jobs=-1)(
+            delayed(episode)(name, seed) for seed in range(EPISODES)
+        )
         found[name] = Episode(*map(np.array, zip(*parts, strict=True)))
     picture = figure(found)
     page = PAGE.format(

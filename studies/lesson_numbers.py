@@ -22,6 +22,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_06.figures import way_of
 from rlrobot_course.lesson_12.worlds import OwnReward
 from rlrobot_course.lesson_13.runs import last_episodes
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of
 from rlrobot_edu.widgets.playground.cliff import MOVES, cliff_model, greedy_path
@@ -184,7 +185,7 @@ def lesson_06() -> list[Row]:
     ]
 
 
-def _waits(history: rl.History, task: rl.Task) -> float:
+def _waits(history: History, task: rl.Task) -> float:
     """Mean number of steps until the next 10, from each step that begins with a wall in front."""
     paid = np.flatnonzero(history.rewards == 10)
     walls = [
@@ -208,7 +209,7 @@ def lesson_11() -> list[Row]:
         seed: int,
         steps: int,
         realism: rl.Realism | None = None,
-    ) -> rl.History:
+    ) -> History:
         return rl.learn(
             agent,
             rl.make_env(its, seed=seed, realism=realism),
@@ -340,7 +341,7 @@ def lesson_12() -> list[Row]:
         factor: float,
         seed: int,
         zero: float = 0.0,
-    ) -> rl.History:
+    ) -> History:
         def pay(
             before: Mapping[str, float],
             after: Mapping[str, float],

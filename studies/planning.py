@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import error_bars
 from rlrobot_course.lesson_17.sweeping import SWEEPING
+from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Tukey
 from rlrobot_edu.show.palette import CURVES
 
@@ -74,7 +75,7 @@ def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
 
 
 def methods_of(result: rl.Comparison) -> list[str]:
-    return [method for method in METHODS if f"{method}, None" in result.groups]
+    return [method for method in METHODS if f"{method}, None" in result]
 
 
 def stars(p: float) -> str:
@@ -208,7 +209,7 @@ def at_equal_seconds(
     return lines
 
 
-def last(runs: rl.Runs) -> np.ndarray:
+def last(runs: Runs) -> np.ndarray:
     """Average reward of the last 300 steps: how well each agent acts by then."""
     return np.array([history.rewards[-EARLY:].mean() for history in runs])
 

@@ -14,12 +14,11 @@ import csv
 from typing import Any
 
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.play.scoreboard import FIRST_SEED, GIVEN, HOUR, ROBOTS, TASK
-from rlrobot_edu.experiments.workers import workers
 
 ALL = 32  # robots of each row that is for readers of the table
 EVADES = {"loop_evasion": True}
@@ -61,7 +60,9 @@ def rows_of(lesson: str, robot: str) -> list[tuple[str, ...]]:
     """A lesson's row of sixteen robots, and the one of all; of further agents the latter alone."""
     label, method, settings = (LESSONS | FURTHER)[lesson]
     seeds = range(FIRST_SEED, FIRST_SEED + ALL)
-    means = workers()(delayed(earned)(method, settings, robot, seed) for seed in seeds)
+    means = Parallel(n_jobs=-1)(
+        delayed(earned)(method, settings, robot, seed) for seed in seeds
+    )
     rows = []
     for robots in (ROBOTS, ALL) if lesson in LESSONS else (ALL,):
         mean, half = mean_and_half(np.array(means[:robots]))

@@ -15,6 +15,7 @@ from gymnasium.envs.toy_text import FrozenLakeEnv, TaxiEnv
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import mean_and_half
+from rlrobot_edu.learning.history import History
 
 PAGE_FILE = Path(__file__).parents[1] / "docs" / "studies" / "textbook.md"
 GAMMA = 1 - 1e-9  # of the examples without discounting
@@ -29,7 +30,7 @@ def run(
     episodes: int,
     steps: int = LONG,
     **parameters: float,
-) -> rl.History:
+) -> History:
     """One agent in one world."""
     agent = rl.Agent(
         model, method, seed=2 * seed, r_max=1.0, **parameters

@@ -13,14 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 from in_markdown import in_markdown
-from joblib import delayed
+from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_21.transfer import carried_over, transfer
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.experiments.tables import Table
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture
 
@@ -157,7 +156,7 @@ def measured(
     repetitions, steps, source_steps = (
         (3, 100, 300) if quick else (REPETITIONS, carry.steps, SOURCE_STEPS)
     )
-    done = workers()(
+    done = Parallel(n_jobs=-1)(
         delayed(once)(carry, i, steps, source_steps) for i in range(repetitions)
     )
     rewards, shares = (np.array(part) for part in zip(*done, strict=True))

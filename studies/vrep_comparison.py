@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 from vrep_worlds import (
     FOUND,
     NOW,
@@ -26,7 +26,6 @@ from vrep_worlds import (
 )
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.learning.transitions import Transitions
 
 HERE = Path(__file__).parent
@@ -263,7 +262,7 @@ def after_a_spin(rows: Rows) -> list[float]:
 def page() -> str:
     """The whole page. Takes about three minutes on two cores."""
     vrep = vrep_recording().transitions
-    parallel = workers()
+    parallel = Parallel(n_jobs=-1)
     jobs = parallel(
         delayed(same_choices)(world, seed, vrep)
         for world in WORLDS.values()

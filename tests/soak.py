@@ -22,6 +22,7 @@ from tqdm import tqdm
 
 import rlrobot_edu as rl
 from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task_file import available_tasks
 
 MEMORY = 3e6  # tolerated growth [byte]
 PROCESS = psutil.Process()
@@ -92,7 +93,7 @@ def all_works() -> dict[str, tuple[Callable[[], object], int, int]]:
         "10 million steps on a model": (on_model, 100, 10),
         "a million steps on a robot": (on_robot, 100, 10),
     }
-    tasks = {rl.load_task(name).robot: name for name in rl.available_tasks()}
+    tasks = {rl.load_task(name).robot: name for name in available_tasks()}
     for robot, task in tasks.items():
         for engine in ROBOTS[robot].engines:
             works[f"300 lives of {robot}, {engine}"] = (

@@ -16,7 +16,6 @@ TITLES = {  # by folder of the library: what one wants to do with its names
     "widgets": "Step through, watch and drive it",
     "models": "Record, and learn from a model",
     "experiments": "Repeat and compare",
-    "tools": "Check a task",
     "rlrobot_ros": "Use a real robot",
 }
 ABOUT = """# API by what you want to do

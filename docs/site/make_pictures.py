@@ -11,8 +11,11 @@ from pathlib import Path
 from PIL import Image
 
 import rlrobot_edu as rl
+from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.photograph import photograph
+from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.picture import png_of
+from rlrobot_edu.task.task_file import available_tasks
 
 HERE = Path(__file__).parents[1] / "pictures"
 STEPS = 3600
@@ -45,9 +48,9 @@ def picture_of(name: str) -> None:
         )
 
 
-def seen(film: rl.Film, steps: int) -> Image.Image:
+def seen(film: Film, steps: int) -> Image.Image:
     """The film after so many steps, in 3D."""
-    page = rl.show_scene(film.frames[:steps], film.rewards[:steps]).html
+    page = show_scene(film.frames[:steps], film.rewards[:steps]).html
     fine = Image.open(io.BytesIO(photograph(page))).convert("RGB")
     return fine.resize((fine.width // 2, fine.height // 2), Image.Resampling.LANCZOS)
 
@@ -82,7 +85,7 @@ def save(figure, name: str, dpi: float) -> None:
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or rl.available_tasks():
+    for name in sys.argv[1:] or available_tasks():
         picture_of(name)
         curves_of(name)
         if name == "wander_1k":

@@ -6,8 +6,9 @@ from itertools import pairwise
 
 from rlrobot_course.exercises.design import Pay, paid_by
 from rlrobot_course.lesson_01.design import PAIRS
-from rlrobot_edu import Agent, Film, learn, load_task, make_env, steps
+from rlrobot_edu import Agent, learn, load_task, make_env, steps
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.film import Film
 from rlrobot_edu.task.rewards import distance_moved
 
 

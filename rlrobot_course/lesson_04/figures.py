@@ -8,7 +8,8 @@ import numpy as np
 
 from rlrobot_course.figures.plots import BLACK, BLUE, CURVES, GREY, Picture, plain
 from rlrobot_course.figures.runs import mean_and_half
-from rlrobot_edu import Agent, History, Task, learn, make_env, plot_learning
+from rlrobot_edu import Agent, Task, learn, make_env, plot_learning
+from rlrobot_edu.learning.history import History
 
 
 def plot_draw(p: Sequence[float], u: float) -> Picture:

@@ -12,12 +12,12 @@ from rlrobot_course.figures.paths import plot_paths
 from rlrobot_course.figures.plots import GREEN, GREY, ROLE, VERMILION, Picture, plain
 from rlrobot_course.lesson_12.episodes import Episode
 from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
-from rlrobot_edu import show_scene
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.display import Displayed
+from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.task.task import Task
 
 HEADINGS = (

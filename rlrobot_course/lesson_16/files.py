@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from rlrobot_edu import make_env, new_task
+from rlrobot_edu import make_env
+from rlrobot_edu.tools.new_task import new_task
 
 FOLDER = "my_tasks"  # beside the notebook
 

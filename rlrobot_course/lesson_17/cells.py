@@ -7,8 +7,11 @@ import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
-from rlrobot_edu import Agent, History, Planner, Step, learn
+from rlrobot_edu import Agent, learn
 from rlrobot_edu import steps as walk
+from rlrobot_edu.learning.algorithm import Planner
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.loop import Step
 
 MAP = ["....#.G", "S##.#..", "..#....", "..###..", "....#.."]
 SHAPE = len(MAP), len(MAP[0])  # rows, from the top, and columns

@@ -28,7 +28,7 @@ from rlrobot_course.lesson_17.cells import (
     best_way,
     number,
 )
-from rlrobot_edu import History
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import FEW_COLOURS
 

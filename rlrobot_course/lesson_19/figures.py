@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.patches import Patch, Rectangle
 
 from rlrobot_course.figures.plots import BLUE, VERMILION, Picture
-from rlrobot_edu import Agent, Step
+from rlrobot_edu import Agent
+from rlrobot_edu.learning.loop import Step
 
 
 def shares_of(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray:

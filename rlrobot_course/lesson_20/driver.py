@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rlrobot_edu import Recording, RobotEnv, make_env
+from rlrobot_edu import Recording, make_env
+from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.widgets.driving.pad import Pad
 
 AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k

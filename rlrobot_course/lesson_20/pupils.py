@@ -3,11 +3,13 @@
 from typing import Any
 
 import numpy as np
-from joblib import delayed
+from joblib import Parallel, delayed
 
 from rlrobot_course.worlds.short_world import ShortWorld
-from rlrobot_edu import Agent, History, Recording, Runs, learn, learn_from, make_env
-from rlrobot_edu.experiments.workers import workers
+from rlrobot_edu import Agent, Recording, learn, make_env
+from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.widgets.driving.teaching import learn_from
 
 
 def pupils(
@@ -25,7 +27,7 @@ def pupils(
     """
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = (delayed(_once)(recording, method, steps, each) for each in seeds)
-    return Runs(workers()(jobs))
+    return Runs(Parallel(n_jobs=-1)(jobs))
 
 
 def _once(recording: Recording | None, method: str, steps: int, seed: Any) -> History:

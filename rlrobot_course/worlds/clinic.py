@@ -28,7 +28,7 @@ LAST = 12  # rewards that are told of the plan
 class Clinic(Tabled):
     """What was found; a notebook shows it as a table.
 
-    check: the report of `rl.check_task`, whose last table this one goes on from
+    check: the report of `check_task`, whose last table this one goes on from
     best: the best average reward that the recorded model allows, which may be too much or too little
     planner: the agent that follows its plan
     rewards: what the planner got on the robot, array (steps,)

@@ -7,7 +7,7 @@ Comparison   (comparison.py)  the Runs of several methods, with tests and tables
 Anova, Tukey (statistics.py)  analysis of variance, post-hoc test; Interval, an estimate with its bounds
 Table        (tables.py)      rows of words and numbers, as text or HTML
 
-Begin with repeat.py: what a repetition does, and how repetitions get their random numbers. Then compare.py,
-which does the same for several methods; store.py, the folder of histories in which it keeps what is finished;
-and statistics.py. workers.py is how several cores share the work.
+Begin with compare.py: `compare`, how each repetition gets its random numbers, and `repeat`, which compares one method.
+Then repetitions.py: what a repetition does, and how all of them run on several cores; store.py, the folder of
+histories in which a comparison keeps what is finished; and statistics.py.
 """

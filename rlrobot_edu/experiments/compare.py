@@ -12,10 +12,11 @@ import numpy as np
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
+from rlrobot_edu.experiments.repetitions import Key, learner, repetition, run, tried
+from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.learning.loop import MOST_STEPS
+from rlrobot_edu.learning.loop import EPISODE_STEPS, MOST_STEPS
 from rlrobot_edu.learning.methods import Method, made_of
 from rlrobot_edu.learning.size import Env, Size, can_end
 from rlrobot_edu.models.sample_model import SampleModel
@@ -23,10 +24,7 @@ from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.version import __version__
 
-STEPS, EPISODE_STEPS = (
-    3600,
-    10_000,
-)  # of a repetition; and on average of an episode that nothing cuts off
+STEPS = 3600  # of a repetition
 
 
 def compare(
@@ -103,29 +101,20 @@ def compare(
         After Ctrl-C, in one line; it says whether the repetitions so far are kept.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
-    if not (
-        isinstance(share, tuple)
-        and [*map(type, share)] == [int, int]
-        and 1 <= share[0] <= share[1]
-    ):
-        raise ValueError(
-            f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}"
-        )
+    _check_share(share)
     if "method" in settings:
-        raise ValueError(
-            "the methods to compare are given all together, as methods; leave method out"
-        )
+        raise ValueError("name the methods in methods=; method= is no argument here")
     length = {**_length(env, steps, episodes), "keep": keep}
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
     for label, its_own in _by_label(methods).items():
-        agents[label] = learner(env, settings | its_own)
-        one = partial(repetition, world, settings | its_own, length, **robot)
+        its_settings = settings | its_own
+        agents[label] = learner(env, its_settings)
         root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
-        jobs |= {
-            (label, i): partial(one, its_seed)
-            for i, its_seed in enumerate(root.spawn(repetitions))
-        }
+        for i, its_seed in enumerate(root.spawn(repetitions)):
+            jobs[label, i] = partial(
+                repetition, world, its_settings, length, its_seed, **robot
+            )
     kept = None
     if store is not None:
         facts: dict[str, Any] = {
@@ -139,7 +128,9 @@ def compare(
             store, {**facts, "realism": str(realism), "engine": robot["engine"]}
         )
         kept.begin(world)
-    bar = f"{len(agents)} methods" if progress else None
+    bar = None
+    if progress:
+        bar = next(iter(agents)) if len(agents) == 1 else f"{len(agents)} methods"
     runs = run(
         jobs,
         threads=isinstance(world, SampleModel),
@@ -151,14 +142,61 @@ def compare(
     return Comparison(world, runs)
 
 
+def repeat(
+    world: World | str | Path,
+    method: str | Method = "TOSL+QBIASSR",
+    repetitions: int = 30,
+    **arguments: Any,
+) -> Runs:
+    """Let many agents of one method learn: `compare` with this method alone.
+
+    Parameters
+    ----------
+    world : Task, str, Path, SampleModel, EnvSpec or function
+        Where they learn, see `make_env`.
+    method : str or Method
+        How they learn, see `Agent`.
+    repetitions : int
+        How many agents.
+    **arguments
+        As of `compare`, such as ``steps=600``, ``seed=1`` or ``temperature=2``. With the
+        same seed each agent is the one that `compare` makes.
+
+    Returns
+    -------
+    Runs
+        The histories, in order.
+
+    Raises
+    ------
+    ValueError
+        As `compare`.
+    """
+    result = compare(world, [method], repetitions, **arguments)
+    (runs,) = result.values()
+    return runs
+
+
+def _check_share(share: object) -> None:
+    """Raises ValueError unless this is the k-th of n shares."""
+    if isinstance(share, tuple) and [type(part) for part in share] == [int, int]:
+        k, n = share
+        if 1 <= k <= n:
+            return
+    raise ValueError(
+        f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}"
+    )
+
+
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
     """Steps of each repetition, and episodes if it has any."""
     longest = Size.of(env).episode_steps  # after so many an episode is cut off
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
     if longest is not None and episodes is None:
-        episodes = (max(STEPS, longest) if steps is None else steps) // longest
-        if not episodes:
+        steps = max(STEPS, longest) if steps is None else steps
+        episodes = steps // longest
+        if episodes == 0:
             raise ValueError(
                 f"an episode may take {longest} steps, more than {steps}; give more steps"
             )
@@ -168,10 +206,8 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
         raise ValueError(
             "this task goes on for ever and has no episodes; give steps= instead of episodes="
         )
-    return {
-        "steps": min(episodes * (longest or EPISODE_STEPS), steps or MOST_STEPS),
-        "episodes": episodes,
-    }
+    most = episodes * (longest or EPISODE_STEPS)
+    return {"steps": min(most, steps or MOST_STEPS), "episodes": episodes}
 
 
 def _by_label(
@@ -183,26 +219,21 @@ def _by_label(
             raise ValueError(
                 "a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
             )
-        given = {
-            str(label): {"method": label, **parameters}
-            for label, parameters in methods.items()
-        }
-    else:
-        several = (
-            [methods]
-            if isinstance(methods, str) or not isinstance(methods, Iterable)
-            else [*methods]
-        )
-        names = [
-            method.name if isinstance(method, Method) else str(method)
-            for method in several
+        labels = [str(label) for label in methods]
+        settings = [
+            {"method": label, **parameters} for label, parameters in methods.items()
         ]
-        given = {
-            name: {"method": method}
-            for name, method in zip(names, several, strict=True)
-        }
-        if len(given) < len(several):
-            raise ValueError(f"each method must be named once, got {', '.join(names)}")
-    if not given:
+    else:
+        if isinstance(methods, str) or not isinstance(methods, Iterable):
+            methods = [methods]
+        methods = list(methods)
+        labels = [
+            method.name if isinstance(method, Method) else str(method)
+            for method in methods
+        ]
+        settings = [{"method": method} for method in methods]
+    if not labels:
         raise ValueError("a comparison needs at least one method")
-    return given
+    if len(set(labels)) < len(labels):
+        raise ValueError(f"each method must be named once, got {', '.join(labels)}")
+    return dict(zip(labels, settings, strict=True))

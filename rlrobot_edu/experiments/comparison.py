@@ -1,13 +1,13 @@
 """The outcome of a comparison: curves, tests and tables."""
 
-from collections import UserDict
-from collections.abc import Mapping
-from functools import cached_property
+import math
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments import statistics
 from rlrobot_edu.experiments.runs import Runs
@@ -21,27 +21,42 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
 
 
-class Comparison(Tabled, UserDict[str, Runs]):
-    """The repetitions of several methods in one world, a mapping: ``result["TOSL+SR"][3]`` is a History.
+class Comparison(Tabled, Mapping[str, Runs]):
+    """The repetitions of several methods in one world.
+
+    A mapping that cannot be changed: ``result["TOSL+SR"][3]`` is a History. `only` gives
+    a comparison of some of the methods.
 
     Parameters
     ----------
     world : Task, SampleModel, EnvSpec or function
-        What they learned in, see `compare`.
-    groups : mapping of str to Runs
-        By label, the repetitions of each method.
+        Where the methods learned, see `compare`.
+    runs : mapping of str to Runs
+        The repetitions of each method, by its label.
     """
 
-    def __init__(self, world: World, groups: Mapping[str, Runs]) -> None:
-        super().__init__(groups)
+    def __init__(self, world: World, runs: Mapping[str, Runs]) -> None:
         self.world = world
-        self.groups = self.data
+        self._runs = dict(runs)
+
+    def __getitem__(self, label: str) -> Runs:
+        return self._runs[label]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._runs)
+
+    def __len__(self) -> int:
+        return len(self._runs)
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.items())
+        return f"<Comparison in {self.name}: {counts}>"
 
     @classmethod
     def load(
         cls, path: str | Path, world: World | str | Path | None = None
     ) -> "Comparison":
-        """What has been finished in a store of `rlrobot_edu.compare`; nothing is run.
+        """Read the finished repetitions from a store of `compare`; nothing is run.
 
         Parameters
         ----------
@@ -53,57 +68,74 @@ class Comparison(Tabled, UserDict[str, Runs]):
         Returns
         -------
         Comparison
-            The repetitions that are there; it prints how many. The same call of `compare` runs the others.
+            The finished repetitions. The same call of `compare` runs the others.
 
         Raises
         ------
         ValueError
-            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to
-            something else, or if the store was made in another world.
+            If the folder is no store, if nothing has been finished in it, if a file is
+            damaged, or if the store was made in another world.
         """
         store = Store.at(path)
-        groups = {
-            label: runs
-            for label in store.facts["methods"]
-            if (runs := Runs(store.histories(label)))
-        }
-        if not groups:
+        runs = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
+        finished = {label: its_runs for label, its_runs in runs.items() if its_runs}
+        if not finished:
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        return cls(store.world(world), groups)
+        return cls(store.world(world), finished)
 
-    def __repr__(self) -> str:
-        counts = ", ".join(
-            f"{len(runs)} × {label}" for label, runs in self.groups.items()
-        )
-        return f"<Comparison in {self.name}: {counts}>"
+    def only(self, *labels: str) -> "Comparison":
+        """A comparison of some of the methods: tests and curves of these alone.
+
+        Parameters
+        ----------
+        *labels : str
+            The methods, in the order in which they are shown.
+
+        Returns
+        -------
+        Comparison
+            The same repetitions of these methods.
+
+        Raises
+        ------
+        ValueError
+            If there is no label, or one that this comparison lacks.
+        """
+        if not labels:
+            raise ValueError("only() needs at least one method")
+        for label in labels:
+            check_name(label, self._runs, "method", "this comparison")
+        return Comparison(self.world, {label: self[label] for label in labels})
 
     @property
     def name(self) -> str:
         """The name of the task, environment or function, or ``model``."""
-        return str(
-            getattr(self.world, "name", getattr(self.world, "__name__", "model"))
-        )
+        named = getattr(self.world, "__name__", "model")
+        return str(getattr(self.world, "name", named))
 
-    @cached_property
+    @property
     def final(self) -> dict[str, np.ndarray]:
-        """Final average reward of each repetition, by label; in an episodic task, of the last episode."""
-        # a sum of n rewards is rounded n times, up or down, which makes √n
-        size = max(
-            abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs
-        )
-        final = statistics.without_rounding(
-            [runs.final for runs in self.values()], size
-        )
-        return dict(zip(self, final, strict=True))
+        """Final average reward of each repetition, by label.
 
-    @cached_property
+        In an episodic task, that of the last episode. Numbers that differ by rounding
+        alone are made equal.
+        """
+        # A sum of n rewards is rounded n times, up or down, which makes √n.
+        scale = max(
+            np.abs(history.rewards).max() * math.sqrt(len(history))
+            for runs in self.values()
+            for history in runs
+        )
+        finals = [runs.final for runs in self.values()]
+        equalled = statistics.without_rounding(finals, scale)
+        return dict(zip(self, equalled, strict=True))
+
+    @property
     def optimum(self) -> float | None:
         """Best achievable average reward in a sample model; None for a robot, where it is unknown."""
-        return (
-            best_average_reward(self.world)
-            if isinstance(self.world, SampleModel)
-            else None
-        )
+        if isinstance(self.world, SampleModel):
+            return best_average_reward(self.world)
+        return None
 
     def anova(self) -> Anova:
         """One-way analysis of variance of the final average rewards.
@@ -143,34 +175,6 @@ class Comparison(Tabled, UserDict[str, Runs]):
         Table
             One row a method.
         """
-        rows: list[list[object]] = []
-        for label, runs in self.items():
-            final = self.final[label]
-            several = len(final) > 1
-            interval = (
-                "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final))
-                if several
-                else None
-            )
-            spread = (
-                (statistics.squares(final) / (len(final) - 1)) ** 0.5
-                if several
-                else None
-            )
-            cost = np.median([h.seconds / len(h) for h in runs]) * 1e6
-            mean = statistics.average(final)
-            rows.append(
-                [
-                    label,
-                    len(final),
-                    mean,
-                    interval,
-                    spread,
-                    final.min(),
-                    final.max(),
-                    cost,
-                ]
-            )
         columns = [
             "method",
             "repetitions",
@@ -181,7 +185,28 @@ class Comparison(Tabled, UserDict[str, Runs]):
             "highest",
             "µs a step",
         ]
+        rows = [self._row(label, final) for label, final in self.final.items()]
         return Table(f"Final average reward in {self.name}", columns, rows)
+
+    def _row(self, label: str, final: np.ndarray) -> list[object]:
+        """The cells of one method."""
+        interval = None
+        deviation = None
+        if len(final) > 1:
+            low, high = statistics.mean_band(final)
+            interval = f"[{low:.2f}, {high:.2f}]"
+            deviation = math.sqrt(statistics.squares(final) / (len(final) - 1))
+        seconds = np.median([history.seconds / len(history) for history in self[label]])
+        return [
+            label,
+            len(final),
+            statistics.average(final),
+            interval,
+            deviation,
+            final.min(),
+            final.max(),
+            1e6 * seconds,
+        ]
 
     def plot(self, *, title: str | None = None) -> "Picture":
         """Mean learning curves with bands of their 95 % intervals; on a sample model, the best achievable as a line.
@@ -196,13 +221,14 @@ class Comparison(Tabled, UserDict[str, Runs]):
         Picture
             The figure; for axes of your own see `plot_learning`.
         """
-        from rlrobot_edu.show.curves import (
-            plot_curves,
-            steps_of,
-        )  # numbers alone need no matplotlib
+        # Imported here: numbers alone need no matplotlib.
+        from rlrobot_edu.show.curves import plot_curves, steps_of
 
+        if title is None:
+            title = f"How the average reward develops in {self.name}"
+        x = steps_of(self.values())
         seconds = getattr(self.world, "step_time", None)
-        x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
-        title = title or f"How the average reward develops in {self.name}"
+        if seconds:
+            x += f" ({seconds:g} s each)"
         curves = [(label, runs.curves) for label, runs in self.items()]
         return cast("Picture", plot_curves(curves, x, title, None, self.optimum))

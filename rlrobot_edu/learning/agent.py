@@ -29,9 +29,9 @@ from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_s
 from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
+from rlrobot_edu.learning.worlds import opened
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
@@ -41,8 +41,8 @@ class Agent:
 
     Parameters
     ----------
-    world : Task, str, Path, gymnasium.Env or World
-        A Task (or its name or path), a SampleModel, or a Gymnasium environment with discrete states and actions.
+    world : Task, str, Path, SampleModel, gymnasium.Env, EnvSpec or function
+        Whatever `make_env` takes, or the environment itself; its states and actions must be discrete.
     method : str or Method
         ``ALGORITHM+SELECTION``, or one with parts of your own. Algorithms: Q (Q-learning), SARSA, ESARSA (expected
         SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased),
@@ -81,6 +81,8 @@ class Agent:
         If the method is unknown, a parameter is out of its domain, or states or actions cannot be counted.
     FileNotFoundError
         If there is no such task file.
+    gymnasium.error.Error
+        If Gymnasium has no environment of this id.
     """
 
     def __init__(
@@ -101,8 +103,7 @@ class Agent:
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        if isinstance(world, str | Path):
-            world = load_task(world)
+        world = opened(world)
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)

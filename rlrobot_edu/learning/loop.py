@@ -21,6 +21,7 @@ from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
+EPISODE_STEPS = 10_000  # on average, of episodes that nothing cuts off
 
 
 class Step(NamedTuple):
@@ -147,14 +148,14 @@ def _answer(asked: str, answer: Any, n: int) -> Any:
 def learn(
     agent: Agent,
     env: Env,
-    steps: int,
+    steps: int | None = None,
     *,
     episodes: int | None = None,
     keep: bool = False,
     progress: bool = True,
     resume: bool = False,
 ) -> History:
-    """Let `agent` learn in `env` for a number of steps and return what happened; what it had learned before stays.
+    """Let `agent` learn in `env` for some steps or episodes and return what happened; what it had learned before stays.
 
     An environment that can run the whole loop compiled does so (a sample model); the numbers are the same.
 
@@ -164,8 +165,9 @@ def learn(
         What learns.
     env : gymnasium.Env
         An environment with states and actions that can be counted, see `make_env`.
-    steps : int
-        How many steps.
+    steps : int, optional
+        How many steps. With `episodes` it need not be given: then all episodes together may take 10,000 steps each,
+        or what the longest takes where they are cut off.
     episodes : int, optional
         Stop sooner, once so many episodes have ended.
     keep : bool
@@ -183,7 +185,8 @@ def learn(
     Raises
     ------
     ValueError
-        If agent and environment do not fit, or if there is nothing to resume.
+        If agent and environment do not fit, if neither `steps` nor `episodes` is given, or if there is nothing to
+        resume.
     KeyboardInterrupt
         After Ctrl-C, in one line; what was learned is kept.
 
@@ -194,8 +197,11 @@ def learn(
     is another one. The state and the step of its episode show this, if they are attributes of the environment, as in
     the toolkit's, Gymnasium's own and its ``TimeLimit``.
     """
-    check_count("steps", steps, least=0)
+    check_count("steps", steps, least=0, or_none=True)
     check_count("episodes", episodes, or_none=True)
+    check_pair_of(agent, env)
+    if steps is None:
+        steps = _longest(env, episodes)
     if steps > MOST_STEPS:
         raise ValueError(
             f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True"
@@ -227,8 +233,22 @@ def learn(
     )
 
 
+def _longest(env: Env, episodes: int | None) -> int:
+    """The steps that so many episodes may take. Raises ValueError if it is not said how many."""
+    if episodes is None:
+        raise ValueError("give steps= or episodes=: how long it takes")
+    longest = Size.of(env).episode_steps or EPISODE_STEPS
+    return min(episodes * longest, MOST_STEPS)
+
+
 def evaluate(
-    agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False
+    agent: Agent,
+    env: Env,
+    steps: int | None = None,
+    *,
+    episodes: int | None = None,
+    keep: bool = False,
+    progress: bool = True,
 ) -> History:
     """Let a copy of `agent` act in `env` without learning, and return what happened; the agent stays as it is.
 
@@ -236,7 +256,7 @@ def evaluate(
     ----------
     agent : Agent
         Whose copy acts, see `Agent.frozen`.
-    env, steps, episodes, keep : gymnasium.Env, int, int, bool
+    env, steps, episodes, keep, progress : gymnasium.Env, int, int, bool, bool
         See `learn`.
 
     Returns
@@ -252,9 +272,8 @@ def evaluate(
         After Ctrl-C, in one line.
     """
     check_pair_of(agent, env)
-    return learn(
-        agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False
-    )
+    still = agent.frozen()
+    return learn(still, env, steps, episodes=episodes, keep=keep, progress=progress)
 
 
 def _learn(
@@ -321,7 +340,9 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> Size:
 def check_pair_of(agent: object, env: object) -> None:
     """Raises ValueError unless these are an agent and an environment, in this order."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        given = f"got {type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
+        given = f"got {type(agent).__name__} and {type(env).__name__}"
+        if hasattr(env, "step") and not isinstance(env, gymnasium.Env | Agent):
+            given += f"; {OLD_GYM}"
         raise ValueError(
             f"this takes an Agent and an environment (see rl.make_env), in this order; {given}"
         )

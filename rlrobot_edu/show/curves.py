@@ -1,6 +1,6 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import overload
 
 import numpy as np
@@ -59,6 +59,10 @@ def plot_learning(
     ValueError
         For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
     """
+    if any(isinstance(h, Mapping) for h in histories):
+        raise ValueError(
+            "a comparison draws itself: result.plot(); or give plot_learning the runs of its methods"
+        )
     groups = [
         [h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h)
         for h in histories

@@ -3,6 +3,7 @@
 import html
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from scipy import stats
 
 from rlrobot_edu.checks import check_count
-from rlrobot_edu.experiments.repeat import repeat
+from rlrobot_edu.experiments.repetitions import repetition, run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
@@ -168,21 +169,19 @@ def _earned(
     task: Task, inputs: Sequence[str], steps: int, seed: int
 ) -> dict[str, Runs]:
     """What agents of each kind earn, LEARNERS of each; some do without one of the inputs."""
-    blind = {"method": BLIND, "loop_evasion": False}
-    kinds: dict[str, dict[str, Any]] = {
-        METHOD: {},
-        CHANCE: {"method": CHANCE},
-        SEES_NOTHING: blind,
+    kinds: dict[str, tuple[Task, dict[str, Any]]] = {
+        METHOD: (task, {"method": METHOD}),
+        CHANCE: (task, {"method": CHANCE}),
+        SEES_NOTHING: (task, {"method": BLIND, "loop_evasion": False}),
     }
     for name in inputs:
-        kinds[WITHOUT + name] = {
-            "world": replace(task, inputs=[v for v in task.inputs if v.name != name])
-        }
-    usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps}
-    return {
-        who: repeat(**usual | how, seed=seed + i)
-        for i, (who, how) in enumerate(kinds.items())
-    }
+        others = [variable for variable in task.inputs if variable.name != name]
+        kinds[WITHOUT + name] = (replace(task, inputs=others), {"method": METHOD})
+    jobs = {}
+    for i, (who, (world, settings)) in enumerate(kinds.items()):
+        for j, each in enumerate(np.random.SeedSequence(seed + i).spawn(LEARNERS)):
+            jobs[who, j] = partial(repetition, world, settings, {"steps": steps}, each)
+    return run(jobs, threads=False, bar=task.name)
 
 
 def _shares(task: Task, seen: Iterable[Trial], i: int) -> np.ndarray:

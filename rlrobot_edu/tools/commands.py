@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 GROUP = "rlrobot_edu.commands"
 ABOUT = "Learn tabular reinforcement learning on simulated robots: a library, and a course of notebooks on top of it."
@@ -27,7 +28,7 @@ FIRST = """begin with:
 
 def list_tasks() -> None:
     """List the robots' tasks: name, states × actions, robot and scene, and what it is about."""
-    for name in rl.available_tasks():
+    for name in available_tasks():
         try:
             task = rl.load_task(name)
             size, about = (
@@ -41,7 +42,9 @@ def list_tasks() -> None:
 
 def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
-    path = rl.new_task(name, robot=robot)
+    from rlrobot_edu.tools.new_task import new_task
+
+    path = new_task(name, robot=robot)
     # a bare python may be one without the toolkit
     print(
         f"Written: {path}, which works as it is. Check: {sys.executable} -m rlrobot_edu check-task {path}"
@@ -50,7 +53,9 @@ def make_task(name: str, robot: str) -> None:
 
 def look_at_task(task: str, steps: int) -> None:
     """Let a task's robot act at random, and an agent learn: what is odd about the task?"""
-    print(rl.check_task(task, steps=steps))
+    from rlrobot_edu.tools.check_task import check_task
+
+    print(check_task(task, steps=steps))
 
 
 def doctor() -> None:

@@ -1,11 +1,11 @@
 """What a notebook shows and a learner touches; most of it is a page of its own, too, which needs no kernel.
 
 stepper/        `rl.Stepper`: an agent's steps, forward and back
-bias_explorer/  `rl.BiasExplorer`: which states bias which in QBIASSR
+bias_explorer/  `BiasExplorer`: which states bias which in QBIASSR
 playground/     `rl.playground`: a page in which a robot learns, with sliders
-driving/        `rl.teleoperate`: a person drives the robot
+driving/        `teleoperate`: a person drives the robot
 watching.py     `rl.watch`: a robot that learns, in 3D
-sliders.py      `rl.ParameterSliders`: a learning curve for the parameters that are set
+sliders.py      `ParameterSliders`: a learning curve for the parameters that are set
 
 What they share: javascript/ (the kernels' own source, translated for a page), kernels.py (the kernels as functions that
 return their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers)

@@ -7,7 +7,7 @@ from functools import partial
 
 import ipywidgets
 
-from rlrobot_edu.experiments.repeat import repeat
+from rlrobot_edu.experiments.compare import repeat
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning

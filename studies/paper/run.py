@@ -12,6 +12,7 @@ from importlib import metadata
 from pathlib import Path
 
 import numpy as np
+from rlrobot_edu.experiments.repeat import run
 from tqdm.auto import tqdm
 
 from paper.experiments import EXPERIMENTS, FAULTY, Experiment, Length
@@ -21,7 +22,6 @@ from paper.worlds import PreviousAction
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.files import write_whole
@@ -172,7 +172,7 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
     faulty = _faulty_runs(
         world, repetitions, number, stores / f"{experiment.key}_faulty"
     )
-    return Comparison(world, {**result.groups, FAULTY: faulty})
+    return Comparison(world, {**result, FAULTY: faulty})
 
 
 def _faulty_runs(
@@ -236,7 +236,7 @@ def shortened(result: Comparison, length: Length) -> Comparison:
     """The comparison of the same agents, stopped sooner."""
     groups = {
         label: Runs(length.beginning(history) for history in runs)
-        for label, runs in result.groups.items()
+        for label, runs in result.items()
     }
     return Comparison(result.world, groups)
 

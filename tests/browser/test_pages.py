@@ -16,6 +16,7 @@ from waiting import until
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.visualizer import show_scene
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
 TABLES = {
@@ -115,7 +116,7 @@ def opened(browser, tmp_path):
             lambda request: asked.add(request.url.split("#")[0].split(",")[0]),
         )
         page.goto((tmp_path / "page.html").as_uri() + link)
-        if isinstance(thing, rl.BiasExplorer):
+        if isinstance(thing, BiasExplorer):
             until(
                 page, "!!document.querySelector('.rl-bias')"
             )  # a page unpacks itself after it is loaded
@@ -190,7 +191,7 @@ def all_columns(page) -> None:
 def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(
     opened,
 ):
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
     numbers, names = explorer.numbers, ("advance", "spin left", "spin right")
     best = int(numbers.bias.argmax())
     page = opened(explorer)
@@ -240,7 +241,7 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
 
 
 def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(opened):
-    page = opened(rl.BiasExplorer("worked_example", TABLES, state=13))
+    page = opened(BiasExplorer("worked_example", TABLES, state=13))
     all_columns(page)
     # of each curve its ends on the screen, and beside it the middle of what it should meet
     ends = page.locator(".rl-action").first.evaluate(
@@ -264,7 +265,7 @@ def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(ope
 
 
 def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#17")
     assert page.evaluate("location.hash") == "#17-1"
     all_columns(page)
@@ -297,7 +298,7 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
 
 
 def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
     q = explorer.q
     page = opened(explorer)
     all_columns(page)
@@ -327,7 +328,7 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
 def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
     page, widget = (
         browser.new_page(),
-        rl.BiasExplorer("worked_example", TABLES, state=13).widget,
+        BiasExplorer("worked_example", TABLES, state=13).widget,
     )
     told = {
         name: getattr(widget, name)
@@ -361,7 +362,7 @@ def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
 
 
 def test_a_link_leads_to_a_state_and_a_table(opened):
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#7-2")
     all_columns(page)
     explorer.widget.state, explorer.widget.table = 7, 1
@@ -378,13 +379,13 @@ def test_a_link_leads_to_a_state_and_a_table(opened):
         assert page.inner_text(".said").startswith(f"State {now[:-2]} (")
 
 
-def nine_actions() -> rl.BiasExplorer:
+def nine_actions() -> BiasExplorer:
     outputs = [
         rl.OutputVariable(f"{side}_wheel", values=[-1, 0, 1], unit="rad/s")
         for side in ("left", "right")
     ]
     task = replace(rl.load_task("wander_simple"), outputs=outputs)
-    return rl.BiasExplorer(
+    return BiasExplorer(
         task, {"random": np.random.default_rng(3).normal(-20, 5, size=(4, 9))}
     )
 
@@ -489,7 +490,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     axe = pytest.importorskip(
         "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
     ).Axe()
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
     things = [
         (stepper_of(at=25), [30], "!!window.stepper"),
         (

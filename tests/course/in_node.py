@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.bias_explorer.widget import script
 from rlrobot_edu.widgets.stepper.page_data import feed
 
@@ -35,7 +36,7 @@ def view(stepper: rl.Stepper) -> str:
     return on_its_page(stepper, "views(stepper.tape)")
 
 
-def explored(explorer: rl.BiasExplorer) -> list[dict]:
+def explored(explorer: BiasExplorer) -> list[dict]:
     """Of each state what the explorer's page computes of the table shown.
 
     ``said`` tells what it says, by action and stage; ``html`` all that it writes at some time.

@@ -8,6 +8,7 @@ import pytest
 from in_node import explored
 
 import rlrobot_edu as rl
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
 TASK = rl.load_task("worked_example")
@@ -18,8 +19,8 @@ PAPER_STATE = TASK.states.number(
 Q = np.random.default_rng(7).normal(scale=5, size=(24, 3))
 
 
-def explorer(state: int = PAPER_STATE, **settings) -> rl.BiasExplorer:
-    return rl.BiasExplorer(
+def explorer(state: int = PAPER_STATE, **settings) -> BiasExplorer:
+    return BiasExplorer(
         TASK, {"random": Q, "zeros": np.zeros((24, 3))}, state=state, **settings
     )
 
@@ -73,7 +74,7 @@ def test_the_sums_are_those_of_the_papers_example():
     q = (
         np.arange(72.0).reshape(24, 3) - 40
     )  # of an action, the value of a state tells which state it is
-    said = explored(rl.BiasExplorer(TASK, {"q": q}))[PAPER_STATE]["said"][1]
+    said = explored(BiasExplorer(TASK, {"q": q}))[PAPER_STATE]["said"][1]
     sets, sums = plain(said[1]), plain(said[2])
     for name, members in (
         ("X", {9: "(0,1,90,1)", 21: "(1,1,90,1)"}), ("Y", {15: "(1,0,90,1)", 21: "(1,1,90,1)"}),
@@ -90,7 +91,7 @@ def test_the_sums_are_those_of_the_papers_example():
         assert f"{name}: ({' + '.join(brackets)}) / {len(members)} = " in sums
 
 
-def edited(shown: rl.BiasExplorer, s: int, a: int, value: float) -> None:
+def edited(shown: BiasExplorer, s: int, a: int, value: float) -> None:
     """What a reader's edit sends to the kernel."""
     q = shown.q
     q[s, a] = value
@@ -118,7 +119,7 @@ def test_an_edit_changes_the_bias_of_its_table_alone_and_not_the_readers_array()
 
 
 def test_the_state_itself_counts_in_each_of_its_sets():
-    shown = rl.BiasExplorer(TASK, {"zeros": np.zeros((24, 3))}, state=PAPER_STATE)
+    shown = BiasExplorer(TASK, {"zeros": np.zeros((24, 3))}, state=PAPER_STATE)
     shown.widget.tables = [
         [[12 * (s == PAPER_STATE), 0, 0] for s in range(24)]
     ]  # whole numbers, as a browser has them
@@ -132,7 +133,7 @@ def test_an_agent_is_shown_as_it_would_choose():
     agent = rl.Agent(TASK, gamma=0.5, loop_evasion=False, seed=0)
     rl.learn(agent, rl.make_env(TASK, seed=0), 200, progress=False)
     agent.begin_episode(PAPER_STATE)
-    numbers = rl.BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
+    numbers = BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
     assert np.allclose(numbers.qbiassr, agent.probabilities) and np.allclose(
         numbers.bias, agent.bias
     )
@@ -146,7 +147,7 @@ def test_numbers_of_numpys_are_taken_and_the_page_can_be_saved(tmp_path):
 
 
 def test_any_small_task_can_be_shown():
-    shown = rl.BiasExplorer("wander_simple", {"zeros": np.zeros((4, 4))})
+    shown = BiasExplorer("wander_simple", {"zeros": np.zeros((4, 4))})
     assert (
         explored(shown)[3]["html"].count("<button value") == 4 and shown.picture().png()
     )
@@ -154,7 +155,7 @@ def test_any_small_task_can_be_shown():
 
 def test_a_task_of_one_input_can_be_shown():
     task = replace(TASK, inputs=TASK.inputs[2:3], goal=None)
-    shown = rl.BiasExplorer(task, {"q": Q[:3]}, state=1)
+    shown = BiasExplorer(task, {"q": Q[:3]}, state=1)
     found = explored(shown)
     assert found[1]["members"] == [[1, None], [0, 0], [2, 0]] and np.allclose(
         found[1]["bias"], Q[:3].mean(axis=0)
@@ -181,7 +182,7 @@ def test_a_task_of_one_input_can_be_shown():
 )
 def test_what_does_not_fit_is_refused_in_words(arguments, message):
     with pytest.raises(ValueError, match=message):
-        rl.BiasExplorer(
+        BiasExplorer(
             **{"task": TASK, "tables": {"zeros": np.zeros((24, 3))}, **arguments}
         )
 

@@ -6,13 +6,16 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.task.robot_cards import WHEELS
+from rlrobot_edu.task.task_file import available_tasks
 from rlrobot_edu.widgets.driving.keys import buttons_of, keys_of
+from rlrobot_edu.widgets.driving.pad import teleoperate
+from rlrobot_edu.widgets.driving.teaching import learn_from
 
 
 @pytest.fixture
 def pad():
     with rl.make_env("wander_1k", seed=0) as env:
-        yield rl.teleoperate(env)
+        yield teleoperate(env)
 
 
 @pytest.mark.parametrize(
@@ -28,7 +31,7 @@ def test_who_is_taught_by_an_agents_recording_knows_what_that_agent_learned(meth
         "what is cut off would end with a choice of the agent's own"
     )
     taught = rl.Agent(env, method)
-    rl.learn_from(taught, recording)
+    learn_from(taught, recording)
     np.testing.assert_array_equal(taught.q, acting.q)
     np.testing.assert_array_equal(taught.visits, acting.visits)
 
@@ -36,20 +39,20 @@ def test_who_is_taught_by_an_agents_recording_knows_what_that_agent_learned(meth
 def test_several_passes_teach_more_and_other_tasks_nothing():
     recording = rl.read_recording("wander_simple")
     once, twice = (rl.Agent("wander_simple", "Q+SR", seed=0) for _ in range(2))
-    rl.learn_from(once, recording)
-    rl.learn_from(twice, recording, passes=2)
+    learn_from(once, recording)
+    learn_from(twice, recording, passes=2)
     assert twice.visits.sum() == 2 * once.visits.sum() == 2 * len(recording)
     with pytest.raises(
         ValueError, match=r"states \(4, .* make the agent from its task, wander_simple"
     ):
-        rl.learn_from(rl.Agent("wander_1k"), recording)
+        learn_from(rl.Agent("wander_1k"), recording)
     with pytest.raises(ValueError, match="passes must be a whole number of at least 1"):
-        rl.learn_from(once, recording, passes=0)
+        learn_from(once, recording, passes=0)
 
 
 def test_the_taught_agent_goes_on_with_new_episodes():
     agent = rl.Agent("wander_simple", seed=0)
-    rl.learn_from(agent, rl.read_recording("wander_simple"))
+    learn_from(agent, rl.read_recording("wander_simple"))
     with rl.make_env("wander_simple", seed=0) as env:
         assert len(rl.learn(agent, env, steps=10, progress=False)) == 10
 
@@ -77,7 +80,7 @@ def test_what_is_driven_is_a_recording(pad, tmp_path):
 
 def test_an_episode_that_has_ended_begins_anew():
     with rl.make_env("navigation_1k", seed=0) as env:
-        pad, n = rl.teleoperate(env), env.unwrapped.task.episode_steps
+        pad, n = teleoperate(env), env.unwrapped.task.episode_steps
         for _ in range(n + 1):
             pad.press(4)  # stands still
     assert pad.recording.episode[-1] == 1 and pad.recording.truncated[n - 1]
@@ -89,7 +92,7 @@ def test_nothing_is_recorded_before_the_first_step(pad):
     with pytest.raises(ValueError, match="action 9 does not exist"):
         pad.press(9)
     with pytest.raises(ValueError, match="no robot"):
-        rl.teleoperate(gymnasium.make("CliffWalking-v1"))
+        teleoperate(gymnasium.make("CliffWalking-v1"))
 
 
 def test_clicks_drive_and_are_told(pad):
@@ -114,7 +117,7 @@ def button(pad, about):
 
 def test_the_pad_counts_its_steps_also_after_a_new_start():
     with rl.make_env("wander_1k", seed=0) as env:
-        pad = rl.teleoperate(env)
+        pad = teleoperate(env)
         ahead, again = button(pad, "rl-action-8"), button(pad, "start again")
         for _ in range(5):
             ahead.click()
@@ -130,7 +133,7 @@ def walk(widget):
         yield from walk(child)
 
 
-@pytest.mark.parametrize("name", rl.available_tasks())
+@pytest.mark.parametrize("name", available_tasks())
 def test_everything_a_robot_can_do_has_one_button_and_a_key(name):
     task = rl.load_task(name)
     buttons, keys = buttons_of(task), keys_of(task)
@@ -168,7 +171,7 @@ def test_arrows_drive_where_they_point():
 
 
 def test_what_a_task_says_reaches_the_page_as_text():
-    pad = rl.teleoperate(rl.make_env("wander_simple", seed=0))
+    pad = teleoperate(rl.make_env("wander_simple", seed=0))
     assert pad.widget is not None
     pad._show("<u>said</u>")
     assert "&lt;u&gt;said" in pad._said.value and "textContent" in pad._keyboard._esm, (

@@ -12,11 +12,12 @@ from rlrobot_course.lesson_16.exercises import CLUES
 from rlrobot_course.lesson_16.figures import CUTS, FOUND, HELD, plot_cuts
 from rlrobot_course.lesson_16.files import edit, fresh_folder, refusal
 from rlrobot_course.lesson_16.situations import LASERS, PAIRS
+from rlrobot_edu.tools.new_task import new_task
 
 
 @pytest.fixture
 def path(tmp_path):
-    return rl.new_task("follow_wall", fresh_folder(tmp_path / "files"))
+    return new_task("follow_wall", fresh_folder(tmp_path / "files"))
 
 
 def test_files_of_an_earlier_run_are_kept(path):

@@ -9,6 +9,8 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_20 import driver
 from rlrobot_course.lesson_20.figures import mean_and_half, plot_dots, plot_worth
 from rlrobot_course.lesson_20.pupils import copies, pupils
+from rlrobot_edu.experiments.repetitions import repetition
+from rlrobot_edu.widgets.driving.pad import teleoperate
 
 FAR = dict.fromkeys(
     (
@@ -45,7 +47,7 @@ def test_the_careful_driver_turns_away_from_the_nearer_wall_and_slips_one_time_i
 
 def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
     with rl.make_env("wander_1k", seed=0) as env:
-        pad, turns = rl.teleoperate(env), [6, 8, 8, 2] * (driver.ENOUGH // 4)
+        pad, turns = teleoperate(env), [6, 8, 8, 2] * (driver.ENOUGH // 4)
         assert driver.lesson_of(pad, tmp_path / "mine")[0] == "our stand-in"
         for a in turns:
             pad.press(a)
@@ -53,7 +55,7 @@ def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
         pad.press(8)
         who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
         assert who == "you" and lesson.a.tolist() == [*turns, 8] and filmed is pad
-        who, kept, filmed = driver.lesson_of(rl.teleoperate(env), tmp_path / "mine")
+        who, kept, filmed = driver.lesson_of(teleoperate(env), tmp_path / "mine")
     assert who == "you, before" and kept.a.tolist() == [*turns, 8]
     assert (
         filmed.recording.s_next.tolist() == lesson.s_next.tolist()
@@ -63,7 +65,7 @@ def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
 
 def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
     with rl.make_env("wander_1k", seed=0) as env:
-        pad = rl.teleoperate(env)
+        pad = teleoperate(env)
         for _ in range(24):
             pad.press(6)
         who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
@@ -75,12 +77,17 @@ def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
     )
 
 
-def test_pupils_without_a_teacher_are_those_of_repeat_and_a_lesson_changes_them(lesson):
+def test_pupils_without_a_teacher_are_plain_repetitions_and_a_lesson_changes_them(
+    lesson,
+):
     with joblib.parallel_config("sequential"):
         alone, taught = (
             pupils(each, steps=60, repetitions=2) for each in (None, lesson)
         )
-        same = rl.repeat("wander_1k", repetitions=2, steps=60, n_jobs=1, progress=False)
+        same = [
+            repetition("wander_1k", {"method": "TOSL+QBIASSR"}, {"steps": 60}, seed)
+            for seed in np.random.SeedSequence(0).spawn(2)
+        ]
     by_itself, again, with_lesson = (
         [h.rewards for h in runs] for runs in (alone, same, taught)
     )

@@ -130,7 +130,7 @@ tasks = program(
         call("made.states.number", value("(0, 0, 0, 0)")), call("made.states.encode", readings),
         call("made.reward_for", readings, readings),
         call("rl.load_task", value("made", "'wander_simple'")), "repr(made)", "copy.deepcopy(made)",
-        "rl.available_tasks()",
+        "available_tasks()",
     ),
     "env = rl.make_env(made, 0)",
     "usable_agent(rl.Agent(made), env, 40)",

@@ -23,6 +23,7 @@ from fuzz.strategies import (
     damaged_rows,
 )
 from fuzz.targets import Case, Target, lay, snapshot, unchanged
+from rlrobot_edu.learning.history import History
 
 
 def reader(
@@ -144,6 +145,6 @@ TARGETS = [
            lambda: rl.read_recording("legacy.npy", legacy=True, task=seeds.TASK), things.usable_recording),
     archives("model", 14, lambda: rl.SampleModel.load("model.npz"), things.usable_model),
     archives("agent", 14, lambda: rl.Agent.load("agent.npz"), things.usable_agent),
-    archives("history", 8, lambda: rl.History.load("history.npz"), things.usable_history),
+    archives("history", 8, lambda: History.load("history.npz"), things.usable_history),
     Target("store", stores(), 8, attack_store),
 ]  # fmt: skip

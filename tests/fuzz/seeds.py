@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.history import History
 
 TASK = "worked_example"
 STEPS = 60
@@ -38,7 +39,7 @@ def agent() -> rl.Agent:
 
 
 @cache
-def history() -> rl.History:
+def history() -> History:
     """One learning process."""
     return rl.learn(
         rl.Agent(TASK, seed=0), rl.make_env(model(), 0), 100, keep=True, progress=False

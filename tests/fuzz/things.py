@@ -24,7 +24,11 @@ import numpy as np
 import rlrobot_edu as rl
 from fuzz import seeds
 from fuzz.contract import Insane, Own
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.value_iteration import best_average_reward
+from rlrobot_edu.task.task_file import available_tasks  # noqa: F401 - programs use it, and these
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer  # noqa: F401
+from rlrobot_edu.widgets.sliders import ParameterSliders  # noqa: F401
 
 nan, inf = math.nan, math.inf
 
@@ -92,19 +96,19 @@ def usable_recording(recording: rl.Recording) -> None:
     usable_model(rl.SampleModel.from_recording(recording), planned=False)
 
 
-def usable_history(history: rl.History) -> None:
+def usable_history(history: History) -> None:
     """Its numbers can be had, and it can be kept."""
     repr(history), history.q, history.visits, history.average_reward, history.returns
     history.save("again.npz")
-    rl.History.load("again.npz")
+    History.load("again.npz")
 
 
 def usable_comparison(result: rl.Comparison, forged: bool = False) -> None:
     """It is what the same call gives without a store; where numbers were `forged`, they can be shown."""
     if forged:
-        result.table(), [runs.curves for runs in result.groups.values()]
+        result.table(), [runs.curves for runs in result.values()]
         return
-    for label, runs in _undisturbed().groups.items():
+    for label, runs in _undisturbed().items():
         for ours, theirs in zip(runs, result[label], strict=True):
             same = all(
                 np.array_equal(a, b)

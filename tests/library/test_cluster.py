@@ -47,7 +47,7 @@ def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(
     (done,) = killed
     assert min(before) not in after and 2 <= done < 16
     serial = compare(n_jobs=1)
-    for label in serial.groups:
+    for label in serial:
         for x, y in zip(serial[label], result[label], strict=True):
             assert np.array_equal(x.rewards, y.rewards) and np.array_equal(x.q, y.q)
             assert np.array_equal(x.visits, y.visits)

@@ -7,8 +7,8 @@ from unittest.mock import Mock
 
 import pytest
 
-import rlrobot_edu as rl
 from rlrobot_course.commands import open_lab
+from rlrobot_edu.task.task_file import available_tasks
 from rlrobot_edu.tools import commands
 
 NAMES = [
@@ -74,7 +74,7 @@ def test_tasks_are_listed_and_a_new_one_is_written_where_you_are(
     monkeypatch.chdir(tmp_path)
     commands.main(["tasks"])
     assert {line.split()[0] for line in capsys.readouterr().out.splitlines()} == set(
-        rl.available_tasks()
+        available_tasks()
     )
     commands.main(["new-task", "follow_wall"])
     assert "Written: follow_wall.py" in capsys.readouterr().out

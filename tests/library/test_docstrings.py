@@ -2,17 +2,18 @@
 
 import ast
 import builtins
-import functools
 import inspect
 import re
 import textwrap
 from contextlib import suppress
+from pkgutil import resolve_name
 from typing import Any
 
 from numpydoc.docscrape import NumpyDocString
 from numpydoc.validate import validate
 
 import rlrobot_edu as rl
+from rlrobot_edu.public_names import ELSEWHERE
 
 # What must hold: a summary, every parameter documented, none that is not there, in the order of the signature, with a
 # type; and what is returned is said. What numpydoc asks besides (examples, extended summaries, full stops) is taste.
@@ -29,18 +30,23 @@ CODES = {
     "RT03": "a return value without a description",
 }
 NEVER = {
-    "rlrobot_edu.BiasExplorer.still: no Raises of ValueError"
+    "rlrobot_edu.widgets.bias_explorer.explorer.BiasExplorer.still: no Raises of ValueError"
 }  # it asks for a stage that there is
 
 
 def public_names() -> list[str]:
-    """Full names of the public functions and classes, and of the methods and properties that these define."""
+    """Full names of the public functions and classes, and of the methods and properties that these define.
+
+    Also of those that are not offered by `rlrobot_edu`, but named there.
+    """
+    elsewhere = [f"{module}.{name}" for name, module in ELSEWHERE.items()]
+    mine = [name for name in elsewhere if name.startswith("rlrobot_edu.")]
     names = []
-    for name in rl.__all__:
-        thing = getattr(rl, name)
-        names.append(f"rlrobot_edu.{name}")
+    for name in [*(f"rlrobot_edu.{name}" for name in rl.__all__), *mine]:
+        names.append(name)
+        thing = resolve_name(name)
         if inspect.isclass(thing):
-            names += [f"rlrobot_edu.{name}.{key}" for key, value in inspect.getmembers(thing)
+            names += [f"{name}.{key}" for key, value in inspect.getmembers(thing)
                       if function_of(value) and not key.startswith("_")]  # fmt: skip
     return names
 
@@ -55,11 +61,6 @@ def function_of(thing: Any) -> Any:
         rl.__path__[0]
     )
     return thing if is_ours else None
-
-
-def thing_of(name: str) -> Any:
-    """What has this full name."""
-    return functools.reduce(getattr, name.split(".")[1:], rl)
 
 
 def exceptions_of(
@@ -97,14 +98,14 @@ def faults_of(name: str) -> list[str]:
     """What is wrong with a docstring, a line each."""
     checked = validate(name)
     faults = [f"{code} {said}" for code, said in checked["errors"] if code in CODES]
-    thing, sections = thing_of(name), NumpyDocString(checked["docstring"])
+    thing, sections = resolve_name(name), NumpyDocString(checked["docstring"])
     is_method = inspect.isfunction(thing) or inspect.ismethod(
         thing
     )  # numpydoc's RT01 passes over class methods
     if is_method and thing.__annotations__["return"] not in (None, "None"):
         faults += [] if sections["Returns"] + sections["Yields"] else ["no Returns"]
     said = {each.type.rpartition(".")[2] for each in sections["Raises"]}
-    for raised in exceptions_of(thing, owner=thing_of(name.rpartition(".")[0])):
+    for raised in exceptions_of(thing, owner=resolve_name(name.rpartition(".")[0])):
         if not said & {kind.__name__ for kind in raised.__mro__}:
             faults.append(f"no Raises of {raised.__name__}")
     if re.search(r"\b[Rr]aises? \w*Error", checked["docstring"]):

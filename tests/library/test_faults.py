@@ -10,6 +10,7 @@ from faults import as_nobody, full_disk, needs_limits
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
+from rlrobot_edu.tools.new_task import new_task
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +78,7 @@ def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(
     assert len(rl.read_recording(folder / "recording")) == len(
         rl.read_recording("worked_example")
     )
-    assert rl.load_task(folder / rl.new_task("mine")).name == "mine"
+    assert rl.load_task(folder / new_task("mine")).name == "mine"
     assert same(compared(model, store="store"), compared(model, store=folder / "store"))
 
 

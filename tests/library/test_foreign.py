@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from worlds import recording_of
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.source import time_limit
 
 
@@ -95,7 +96,7 @@ def test_whatever_reward_is_taken_every_number_stays_finite(
     agent, history = paid(reward, 200, gamma=gamma, alpha=alpha, lam=lam)
     path = tmp_path_factory.mktemp("finite")
     agent.save(path / "agent.npz"), history.save(path / "history.npz")
-    rl.Agent.load(path / "agent.npz"), rl.History.load(path / "history.npz")
+    rl.Agent.load(path / "agent.npz"), History.load(path / "history.npz")
     for numbers in (
         agent.q,
         agent.e,

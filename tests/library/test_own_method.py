@@ -84,7 +84,7 @@ def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code
     mine = rl.compare(
         "wander_simple", [rl.Method(MINE, "SR")], store=tmp_path / "store", **about
     )
-    assert list(mine.groups) == ["MINE+SR"]
+    assert list(mine) == ["MINE+SR"]
     same = rl.compare("wander_simple", {"MINE+SR": {"method": "SARSA+SR"}}, **about)
     for ours, theirs in zip(mine["MINE+SR"], same["MINE+SR"], strict=True):
         assert np.array_equal(ours.q, theirs.q)

@@ -19,6 +19,7 @@ from rlrobot_course.lesson_17.sweeping import (
     new_notes,
 )
 from rlrobot_edu.learning.planning import experience
+from rlrobot_edu.widgets.driving.teaching import learn_from
 
 PLANNERS = ("dyna", SWEEPING)
 
@@ -344,7 +345,7 @@ def test_an_agent_with_a_planner_of_ones_own_comes_back_when_that_planner_is_giv
 def test_the_experience_is_what_a_sample_model_counts(wander_model):
     recording = rl.read_recording("wander_1k")
     agent = rl.Agent("wander_1k", "SARSA+SR", planner="dyna", planning_steps=1)
-    rl.learn_from(agent, recording)
+    learn_from(agent, recording)
     seen = np.flatnonzero(wander_model.pair_count)
     assert agent.experience.tries.tolist() == wander_model.pair_count.ravel().tolist()
     assert set(agent.experience.tried[: agent.experience.now.pairs].tolist()) == set(

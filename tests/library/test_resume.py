@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.history import History
 
 PACKAGE = Path(rl.__file__).parent
 STEPS = 60
@@ -112,7 +113,7 @@ def test_the_parts_of_a_process_say_together_what_the_whole_says(
         part = rl.learn(other, twin, end - begin, progress=False, resume=i > 0)
         if file:
             part.save(file)
-            part = rl.History.load(file)
+            part = History.load(file)
         parts.append(part)
     assert [*np.concatenate([part.rewards for part in parts])] == [*whole.rewards]
     np.testing.assert_allclose(
@@ -220,7 +221,7 @@ def test_where_a_history_began_is_checked_in_its_file(before, tmp_path):
     vars(history)["before"] = before
     history.save(tmp_path / "history.npz")
     with pytest.raises(ValueError, match=r"history\.npz: this history is damaged"):
-        rl.History.load(tmp_path / "history.npz")
+        History.load(tmp_path / "history.npz")
 
 
 def lines_of_ours(call, press):

@@ -92,7 +92,7 @@ def test_an_agent_draws_what_numpy_draws_with_its_seed():
 def test_a_repetition_is_a_plain_loop_with_numpys_own_generators_of_its_two_seeds(
     wander_model, several
 ):
-    method, key = "TOSL+QBIASSR", ()
+    method = "TOSL+QBIASSR"
     if several == "repeat":
         runs = rl.repeat(
             wander_model, method, repetitions=2, steps=400, seed=0, progress=False
@@ -101,7 +101,7 @@ def test_a_repetition_is_a_plain_loop_with_numpys_own_generators_of_its_two_seed
         runs = rl.compare(wander_model, [method], 2, steps=400, seed=0, progress=False)[
             method
         ]
-        key = (zlib.crc32(method.encode()),)
+    key = (zlib.crc32(method.encode()),)
     for its, history in zip(
         np.random.SeedSequence(0, spawn_key=key).spawn(2), runs, strict=True
     ):

@@ -13,6 +13,7 @@ from worlds import same_histories as same
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.tools.new_task import new_task
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +92,7 @@ def test_a_task_that_is_not_the_stores_is_refused(model, tmp_path):
 
 
 def test_a_task_that_was_changed_since_is_not_the_stores(tmp_path):
-    path = rl.new_task("mine", tmp_path)
+    path = new_task("mine", tmp_path)
     compared(path, store=tmp_path / "s")
     assert rl.Comparison.load(tmp_path / "s", path).name == "mine"
     path.write_text(

@@ -1,7 +1,10 @@
 """The typed face: to mypy and to an editor the public names are what they are, not Any."""
 
 import ast
+import importlib
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import get_args
 
@@ -9,17 +12,19 @@ import pytest
 from mypy import api
 
 import rlrobot_edu as rl
+from rlrobot_edu.public_names import ELSEWHERE
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 
 ROOT = Path(__file__).parents[2]
 STUB = ROOT / "rlrobot_edu" / "__init__.pyi"
 CONTRACT = {
-    "Agent", "Comparison", "Film", "History", "Realism", "Recording", "RobotEnv", "Runs", "SampleModel", "Step",
+    "Agent", "Comparison", "Realism", "Recording", "SampleModel",
     "Stepper", "Task", "compare", "film", "learn", "load_task", "make_env", "plot_learning", "plot_scene",
-    "read_recording", "record", "repeat", "show_scene", "steps", "value_iteration",
+    "read_recording", "record", "repeat", "steps", "value_iteration",
 }  # fmt: skip
 FACE = """
 import rlrobot_edu as rl
+from rlrobot_edu.robots.robot_env import RobotEnv
 
 task = rl.load_task("wander_1k")
 agent = rl.Agent(task, "TOSL+QBIASSR", seed=0)
@@ -37,8 +42,8 @@ for step in rl.steps(agent, rl.make_env(task), steps=10):
     reveal_type(step)
 rl.no_such_name
 rl.make_env(task, engine="steam")
-rl.repeat(task, "Q+SR", repetitions=2, steps=10, engine="steam")
-rl.RobotEnv(task, render_mode="human")
+rl.compare(task, ["Q+SR"], 2, steps=10, engine="steam")
+RobotEnv(task, render_mode="human")
 """
 
 
@@ -81,6 +86,54 @@ def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(
         said.count("incompatible type \"Literal['steam']\"") == 2
         and "Literal['human']" in said
     ), said
+
+
+def test_there_are_few_public_names():
+    assert len(rl.__all__) <= 30
+
+
+@pytest.mark.parametrize("name", sorted(ELSEWHERE))
+def test_a_name_that_is_elsewhere_is_there_and_the_answer_says_so(name):
+    module = ELSEWHERE[name]
+    assert name not in rl.__all__ and not hasattr(rl, name)
+    with pytest.raises(
+        AttributeError, match=f"^{name} is in {module}: from {module} import {name}$"
+    ):
+        getattr(rl, name)
+    if True:
+        assert hasattr(importlib.import_module(module), name)
+
+
+def test_a_misspelt_name_is_answered_with_the_nearest_one():
+    with pytest.raises(AttributeError, match="'Agnet'; did you mean 'Agent'"):
+        rl.Agnet  # noqa: B018
+    with pytest.raises(AttributeError, match="did you mean 'History'"):
+        rl.Histroy  # noqa: B018
+    with pytest.raises(ImportError, match="cannot import name 'lern'"):
+        from rlrobot_edu import lern  # noqa: F401
+    assert getattr(rl, "xyzzy", None) is None
+
+
+WITHOUT_MESHCAT = """
+import inspect, sys
+sys.modules["meshcat"] = None  # importing it fails
+import rlrobot_edu as rl
+from rlrobot_edu import *
+assert {name for name, _ in inspect.getmembers(rl)} >= set(rl.__all__) <= set(dir(rl))
+assert hasattr(rl, "meshcat") and Agent is rl.Agent
+try:
+    meshcat(make_env("wander_simple"))
+except ImportError as error:
+    print(error)
+"""
+
+
+def test_all_names_can_be_walked_where_an_extra_is_missing():
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert "3D views need meshcat: run pip install meshcat" in done.stdout
 
 
 def test_the_engines_have_the_names_that_the_robots_cards_have():

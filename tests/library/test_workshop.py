@@ -13,36 +13,38 @@ from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm.arm_body import joints
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 from rlrobot_edu.tools.blind import BLIND
+from rlrobot_edu.tools.check_task import check_task
+from rlrobot_edu.tools.new_task import new_task
 from rlrobot_edu.tools.trial import acting, learning
 
 check_task_module = importlib.import_module("rlrobot_edu.tools.check_task")
 
 
 def test_a_new_task_works_as_it_stands(tmp_path):
-    path = rl.new_task("follow_wall", tmp_path)
+    path = new_task("follow_wall", tmp_path)
     task = rl.load_task(path)
     assert task.name == "follow_wall" and "Follow wall" in task.description
     with rl.make_env(task, seed=0) as env:
         rl.learn(rl.Agent(task, seed=0), env, steps=50, progress=False)
     with pytest.raises(FileExistsError, match="is there already"):
-        rl.new_task("follow_wall", tmp_path)
+        new_task("follow_wall", tmp_path)
 
 
 @pytest.mark.parametrize("name", ["Wall", "my task", "../up", "", "9lives", None])
 def test_not_every_name_is_that_of_a_task(name, tmp_path):
     with pytest.raises(ValueError, match="small letters"):
-        rl.new_task(name, tmp_path)
+        new_task(name, tmp_path)
 
 
 def test_the_template_names_every_sensor_with_its_unit(tmp_path):
-    text = rl.new_task("a", tmp_path).read_text(encoding="utf-8")
+    text = new_task("a", tmp_path).read_text(encoding="utf-8")
     assert "laser_rear_right" in text and "-3.14159 to 3.14159 rad" in text
     ast.parse(text)
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
-    path = rl.new_task("mine", tmp_path, robot=robot)
+    path = new_task("mine", tmp_path, robot=robot)
     task, text = rl.load_task(path), path.read_text(encoding="utf-8")
     assert task.robot == robot and "`rewards` below must list each number" in text
     assert all(
@@ -55,9 +57,7 @@ def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
 
 
 def test_the_file_says_where_x_is_0_and_how_far_the_floor_reaches(tmp_path):
-    told = (
-        rl.new_task("mine", tmp_path).read_text(encoding="utf-8").replace("\n    #", "")
-    )
+    told = new_task("mine", tmp_path).read_text(encoding="utf-8").replace("\n    #", "")
     sizes = {
         "square_2x2": "1 m to each side in",
         "maze_6x6": "2.9 m in",
@@ -71,18 +71,18 @@ def test_the_file_says_where_x_is_0_and_how_far_the_floor_reaches(tmp_path):
     assert np.abs(ARENAS["hexagon_giraff"].bounds).tolist() == [0.75, 0.5, 0.75, 0.5]
     assert (
         "reaches 0.75 m along x and 0.5 m along y"
-        in rl.new_task("b", tmp_path, robot="giraff").read_text()
+        in new_task("b", tmp_path, robot="giraff").read_text()
     )
     assert set(np.abs(ARENAS["table_room"].bounds)) == {1.5}
     assert (
         "reaches 1.5 m to each side"
-        in rl.new_task("c", tmp_path, robot="mobile_manipulator").read_text()
+        in new_task("c", tmp_path, robot="mobile_manipulator").read_text()
     )
 
 
 def test_a_file_for_a_robot_that_there_is_not_is_refused(tmp_path):
     with pytest.raises(ValueError, match="did you mean 'arm'"):
-        rl.new_task("mine", tmp_path, robot="amr")
+        new_task("mine", tmp_path, robot="amr")
     assert not [*tmp_path.iterdir()]
 
 
@@ -91,7 +91,7 @@ def test_the_card_and_the_file_say_where_the_joints_of_the_arm_stop(tmp_path):
         assert {
             name: (stop.low, stop.high) for name, stop in ROBOTS[robot].stops.items()
         } == {name: joints()[name].limits for name in JOINTS}
-    text = rl.new_task("reach", tmp_path, robot="arm").read_text(encoding="utf-8")
+    text = new_task("reach", tmp_path, robot="arm").read_text(encoding="utf-8")
     assert "#   biceps             0.4 to 1.03 rad" in text and '"biceps": 0.0' in text
 
 
@@ -105,7 +105,7 @@ def test_who_leaves_a_joint_out_is_told_to_hold_it_still_with_a_fixed_number():
 
 
 def test_an_edited_file_is_read_anew(tmp_path):
-    path = rl.new_task("mine", tmp_path)
+    path = new_task("mine", tmp_path)
     before = rl.load_task(path)
     path.write_text(
         path.read_text(encoding="utf-8").replace("cuts=[0.20]", "cuts=[0.20, 0.50]"),
@@ -117,7 +117,7 @@ def test_an_edited_file_is_read_anew(tmp_path):
 @pytest.fixture(scope="module")
 def odd_check(tmp_path_factory):
     """A task in which everything that can be odd is odd."""
-    path = rl.new_task("odd", tmp_path_factory.mktemp("tasks"))
+    path = new_task("odd", tmp_path_factory.mktemp("tasks"))
     text = path.read_text(encoding="utf-8")
     command = "def command(wheels):\n    return {**wheels, 'left_wheel': 0.0}\n\n\n"
     for old, new in {
@@ -129,7 +129,7 @@ def odd_check(tmp_path_factory):
         assert old in text
         text = text.replace(old, new)
     path.write_text(text, encoding="utf-8")
-    return rl.check_task(path, steps=300)
+    return check_task(path, steps=300)
 
 
 def test_what_is_odd_is_found(odd_check):
@@ -153,9 +153,9 @@ def test_a_check_is_shown_as_text_and_as_html(odd_check):
 
 
 def test_a_good_task_is_learned(capsys):
-    check = rl.check_task("worked_example", steps=200)
+    check = check_task("worked_example", steps=200)
     assert not any("not shown to pay" in finding for finding in check.findings)
-    assert repr(rl.check_task("worked_example", steps=200)) == repr(check), (
+    assert repr(check_task("worked_example", steps=200)) == repr(check), (
         "one seed, one report"
     )
 
@@ -166,7 +166,7 @@ def test_a_reward_that_can_be_had_without_looking_is_told():
     circle, none = (
         [
             finding
-            for finding in rl.check_task(task, 600).findings
+            for finding in check_task(task, 600).findings
             if finding.endswith("it pays not to look.")
         ]
         for task in ("wander_4k", "wander_1k")
@@ -259,7 +259,7 @@ def square(pays, **changed):
 @pytest.mark.long
 def test_a_task_that_one_action_repeated_solves_as_well_is_not_blessed():
     """It is paid for looking to one side, which a robot that turns for ever does half of the time."""
-    check = rl.check_task(square(lambda readings: readings["theta"] > 0.2), steps=300)
+    check = check_task(square(lambda readings: readings["theta"] > 0.2), steps=300)
     assert "for ever earns" in check.findings[-2] and check.findings[-2].endswith(
         "looking is not shown to pay."
     )
@@ -272,7 +272,7 @@ def test_a_task_that_one_action_repeated_solves_as_well_is_not_blessed():
 @pytest.mark.long
 def test_a_reward_that_is_met_too_seldom_is_named_with_the_times_and_the_state():
     """It is paid in one far corner."""
-    check = rl.check_task(
+    check = check_task(
         square(lambda readings: readings["x"] < -0.6 and readings["y"] < -0.2),
         steps=300,
     )
@@ -312,7 +312,7 @@ def test_one_action_for_ever_is_measured_as_agents_are(monkeypatch):
         return trial
 
     monkeypatch.setattr(check_task_module, "acting", acting)
-    check = rl.check_task("wander_simple", steps=100)
+    check = check_task("wander_simple", steps=100)
     *_, (who, mean, spread, *_) = check.learner.rows
     assert (
         who.endswith("for ever")
@@ -335,7 +335,7 @@ def test_too_few_steps_say_nothing():
     with pytest.raises(
         ValueError, match="steps must be a whole number of at least 100"
     ):
-        rl.check_task("wander_simple", steps=5)
+        check_task("wander_simple", steps=5)
 
 
 def test_a_random_trial_goes_on_after_the_end_of_an_episode():
@@ -404,7 +404,7 @@ def parking():
 
 @pytest.mark.long
 def test_of_inputs_without_which_agents_earn_less_none_is_called_useless():
-    check = rl.check_task(parking(), steps=1000)
+    check = check_task(parking(), steps=1000)
     earned = {row[0]: row[1] for row in check.learner.rows}
     assert all(
         earned[f"TOSL+QBIASSR without {name}"] < earned["TOSL+QBIASSR"] - 1
@@ -424,7 +424,7 @@ def test_an_input_that_only_makes_learning_slow_is_asked_about():
     )
     slow = [
         finding
-        for finding in rl.check_task(compass, steps=1000).findings
+        for finding in check_task(compass, steps=1000).findings
         if "hinders so far" in finding
     ]
     assert len(slow) == 1 and slow[0].startswith("theta ")
@@ -436,7 +436,7 @@ def test_an_input_that_no_reward_depends_on_is_not_shown_to_be_needed():
     rear = replace(
         task, inputs=[*task.inputs, InputVariable("laser_rear", cuts=[0.3], unit="m")]
     )
-    check = rl.check_task(rear, steps=400)
+    check = check_task(rear, steps=400)
     asked = [
         finding for finding in check.findings if "is not shown to be needed" in finding
     ]
@@ -445,14 +445,14 @@ def test_an_input_that_no_reward_depends_on_is_not_shown_to_be_needed():
 
 def test_all_kinds_of_learners_have_random_numbers_of_their_own(monkeypatch):
     seeds = []
-    real = check_task_module.repeat
+    real = check_task_module.run
 
-    def repeat(*arguments, seed, **more):
-        seeds.append(seed)
-        return real(*arguments, seed=seed, **more)
+    def run(jobs, **more):
+        seeds.extend(job.args[-1] for job in jobs.values())
+        return real(jobs, **more)
 
-    monkeypatch.setattr(check_task_module, "repeat", repeat)
-    rl.check_task("wander_simple", steps=100)
-    assert len(seeds) == len(set(seeds)) == 5, (
-        "those that look, at random, blind, and without each of two inputs"
-    )
+    monkeypatch.setattr(check_task_module, "run", run)
+    check_task("wander_simple", steps=100)
+    kinds = 5  # those that look, at random, blind, and without each of two inputs
+    distinct = {(seed.entropy, seed.spawn_key) for seed in seeds}
+    assert len(seeds) == len(distinct) == kinds * check_task_module.LEARNERS

@@ -1,6 +1,7 @@
 """Comparisons in Gymnasium's environments, by id, spec or a function that makes them."""
 
 import re
+import zlib
 from functools import partial
 
 import gymnasium
@@ -10,6 +11,7 @@ from worlds import RandomWorld
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 CLIFF = "CliffWalking-v1"
 FAST = {"repetitions": 2, "n_jobs": 1, "progress": False}
@@ -59,7 +61,8 @@ def test_an_id_a_spec_and_a_function_are_the_same_world_on_one_core_and_on_two(w
 
 def test_a_repetition_in_gymnasiums_world_can_be_made_again_by_hand():
     history = rl.repeat("FrozenLake-v1", "Q+EG", steps=300, seed=5, **FAST)[1]
-    agent_seed, env_seed = np.random.SeedSequence(5).spawn(2)[1].spawn(2)
+    root = np.random.SeedSequence(5, spawn_key=(zlib.crc32(b"Q+EG"),))
+    agent_seed, env_seed = root.spawn(2)[1].spawn(2)
     with rl.make_env("FrozenLake-v1", env_seed) as env:
         again = rl.learn(
             rl.Agent(env, "Q+EG", seed=agent_seed), env, 300, progress=False
@@ -67,6 +70,37 @@ def test_a_repetition_in_gymnasiums_world_can_be_made_again_by_hand():
     assert np.array_equal(history.rewards, again.rewards) and np.array_equal(
         history.q, again.q
     )
+
+
+@pytest.mark.parametrize(
+    "world", [CLIFF, gymnasium.spec(CLIFF), lambda: gymnasium.make(CLIFF)]
+)
+def test_an_agent_takes_whatever_world_make_env_takes(world):
+    agent = rl.Agent(world, "Q+EG", gamma=1, seed=0)
+    assert agent.q.shape == (48, 4) and agent.task is None
+    history = rl.learn(agent, rl.make_env(world, seed=0), steps=50, progress=False)
+    assert len(history) == 50
+
+
+def test_an_agent_of_an_unknown_world_is_refused_as_its_environment_is():
+    for make in (rl.Agent, rl.make_env):
+        with pytest.raises(gymnasium.error.Error, match="Did you mean: `CliffWalking`"):
+            make("CliffWalkin-v1")
+        with pytest.raises(ValueError, match="no task 'wandr'; did you mean"):
+            make("wandr")
+    assert rl.Agent("rlrobot/wander_simple-v0").task.name == "wander_simple"
+
+
+def test_episodes_need_no_steps_and_one_of_the_two_is_needed():
+    agent, env = rl.Agent(CLIFF, "Q+EG", seed=0), rl.make_env(CLIFF, seed=0)
+    for call in (rl.learn, rl.evaluate):
+        with pytest.raises(ValueError, match="give steps= or episodes="):
+            call(agent, env)
+        with pytest.raises(TypeError, match="positional"):
+            call(agent, env, 10, 2)
+    assert len(rl.learn(agent, env, episodes=3, progress=False).returns) == 3
+    history = rl.evaluate(agent, env, steps=40, progress=False)
+    assert len(history) == 40
 
 
 def test_each_repetition_makes_its_own_environment_and_closes_it():
@@ -177,4 +211,4 @@ def test_one_seed_one_environment():
 
 
 def test_no_task_has_a_name_like_an_id():
-    assert not [name for name in rl.available_tasks() if re.search(r"-v\d+$", name)]
+    assert not [name for name in available_tasks() if re.search(r"-v\d+$", name)]

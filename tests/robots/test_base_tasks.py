@@ -17,6 +17,7 @@ from rlrobot_edu.robots.chassis import GIRAFF
 from rlrobot_edu.robots.giraff import STOP_DISTANCE, Giraff
 from rlrobot_edu.task.rewards import approach_reward, collision_reward, wander_reward
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
+from rlrobot_edu.task.task_file import available_tasks
 from rlrobot_edu.task.wheel_commands import no_reversing
 
 # Steps after which ten repetitions (of the slow mobile manipulator, four) tell learning from chance
@@ -54,7 +55,7 @@ def random_walk(name, engine=None):
 
 
 def test_no_task_is_left_out():
-    assert STEPS.keys() | ARM_STEPS.keys() == set(rl.available_tasks())
+    assert STEPS.keys() | ARM_STEPS.keys() == set(available_tasks())
 
 
 @pytest.mark.long

@@ -11,6 +11,7 @@ from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.robots.chassis import BODY_HEIGHT, PIONEER
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
+from rlrobot_edu.task.task_file import available_tasks
 
 WHEEL_RADIUS = PIONEER.wheel_radius
 there = pytest.importorskip(
@@ -20,7 +21,7 @@ there = pytest.importorskip(
 )
 BulletBase = there.BulletBase
 TASKS = [
-    name for name in rl.available_tasks() if rl.load_task(name).robot == "mobile_base"
+    name for name in available_tasks() if rl.load_task(name).robot == "mobile_base"
 ]
 
 

@@ -21,14 +21,14 @@ from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.engines.kinematic import compiled_task
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.task.robot_cards import ROBOTS
-from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.task.task_file import available_tasks, load_task
 
 pytestmark = pytest.mark.skipif(IS_PLAIN, reason="there is nothing to compile with")
 NEVER = 10**9
 KERNELS = KinematicBase.kernels
 TASKS = [
     name
-    for name in rl.available_tasks()
+    for name in available_tasks()
     if "kinematic" in ROBOTS[load_task(name).robot].engines
     and load_task(name).robot != "mobile_manipulator"
 ]

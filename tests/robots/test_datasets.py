@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "datasets"))
@@ -84,7 +85,7 @@ def test_a_dataset_can_be_read_by_name_and_belongs_to_todays_task(name):
 
 
 def test_every_task_has_its_dataset_and_all_together_are_small():
-    assert set(rl.available_tasks()) == set(DATASETS)
+    assert set(available_tasks()) == set(DATASETS)
     assert (
         sum(
             path.stat().st_size

@@ -192,7 +192,7 @@ def test_a_comparison_keeps_in_its_store_who_simulated_the_arm(tmp_path):
             n_jobs=1,
             progress=False,
         )
-        return result.groups["Q+SR"][1].rewards
+        return result["Q+SR"][1].rewards
 
     first = final("kinematic")
     assert np.array_equal(final("kinematic"), first)

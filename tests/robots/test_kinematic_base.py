@@ -38,10 +38,11 @@ from rlrobot_edu.robots.engines.kinematic.motion import (
 )
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
+from rlrobot_edu.task.task_file import available_tasks
 
 SCENES = ROBOTS["mobile_base"].scenes
 TASKS = [
-    name for name in rl.available_tasks() if rl.load_task(name).robot == "mobile_base"
+    name for name in available_tasks() if rl.load_task(name).robot == "mobile_base"
 ]
 
 

@@ -11,8 +11,9 @@ from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.cell_robot import CellRobot
+from rlrobot_edu.task.task_file import available_tasks
 
-TASKS = rl.available_tasks()
+TASKS = available_tasks()
 BLIND = """
 from rlrobot_edu import InputVariable, OutputVariable, Task
 

@@ -5,6 +5,7 @@ import pickle
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 GOOD = '''"""A task of my own."""
 from rlrobot_edu import InputVariable, OutputVariable, Task
@@ -55,7 +56,7 @@ OUTLINE = [
 ]
 
 
-@pytest.mark.parametrize("name", rl.available_tasks())
+@pytest.mark.parametrize("name", available_tasks())
 def test_every_shipped_task_loads_and_is_described_in_the_fixed_order(name):
     description = rl.load_task(name).description
     places = [description.find(f"\n{word}:") for word in OUTLINE]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 INSTALL = "Stable-Baselines3 is missing: pip install --group baselines (some gigabytes)"
 
@@ -20,7 +21,7 @@ def baselines():
 
 def make_all():
     """Name and maker of each kind of environment."""
-    for name in rl.available_tasks():
+    for name in available_tasks():
         yield name, lambda name=name: rl.make_env(name, seed=0)
     yield "gymnasium.make", lambda: gymnasium.make("rlrobot/wander_1k-v0")
     yield "with pictures", lambda: rl.make_env("wander_simple", render_mode="rgb_array")

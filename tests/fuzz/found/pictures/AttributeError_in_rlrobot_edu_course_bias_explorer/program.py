@@ -1,3 +1,3 @@
 env = rl.make_env('wander_simple', 0); env.reset(); scene = env.robot.scene()  # given
-made = rl.BiasExplorer(task, nan, state=0)
+made = BiasExplorer(task, nan, state=0)
 drawn(made)

@@ -1,0 +1,34 @@
+"""What a world may be given as: a task, its name or file, a model, an environment, or what makes one."""
+
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+from gymnasium.envs.registration import EnvSpec
+
+from rlrobot_edu.task.task_file import load_task
+
+
+def named(world: Any) -> Any:
+    """The task of a name or path, the spec of a Gymnasium id; anything else as it is.
+
+    Raises FileNotFoundError if there is no such task file; ValueError if it is no sound
+    task; gymnasium.error.Error if Gymnasium has no such id.
+    """
+    if not isinstance(world, str | Path):
+        return world
+    # No name of a task has a hyphen.
+    if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():
+        return gymnasium.spec(world)
+    return load_task(world)
+
+
+def opened(world: Any) -> Any:
+    """A task, model or environment whose size is known, for whatever `make_env` takes."""
+    world = named(world)
+    if not isinstance(world, EnvSpec) and not callable(world):
+        return world
+    env = gymnasium.make(world) if isinstance(world, EnvSpec) else world()
+    if isinstance(env, gymnasium.Env):
+        env.close()
+    return env
