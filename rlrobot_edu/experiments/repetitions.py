@@ -33,7 +33,7 @@ def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
         )
     allowed = ["method", "planner", *Parameters.__annotations__]
     for name in settings:
-        known(name, allowed, "setting", "an agent")
+        check_name(name, allowed, "setting", "an agent")
     return Agent(env, **{**settings, "seed": seed})
 
 
