@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from joblib import Parallel, delayed
 
-from rlrobot_edu.checks import check_count, known
+from rlrobot_edu.checks import check_count, check_name
 from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
