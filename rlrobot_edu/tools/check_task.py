@@ -1,7 +1,7 @@
 """What is worth a look in a task file: the robot is let loose, and agents try to learn."""
 
 import html
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -15,10 +15,17 @@ from rlrobot_edu.experiments.repetitions import repetition, run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
-from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.tools.blind import BLIND
+from rlrobot_edu.tools.task_tables import (
+    actions_table,
+    extremes,
+    inputs_table,
+    readings_table,
+    shares_of_bins,
+    when_given,
+)
 from rlrobot_edu.tools.trial import Trial, acting, learning
 
 LEARNERS = 8  # of each kind, to tell learning from luck
@@ -126,7 +133,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     moving = [
         v.name
         for i, v in enumerate(task.inputs)
-        if np.count_nonzero(_shares(task, seen, i)) > 1
+        if np.count_nonzero(shares_of_bins(task, seen, i)) > 1
     ]
     earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
     same = [
@@ -149,7 +156,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
         for who, x in final.items()
     ]
     rewards = [
-        (f"{r:g}", who, *_met(task, trial, r))
+        (f"{r:g}", who, *when_given(task, trial, r))
         for r in sorted(task.rewards)
         for who, trial in trials.items()
     ]
@@ -157,9 +164,9 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
         (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials["at random"]),
          *_odd_learning(compared, steps, _advice(rewards, steps))),
-        _readings_table(task, seen), _inputs_table(task, trials.values()),
+        readings_table(task, seen), inputs_table(task, trials.values()),
         Table("What it is given", ("reward", "", "steps", "share", "most often from the state"), rewards),
-        _actions_table(task, trials["at random"]),
+        actions_table(task, trials["at random"]),
         Table(f"Does it learn? {LEARNERS} agents each, {steps} steps; p: one-sided Mann–Whitney test",
               ("method", "average reward at the end", "standard deviation", f"than {METHOD}", "p"), compared),
     )  # fmt: skip
@@ -184,27 +191,13 @@ def _earned(
     return run(jobs, threads=False, bar=task.name)
 
 
-def _shares(task: Task, seen: Iterable[Trial], i: int) -> np.ndarray:
-    """In which part of the steps each bin of input `i` was met."""
-    states = np.concatenate([trial.transitions.s_next for trial in seen])
-    return np.bincount(
-        np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i]
-    ) / len(states)
-
-
-def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
-    """The smallest and the largest that a reading was."""
-    low, high = zip(*(trial.read[name] for trial in seen), strict=True)
-    return min(low), max(high)
-
-
 def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
     for i, variable in enumerate(task.states.inputs):
-        met = _shares(task, seen, i)
+        met = shares_of_bins(task, seen, i)
         if never := [
             f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(met == 0).tolist()
         ]:
-            low, high = _read(seen, variable.name)
+            low, high = extremes(seen, variable.name)
             span = f"{low:.3g} to {high:.3g} {variable.unit}".strip()
             yield f"{variable.name}: {', '.join(never)} was never reached; it read {span}."
         if np.count_nonzero(met) == 1:
@@ -278,79 +271,3 @@ def _advice(rewards: Sequence[Sequence[Any]], steps: int) -> str:
     rare = f"the reward {best} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."
     usual = "give more steps, pay for what only a robot that looks can do, or let it perceive what decides the reward."
     return rare if max(drawn, learned) < RARE * steps else usual
-
-
-def _readings_table(task: Task, seen: Sequence[Trial]) -> Table:
-    card, rows = ROBOTS[task.robot], []
-    cut = {
-        v.name: f"{v.sectors} sectors"
-        if v.sectors
-        else str(v.cuts or v.values).strip("(,)")
-        for v in task.inputs
-    }
-    for name, (unit, low, high) in (card.sensors | card.stops).items():
-        rows.append(
-            (
-                name,
-                unit,
-                *map("{:.3g}".format, (*_read(seen, name), low, high)),
-                cut.get(name, ""),
-            )
-        )
-    head = (
-        "reading",
-        "unit",
-        "lowest seen",
-        "highest seen",
-        "at least",
-        "at most",
-        "cuts",
-    )
-    return Table("What it reads, in all trials", head, rows)
-
-
-def _inputs_table(task: Task, trials: Iterable[Trial]) -> Table:
-    rows = []
-    for i, variable in enumerate(task.states.inputs):
-        met = (map("{:.0%}".format, _shares(task, [trial], i)) for trial in trials)
-        rows.append((variable.name, *map(" ".join, met)))
-    return Table(
-        "What it perceives: share of the steps in each bin",
-        ("input", "at random", "while learning"),
-        rows,
-    )
-
-
-def _met(task: Task, trial: Trial, r: float) -> tuple[int, str, str]:
-    """In how many steps a reward was given, their share, and the state in which most of them began."""
-    states = trial.transitions.s[trial.transitions.r == r]
-    times = np.bincount(states, minlength=1)
-    place = ", ".join(
-        f"{name} {part}"
-        for name, part in task.states.decode(int(times.argmax())).items()
-    )
-    return (
-        len(states),
-        f"{len(states) / len(trial.moved):.1%}",
-        f"{place} ({times.max()})" if len(states) else "",
-    )
-
-
-def _actions_table(task: Task, trial: Trial) -> Table:
-    rows = []
-    for a in range(task.actions.n):
-        mine = trial.transitions.a == a
-        mean = float(trial.transitions.r[mine].mean()) if mine.any() else None
-        rows.append(
-            (
-                a,
-                task.actions.label(a),
-                f"{trial.moved[mine].mean():.0%}" if mine.any() else "",
-                mean,
-            )
-        )
-    return Table(
-        "What it does, at random",
-        ("action", "", "changes a reading", "average reward"),
-        rows,
-    )

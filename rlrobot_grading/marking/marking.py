@@ -16,11 +16,12 @@ from rlrobot_grading.answers.values import Unkept
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.exercises.verdict import Verdict
-from rlrobot_grading.marking.cell import bound, changes_checks, hints_asked
+from rlrobot_grading.marking.cell import bound
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import EndedError, GoneError, Kernel, ended
-from rlrobot_grading.marking.marks import HINTS, NO_RULES, Limits, Marked, Rules, Score
+from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_grading.marking.remote_function import remote_function
+from rlrobot_grading.marking.scoring import WAITS, Outcomes, Scoring
 from rlrobot_grading.marking.secret import secret_twin
 from rlrobot_grading.marking.serialization import read
 from rlrobot_grading.marking.submission import Submission, read_submission
@@ -28,7 +29,6 @@ from rlrobot_grading.marking.variants import variant_of
 
 MOST_LEFT_OUT = 5  # cells that end the kernel; after so many the rest is not run
 ASKING = 60.0  # for what a cell has handed in [s]
-WAITS = "waiting"
 NOT_GIVEN = "NotGivenError"  # what a cell ends with that wants something which is not there while it is graded
 ONLY_THESE_NUMBERS = (
     "Right with the notebook's numbers, but not with others: it must compute the answer from its arguments, and take "
@@ -92,37 +92,37 @@ class Marking:
             course, submission.lesson, submission.made_for, seed
         )
         self._end = time.monotonic() + limits.seconds
-        # cells that end the kernel, and how; exceptions that cells end with
-        self._left_out: dict[int, str] = {}
-        self._errors: dict[int, str] = {}
         # cells of which a late end of the kernel may come, and whether each cell is waited for since one has come
         self._unsettled = set(range(len(submission.cells)))
         self._is_careful = False
         # names without a value, since the grader gives none
         self._missing: set[str] = set()
-        # by exercise and cell: verdicts; answers that were handed to their checks; of a wrong answer the share of the
-        # cases that are right; functions in whose place the right ones were called
-        self._judged: dict[str, dict[int, Verdict]] = {}
-        for name in self._exercises:
-            self._judged[name] = {}
-        self._checked: set[tuple[str, int]] = set()
-        self._shares: dict[tuple[str, int], float] = {}
-        self._substituted: dict[tuple[str, int], list[str]] = {}
+        self._outcomes = Outcomes({name: {} for name in self._exercises})
 
     def marked(self) -> Marked:
         """Run all cells and judge the answers. A cell that ends the kernel is left out, and all others run again."""
         while not self._run():
-            if len(self._left_out) > MOST_LEFT_OUT or self._time_left() <= 0:
+            if len(self._outcomes.left_out) > MOST_LEFT_OUT or self._time_left() <= 0:
                 break
-        scores = [self._score(name) for name in self._exercises]
-        made_for = self._submission.made_for
+        scoring = Scoring(
+            self._submission, self._rules, self._outcomes, self._too_late()
+        )
+        scores = [scoring.score(name) for name in self._exercises]
         return Marked(
             self._submission.name,
             self._submission.lesson,
             scores,
-            self._notes(),
-            made_for=made_for,
+            scoring.notes(),
+            made_for=self._submission.made_for,
         )
+
+    def _too_late(self) -> str:
+        """Why an answer that nobody asked for has not been reached; empty if all cells have run."""
+        if self._time_left() <= 0:
+            return f"the notebook had used up its {self._limits.seconds:.0f} seconds before"
+        if len(self._outcomes.left_out) > MOST_LEFT_OUT:
+            return f"before it, more than {MOST_LEFT_OUT} cells have ended the kernel"
+        return ""
 
     def _time_left(self) -> float:
         return self._end - time.monotonic()
@@ -159,7 +159,7 @@ class Marking:
             )
             with kernel:
                 for place in range(self._submission.last_cell):
-                    if place in self._left_out or self._time_left() <= 0:
+                    if place in self._outcomes.left_out or self._time_left() <= 0:
                         continue
                     if not self._cell(kernel, place):
                         return False
@@ -169,7 +169,7 @@ class Marking:
         """Run one cell, and judge what it answers; false if the kernel has to be begun anew."""
         source = self._submission.cells[place]
         try:
-            self._errors.pop(place, None)  # from an earlier run
+            self._outcomes.errors.pop(place, None)  # from an earlier run
             kind, text = kernel.run(source, self._share())
             if self._is_careful and place in self._unsettled:
                 kernel.settle()
@@ -177,36 +177,36 @@ class Marking:
             if self._is_the_graders(kind, text):
                 self._missing |= bound(source, by_take=True)
             elif kind:
-                self._errors[place] = (
+                self._outcomes.errors[place] = (
                     f"Code cell {1 + place} {ended(kind, text, self._limits.memory)}"
                 )
-            names = self._submission.answered_by(place, self._left_out)
+            names = self._submission.answered_by(place, self._outcomes.left_out)
             taken = json.loads(kernel.ask(f"taken_in({names!r})", ASKING))
             is_full = taken["is_full"]
             if taken["answers"] and not is_full:
                 self._take_in(kernel, place, taken["answers"])
                 is_full = kernel.ask("is_full()", ASKING) == "True"
             if is_full:
-                self._left_out[place] = (
+                self._outcomes.left_out[place] = (
                     f"fills the {self._limits.memory} MiB of memory that a submission may use"
                 )
         except GoneError as error:
             if self._is_careful:
-                self._left_out[place] = str(error)
+                self._outcomes.left_out[place] = str(error)
             self._is_careful = True
             return False
         except (EndedError, TimeoutError) as error:
-            self._left_out[place] = str(error)
+            self._outcomes.left_out[place] = str(error)
         except (
             ValueError,
             KeyError,
             TypeError,
             AttributeError,
         ):  # the kernel's side has been changed by the learner
-            self._left_out[place] = (
+            self._outcomes.left_out[place] = (
                 "leaves the kernel in a state in which it cannot be asked"
             )
-        return place not in self._left_out
+        return place not in self._outcomes.left_out
 
     def _is_the_graders(self, kind: str, text: str) -> bool:
         """Whether a cell ends because something is missing that only the learner's own notebook has."""
@@ -218,9 +218,11 @@ class Marking:
         """Judge what a cell answers: what it hands to a check, and what it only defines."""
         for name, answer in answers.items():
             if name in self._exercises:
-                self._judged[name][place] = self._judge(kernel, place, name, answer)
+                self._outcomes.judged[name][place] = self._judge(
+                    kernel, place, name, answer
+                )
                 if answer["checked"]:
-                    self._checked.add((name, place))
+                    self._outcomes.checked.add((name, place))
 
     def _judge(
         self, kernel: Kernel, place: int, name: str, described: dict[str, str]
@@ -242,7 +244,9 @@ class Marking:
             return self._judge_function(kernel, place, name, is_unfinished)
         except EndedError as error:
             if self._is_careful or not isinstance(error, GoneError):
-                self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
+                self._outcomes.judged[name][place] = Verdict(
+                    "wrong", f"Your function {error}."
+                )
             raise
 
     def _judge_function(
@@ -264,13 +268,13 @@ class Marking:
             )
             # what it does by itself, right or wrong
             verdict = self._on_both_tapes(name, answer)
-            self._substituted[name, place] = wrong
+            self._outcomes.substituted[name, place] = wrong
             if verdict:
                 return verdict
         if self._rules.partial:
             tapes = [self._exercises[name], self._twins[name]]
             shares = [tape.share(answer) for tape in tapes if tape is not None]
-            self._shares[name, place] = min(shares)
+            self._outcomes.shares[name, place] = min(shares)
         return verdict
 
     def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
@@ -294,101 +298,6 @@ class Marking:
         wrong = []
         for other, exercise in self._exercises.items():
             is_called = other in called and isinstance(exercise, Exercise)
-            if is_called and not any(self._last(other)):
+            if is_called and not self._outcomes.is_right(other):
                 wrong.append(other)
         return wrong
-
-    def _last(self, name: str) -> list[Verdict]:
-        """The verdict on the last answer; empty if there is none."""
-        return [verdict for _, verdict in sorted(self._answers(name).items())][-1:]
-
-    def _answers(self, name: str) -> dict[int, Verdict]:
-        """The verdicts on the answers that are not blank: on those handed in, and if there are none, those defined."""
-        answers = {}
-        checked = {}
-        for place, verdict in self._judged[name].items():
-            if verdict.status == WAITS:
-                continue
-            answers[place] = verdict
-            if (name, place) in self._checked:
-                checked[place] = verdict
-        return checked or answers
-
-    def _score(self, name: str) -> Score:
-        """The last answer that is not blank counts."""
-        answers = self._answers(name)
-        points = self._rules.points_of(name)
-        if not answers:
-            return Score(name, 0.0, self._why_none(name), points)
-        place = max(answers)
-        verdict = answers[place]
-        lines = [repr(verdict)]
-        if len(answers) > 1:
-            cells = ", ".join(str(1 + i) for i in sorted(answers))
-            lines.append(
-                f"It is answered in the code cells {cells}; the last one counts."
-            )
-        if not verdict and place in self._errors:
-            lines.append(self._errors[place])
-        substituted = " and ".join(self._substituted.get((name, place), []))
-        if substituted:
-            lines.append(
-                f"Judged with the right {substituted}, since that of the notebook is not."
-            )
-        share = 1.0 if verdict else self._shares.get((name, place), 0.0)
-        if 0 < share < 1:
-            lines.append(
-                f"Right in {100 * share:.0f} % of the cases: {share * points:.2g} of {points:g} points for that."
-            )
-        asked = 0
-        if self._rules.hint_off:
-            asked = hints_asked(self._submission.cells, name)
-        if asked:
-            lines.append(
-                f"Hints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
-            )
-        kept = 1 - min(1.0, asked * self._rules.hint_off)
-        return Score(
-            name,
-            round(points * share * kept, 2),
-            "\n".join(lines),
-            points,
-            is_answered=True,
-            mistake=HINTS if verdict and asked else verdict.id,
-            hint=verdict.hint,
-            substituted=substituted,
-        )
-
-    def _why_none(self, name: str) -> str:
-        answered = self._submission.answered_in[name]
-        defined = self._submission.defined_in.get(name, ())
-        for place in sorted({*answered, *defined}):
-            if place in self._left_out:
-                return f"✗ Not answered: code cell {1 + place} {self._left_out[place]}."
-            if place in self._errors and place not in self._judged[name]:
-                return f"✗ Not answered. {self._errors[place]}"
-        waiting = list(self._judged[name].values())
-        if waiting:
-            return repr(waiting[-1])
-        if not answered:
-            return f"✗ Not answered: no cell defines {name}, or hands it to its check."
-        if self._time_left() <= 0:
-            return f"✗ Not answered: the notebook had used up its {self._limits.seconds:.0f} seconds before."
-        if len(self._left_out) > MOST_LEFT_OUT:
-            return f"✗ Not answered: before it, more than {MOST_LEFT_OUT} cells have ended the kernel."
-        return f"✗ Not answered: no cell that runs hands {name} to its check."
-
-    def _notes(self) -> list[str]:
-        notes = [
-            f"Code cell {1 + place} {how}; it is left out."
-            for place, how in sorted(self._left_out.items())
-        ]
-        for place, source in enumerate(self._submission.cells):
-            if changes_checks(source):
-                notes.append(
-                    f"Code cell {1 + place} changes the checks; the grader has its own."
-                )
-        return notes + [
-            self._errors[place]
-            for place in sorted(self._errors.keys() - self._left_out.keys())[:3]
-        ]

@@ -20,6 +20,7 @@ from rlrobot_grading.marking import kernel_side
 from rlrobot_grading.marking.marking import Marking
 from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_grading.marking.misunderstood import misunderstood
+from rlrobot_grading.marking.scoring import Scoring
 from rlrobot_grading.marking.submission import Submission
 
 
@@ -158,10 +159,11 @@ def scored(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
     for place, (name, source) in enumerate(answers.items()):
         exec(source, names)
         kernel_side.answers[name] = names[name]
-        marking._judged[name][place] = marking._judge(
+        marking._outcomes.judged[name][place] = marking._judge(
             Here(), place, name, kernel_side._described(names[name])
         )
-    return {name: marking._score(name) for name in answers}
+    scoring = Scoring(marking._submission, rules, marking._outcomes, "")
+    return {name: scoring.score(name) for name in answers}
 
 
 def test_what_calls_a_wrong_function_is_judged_with_the_right_one_and_says_so():

@@ -9,12 +9,12 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_08.figures import (
     plot_credit,
     plot_one_pair,
-    plot_q_old,
     plot_traces,
     trace_over_time,
     weights,
 )
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_course.lesson_08.q_old_figure import plot_q_old
 from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]

@@ -10,7 +10,8 @@ from rlrobot_edu.learning.compiled_loop import make_run
 from rlrobot_edu.learning.methods import Method, parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sampling import begin, outcome
-from rlrobot_edu.widgets.javascript.translator import OF_MATH, Translator, literal
+from rlrobot_edu.widgets.javascript.translator import Translator
+from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 
 # What Python has and JavaScript lacks. The remainder has the sign of the divisor; the first of several largest counts.
 PRELUDE = """

@@ -14,47 +14,20 @@ A task's reward and goal are translated, too: in them are readings by name, argu
 import ast
 import builtins
 import inspect
-import json
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-import numpy as np
-
-# the arrays of two dimensions, by the names that kernels give them
-TABLES = {"q", "e", "visits"}
-# the methods of an array that are functions of the prelude in JavaScript
-OF_AN_ARRAY = {"max", "min", "argmax"}
-# all else that only arrays have; a record has fields of other names
-NOT_TRANSLATED = set(dir(np.ndarray)) - OF_AN_ARRAY - {"shape"}
-OPERATORS: dict[type[ast.AST], str] = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
-    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
-    ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
-}  # fmt: skip
-WORDS = {
-    "int": "Math.trunc",
-    "abs": "Math.abs",
-    "max": "Math.max",
-    "min": "Math.min",
-    "float": "Number",
-}
-WORDS |= {"round": "to_even"}
-OF_MATH = {
-    name: f"Math.{name}"
-    for name in ("ceil", "cos", "exp", "floor", "hypot", "log", "sin", "sqrt")
-}
-OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
-
-
-def literal(value: bool | float | str | None) -> str:
-    """A number, a text, True, False or None in JavaScript."""
-    return (
-        repr(value)
-        if isinstance(value, int | float) and not isinstance(value, bool)
-        else json.dumps(value)
-    )
+from rlrobot_edu.widgets.javascript.vocabulary import (
+    NOT_TRANSLATED,
+    OF_AN_ARRAY,
+    OF_MATH,
+    OPERATORS,
+    TABLES,
+    WORDS,
+    literal,
+)
 
 
 class Translator:
