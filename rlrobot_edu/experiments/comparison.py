@@ -132,7 +132,13 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     @property
     def optimum(self) -> float | None:
-        """Best achievable average reward in a sample model; None for a robot, where it is unknown."""
+        """Best achievable average reward in a sample model; None for a robot, where it is unknown.
+
+        Raises
+        ------
+        ValueError
+            If the best way through the model cannot be computed, see `value_iteration`.
+        """
         if isinstance(self.world, SampleModel):
             return best_average_reward(self.world)
         return None

@@ -12,7 +12,7 @@ from importlib import metadata
 from pathlib import Path
 
 import numpy as np
-from rlrobot_edu.experiments.repeat import run
+from rlrobot_edu.experiments.repetitions import run
 from tqdm.auto import tqdm
 
 from paper.experiments import EXPERIMENTS, FAULTY, Experiment, Length

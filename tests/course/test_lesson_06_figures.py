@@ -124,6 +124,6 @@ def test_returns_are_averaged_over_windows_of_episodes():
 @pytest.mark.parametrize(("method", "wanted"), [("Q+EG", "edge"), ("SARSA+EG", "off")])
 def test_q_learning_takes_the_edge_and_sarsa_does_not(method, wanted):
     runs = rl.repeat(
-        cliff_model(), method, repetitions=10, steps=20000, seed=7, n_jobs=1, r_max=1
+        cliff_model(), method, repetitions=10, episodes=1000, seed=7, n_jobs=1, r_max=1
     )
     assert counted(runs)[wanted] >= 8

@@ -38,7 +38,7 @@ def writes(model, film):
         "agent": agent.save,
         "model": model.save,
         "recording": rl.read_recording("worked_example").save,
-        "film": film.gif,
+        "film": film.save,
         "page": lambda path: film.show3d().save(path),
     }
 

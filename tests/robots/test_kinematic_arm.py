@@ -200,12 +200,12 @@ def test_a_comparison_keeps_in_its_store_who_simulated_the_arm(tmp_path):
         "arm_1k",
         "Q+SR",
         repetitions=1,
-        steps=50,
+        episodes=1,
         engine="kinematic",
         n_jobs=1,
         progress=False,
     )
-    assert len(alone[0].rewards) == 50
+    assert len(alone[0].rewards) == 120
     pytest.importorskip("pybullet")
     with pytest.raises(ValueError, match="engine"):
         final(None)

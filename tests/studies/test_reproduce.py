@@ -135,7 +135,7 @@ def test_a_run_writes_tables_figures_averages_seed_and_versions_and_a_second_one
         and environment["versions"]["seed"] == "0"
     )
 
-    for learning in ("rlrobot_edu.experiments.repeat.learn", "paper.run.learn"):
+    for learning in ("rlrobot_edu.experiments.repetitions.learn", "paper.run.learn"):
         monkeypatch.setattr(learning, lambda *args, **more: pytest.fail("run again"))
     assert (
         reproduce.reproduce().read_text(encoding="utf-8") == text
