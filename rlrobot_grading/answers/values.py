@@ -241,6 +241,8 @@ def _shown(value: Any, level: int) -> str:
         return f"{value:.5g}"
     if isinstance(value, dict | set | frozenset | deque) and is_large(value):
         return f"a {type(value).__name__} of {len(value)} entries"
+    if isinstance(value, deque):
+        return f"deque({_shown(list(value), level)})"
     if type(value) is MappingProxyType and not is_large(value):
         value = dict(value)
     if isinstance(value, dict) and level < MOST_LEVELS:
