@@ -12,7 +12,6 @@ from importlib import metadata
 from pathlib import Path
 
 import numpy as np
-from rlrobot_edu.experiments.repetitions import run
 from tqdm.auto import tqdm
 
 from paper.experiments import EXPERIMENTS, FAULTY, Experiment, Length
@@ -22,6 +21,7 @@ from paper.worlds import PreviousAction
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.experiments.comparison import Comparison
+from rlrobot_edu.experiments.repetitions import run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.files import write_whole

@@ -19,12 +19,17 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
+from rlrobot_edu.widgets.javascript.arrays import (
+    is_array,
+    is_negative,
+    is_row,
+    names_of_arrays,
+)
 from rlrobot_edu.widgets.javascript.vocabulary import (
     NOT_TRANSLATED,
     OF_AN_ARRAY,
     OF_MATH,
     OPERATORS,
-    TABLES,
     WORDS,
     literal,
 )
@@ -58,9 +63,8 @@ class Translator:
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
         }
         self.variables = sorted(stored - set(self.parameters))
-        names = inspect.getclosurevars(
-            self.function
-        )  # a field's name may be that of something around, too
+        # a field's name may be that of something around, too
+        names = inspect.getclosurevars(self.function)
         around = {**names.builtins, **names.globals, **names.nonlocals}
         self.around = {
             name: thing
@@ -72,13 +76,12 @@ class Translator:
             for node in nodes
             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
         ]
-        self.fixed: dict[
-            str, str
-        ] = {}  # what a name is at present that goes over constants
+        # what a name is at present that goes over constants
+        self.fixed: dict[str, str] = {}
         self.records = {
             node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}
         }  # type: ignore[attr-defined]
-        self.arrays = self._names_of_arrays(nodes)
+        self.arrays = names_of_arrays(nodes)
 
     def translate(self, name: str) -> str:
         """The text of the function, under this name. Raises ValueError that tells file and line of what it refuses."""
@@ -94,28 +97,9 @@ class Translator:
             "run it; write it with numbers, entries of arrays, if, while and for over a range"
         )
 
-    def _names_of_arrays(self, nodes: Sequence[ast.AST]) -> set[str]:
-        """The texts that stand for arrays: what has entries, a shape or a largest entry, and names given to rows."""
-        found = set()
-        for node in nodes:
-            match node:
-                case ast.Subscript(array):
-                    found.add(ast.unparse(array))
-                case ast.Attribute(array, field) if field in {"shape", *OF_AN_ARRAY}:
-                    found.add(ast.unparse(array))
-                case ast.Assign([ast.Name(name)], ast.Subscript() as value):
-                    if self._is_row(value):
-                        found.add(name)
-        return found
-
-    def _is_array(self, node: ast.expr) -> bool:
-        if isinstance(node, ast.Subscript):
-            return self._is_row(node)
-        return ast.unparse(node) in self.arrays
-
     def _number(self, node: ast.expr) -> str:
         """The value of what must be a number in JavaScript."""
-        if self._is_array(node):
+        if is_array(node, self.arrays):
             self._refuse(node, f"“{ast.unparse(node)}”, a whole array as a number,")
         return self._value(node)
 
@@ -196,7 +180,7 @@ class Translator:
         match target:
             case ast.Subscript(array, ast.Slice(None, None, None)):
                 return f"{self._value(array)}.fill({value});"
-            case ast.Subscript(array, index) if self._is_row(target):
+            case ast.Subscript(array, index) if is_row(target):
                 return f"{self._value(array)}[{self._value(index)}].fill({value});"
         return f"{self._value(target)} = {value};"
 
@@ -204,11 +188,6 @@ class Translator:
         if not isinstance(value, ast.Constant):
             self._refuse(value, "a value other than a constant for several places")
         return "\n".join(self._assign(target, self._value(value)) for target in targets)
-
-    def _is_row(self, node: ast.Subscript) -> bool:
-        array = node.value
-        is_table = getattr(array, "attr", getattr(array, "id", "")) in TABLES
-        return is_table and not isinstance(node.slice, ast.Tuple)
 
     def _operator(self, operator: ast.AST, node: ast.AST) -> str:
         if type(operator) not in OPERATORS:
@@ -271,7 +250,7 @@ class Translator:
                 )
             case ast.Subscript(array, index) if not isinstance(
                 index, ast.Slice
-            ) and not _is_negative(index):
+            ) and not is_negative(index):
                 return f"{self._value(array)}[{self._value(index)}]"
             case ast.Call(ast.Attribute(array, method), [], []) if (
                 method in OF_AN_ARRAY
@@ -335,8 +314,3 @@ class Translator:
         if self.around[name] is getattr(builtins, name, None):
             return WORDS[name] if name in WORDS else self._refuse(node, name)
         return self.name_of(self.around[name]) or self._refuse(node, name)
-
-
-def _is_negative(index: ast.expr) -> bool:
-    """Whether an index counts from the end, which JavaScript does not know."""
-    return isinstance(index, ast.UnaryOp) and isinstance(index.op, ast.USub)
