@@ -8,7 +8,7 @@ JavaScript has no arithmetic of arrays: ``q[s] + 1`` would be a text there, and 
 kernel may do with a whole array is to take its largest or smallest entry, to set all its entries to one number, and to
 hand it to another kernel. All else is refused.
 
-A task's reward and goal are translated, too: in them are readings by name, arguments by name, and sums over names.
+A task's reward and goal are translated, too: in them are readings by name and arguments by name.
 """
 
 import ast
@@ -76,8 +76,6 @@ class Translator:
             for node in nodes
             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
         ]
-        # what a name is at present that goes over constants
-        self.fixed: dict[str, str] = {}
         self.records = {
             node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}
         }  # type: ignore[attr-defined]
@@ -256,15 +254,6 @@ class Translator:
                 method in OF_AN_ARRAY
             ):
                 return f"{method}_of({self._value(array)})"
-            case ast.Call(
-                ast.Name("sum"),
-                [
-                    ast.GeneratorExp(
-                        each, [ast.comprehension(ast.Name(x), ast.Name(over), [])]
-                    )
-                ],
-            ):
-                return self._sum(each, x, self.around.get(over), node)
             case ast.Call(ast.Attribute(_, method)) if method in NOT_TRANSLATED:
                 self._refuse(node, f"“{ast.unparse(node)}”")
             case ast.Call(function, arguments, []):
@@ -291,26 +280,12 @@ class Translator:
                     )
         self._refuse(node, f"“{ast.unparse(node)}”")
 
-    def _sum(self, each: ast.expr, x: str, over: Any, node: ast.AST) -> str:
-        """A sum over constants, written out."""
-        if not isinstance(over, tuple):
-            self._refuse(
-                node,
-                f"“{ast.unparse(node)}”, a sum over what is no tuple of constants,",
-            )
-        terms = []
-        for value in over:
-            self.fixed[x] = literal(value)
-            terms.append(self._value(each))
-        del self.fixed[x]
-        return f"(0 + {' + '.join(terms)})"
-
     def _is_record(self, node: ast.expr) -> bool:
         return isinstance(node, ast.Name) and node.id in self.records
 
     def _name(self, name: str, node: ast.AST) -> str:
         if name not in self.around:
-            return self.fixed.get(name, name)
+            return name
         if self.around[name] is getattr(builtins, name, None):
             return WORDS[name] if name in WORDS else self._refuse(node, name)
         return self.name_of(self.around[name]) or self._refuse(node, name)
