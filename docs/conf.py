@@ -72,6 +72,7 @@ BELOW = {
     "datasets/README": ["datasets/*/README"],
     "CONTRIBUTING": [
         "docs/howto/architecture",
+        "docs/howto/size",
         "docs/howto/release",
         "studies/benchmarks/README",
         "CHANGELOG",
