@@ -8,7 +8,7 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
-from rlrobot_edu.learning.worlds import named
+from rlrobot_edu.learning.resolve import resolve
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
@@ -27,7 +27,7 @@ def as_world(world: World | str | Path) -> World:
 
     Raises ValueError if it is none of these, nor the name or path of a task; gymnasium.error.Error for an id unknown.
     """
-    world = named(world)
+    world = resolve(world)
     if isinstance(world, gymnasium.Env):
         raise ValueError(
             f"{world} must be a new one each time: give its id, or a function that makes it"

@@ -26,10 +26,10 @@ from rlrobot_edu.learning.planning.experience import (
     with_room,
 )
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
+from rlrobot_edu.learning.resolve import sized_world
 from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
-from rlrobot_edu.learning.worlds import opened
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 
@@ -103,7 +103,7 @@ class Agent:
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        world = opened(world)
+        world = sized_world(world)
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)

@@ -15,7 +15,7 @@ What the grader must know of a course is a value, `course.Course`, which is pass
 - `secret`: another tape for an exercise, drawn from a seed; `variants`: another variant of an assignment for each
   student;
 - `handed_in`: which files are notebooks; `text`: their encoding; `submission`: which lesson a notebook belongs to, and
-  which of its cells answer what, as far as `cell` can read it off; `marking`: one notebook, run and judged;
+  which of its cells answer what, as far as `cell` can read it off; `one_notebook`: one notebook, run and judged;
   `scoring`: what that is worth; `marks`: scores and rules; `students`: a class; `attribution`: who handed in which
   notebook, and which counts;
 - `grade`: many of them, side by side; `options`: what can be typed; `reports`: text and sheets; `tables`: points as

@@ -19,7 +19,6 @@ from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import Digests, Guard
 from rlrobot_grading.marking.handed_in import HandIn, handed_in, notes_on
 from rlrobot_grading.marking.kernel import end_with_parent
-from rlrobot_grading.marking.marking import mark_file
 from rlrobot_grading.marking.marks import (
     NO_RULES,
     Limits,
@@ -29,6 +28,7 @@ from rlrobot_grading.marking.marks import (
     read_rules,
 )
 from rlrobot_grading.marking.misunderstood import mistakes_table
+from rlrobot_grading.marking.one_notebook import mark_file
 from rlrobot_grading.marking.reports import (
     as_sheet,
     as_text,

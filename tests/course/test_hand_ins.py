@@ -20,8 +20,8 @@ from rlrobot_course.homework import COURSE
 from rlrobot_grading.marking import grade as grade_module
 from rlrobot_grading.marking.grade import grade
 from rlrobot_grading.marking.handed_in import handed_in
-from rlrobot_grading.marking.marking import mark_file
 from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Score
+from rlrobot_grading.marking.one_notebook import mark_file
 from rlrobot_grading.marking.submission import read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")

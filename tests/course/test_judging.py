@@ -17,9 +17,9 @@ from rlrobot_course.lesson_03 import check as check_02
 from rlrobot_grading.answers import limits
 from rlrobot_grading.exercises.mistake import hinted
 from rlrobot_grading.marking import kernel_side
-from rlrobot_grading.marking.marking import Marking
 from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_grading.marking.misunderstood import misunderstood
+from rlrobot_grading.marking.one_notebook import Marking
 from rlrobot_grading.marking.scoring import Scoring
 from rlrobot_grading.marking.submission import Submission
 

@@ -9,7 +9,7 @@ from gymnasium.envs.registration import EnvSpec
 from rlrobot_edu.task.task_file import load_task
 
 
-def named(world: Any) -> Any:
+def resolve(world: Any) -> Any:
     """The task of a name or path, the spec of a Gymnasium id; anything else as it is.
 
     Raises FileNotFoundError if there is no such task file; ValueError if it is no sound
@@ -23,9 +23,9 @@ def named(world: Any) -> Any:
     return load_task(world)
 
 
-def opened(world: Any) -> Any:
+def sized_world(world: Any) -> Any:
     """A task, model or environment whose size is known, for whatever `make_env` takes."""
-    world = named(world)
+    world = resolve(world)
     if not isinstance(world, EnvSpec) and not callable(world):
         return world
     env = gymnasium.make(world) if isinstance(world, EnvSpec) else world()
