@@ -243,6 +243,8 @@ def _shown(value: Any, level: int) -> str:
         return f"a {type(value).__name__} of {len(value)} entries"
     if isinstance(value, deque):
         return f"deque({_shown(list(value), level)})"
+    if isinstance(value, set | frozenset) and value:
+        return "{" + ", ".join(show(part, level + 1) for part in _in_order(value)) + "}"
     if type(value) is MappingProxyType and not is_large(value):
         value = dict(value)
     if isinstance(value, dict) and level < MOST_LEVELS:
@@ -254,6 +256,14 @@ def _shown(value: Any, level: int) -> str:
     text = repr(value)
     # an address says nothing to a learner
     return _kind(value) if " at 0x" in text else text
+
+
+def _in_order(entries: set[Any] | frozenset[Any]) -> list[Any]:
+    """The entries of a set in an order that does not depend on how it was made."""
+    try:
+        return sorted(entries)
+    except TypeError:
+        return sorted(entries, key=lambda entry: (type(entry).__name__, repr(entry)))
 
 
 def _in_dict(value: Any, level: int) -> str:
