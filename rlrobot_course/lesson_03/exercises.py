@@ -45,15 +45,10 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
-AT_A_WALL = (
-    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
-    {
-        "s": 4,
-        "a": 0,
-        "r": -0.02,
-        "s_next": 4,
-        "terminated": False,
-    },  # it stays, and a is the best action there
+AT_A_WALL = rows(
+    "s a r s_next terminated",
+    (4, 1, -2.0, 4, False),
+    (4, 0, -0.02, 4, False),  # it stays, and a is the best action there
 )
 
 
