@@ -27,11 +27,11 @@ from rlrobot_edu.show.palette import (
     SKY,
     VERMILION,
 )
-from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.picture import Picture, Size, axes_or_new, gif_of, image_of, plain
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "SideBySide", "axes_or_new", "chart", "draw_curves", "name_rows", "plain",
+    "Picture", "SideBySide", "axes_or_new", "chart", "draw_curves", "film_of", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
@@ -119,7 +119,7 @@ class SideBySide(Displayed):
         for ax, (name, view) in zip(
             picture.subplots(1, len(self.views)), self.views.items(), strict=True
         ):
-            ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
+            ax.imshow(image_of(view.still().data))
             ax.set_title(plain(name))
             ax.set_axis_off()
         return picture.still()
@@ -146,18 +146,11 @@ def side_by_side(films: Sequence[Film]) -> bytes:
         for column, one in enumerate(moving):
             one.seek(i)
             frames[-1].paste(one.convert("RGB"), (column * moving[0].width, 0))
-    palette = frames[-1].quantize(COLOURS, FEW_COLOURS)
-    first, *rest = (
-        frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames
-    )
-    buffer, duration = io.BytesIO(), round(1000 * films[0].seconds_per_frame)
-    first.save(
-        buffer,
-        "GIF",
-        save_all=True,
-        append_images=rest,
-        loop=0,
-        duration=duration,
-        optimize=True,
-    )
-    return buffer.getvalue()
+    return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
+
+
+def film_of(said: str, shots: Sequence[Image.Image], colours: int, time: int) -> Still:
+    """A moving picture of several figures; each stays for a time [ms], the last one for 3 s. said: what it shows."""
+    times = [time] * (len(shots) - 1) + [3000]
+    moving = gif_of(shots, colours, times)
+    return Still(said.strip("<>"), moving, shots[0].width, "image/gif")

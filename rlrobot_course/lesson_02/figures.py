@@ -1,6 +1,5 @@
 """The figures of lesson 02: what counts of each reward, and how values spread from a goal through a grid."""
 
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -8,11 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
-from PIL import Image
 
-from rlrobot_course.figures.plots import BLUE, GREY, Picture
+from rlrobot_course.figures.plots import BLUE, GREY, Picture, film_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import FEW_COLOURS
+from rlrobot_edu.show.picture import image_of
 
 ARROWS = {
     0: (-1, 0),
@@ -47,30 +45,8 @@ class Sweeps(Displayed):
 
     def still(self) -> Still:
         """All of them, about a second each."""
-        shots = [
-            Image.open(io.BytesIO(self.picture(k).png())).convert("RGB")
-            for k in range(len(self.values))
-        ]
-        palette = shots[-1].quantize(128, FEW_COLOURS)
-        first, *rest = (
-            shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots
-        )
-        buffer, times = (
-            io.BytesIO(),
-            [900] * len(rest) + [3000],
-        )  # how long each stays [ms]
-        first.save(
-            buffer,
-            "GIF",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=times,
-            optimize=True,
-        )
-        return Still(
-            repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif"
-        )
+        shots = [image_of(self.picture(k).png()) for k in range(len(self.values))]
+        return film_of(repr(self), shots, 128, 900)
 
 
 def plot_returns(

@@ -1,13 +1,11 @@
 """The figures of lesson 17 on planning: robots in cells walk, what they know of the way, and what thinking saves."""
 
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
-from PIL import Image
 
 from rlrobot_course.figures.plots import (
     BLACK,
@@ -16,6 +14,7 @@ from rlrobot_course.figures.plots import (
     ROLE,
     Picture,
     chart,
+    film_of,
     name_rows,
     plain,
 )
@@ -30,7 +29,7 @@ from rlrobot_course.lesson_17.cells import (
 )
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import FEW_COLOURS
+from rlrobot_edu.show.picture import image_of
 
 
 def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) -> None:
@@ -109,27 +108,8 @@ class Walks(Displayed):
                 ax.set_title(
                     plain(f"{name}\nstep {k}, arrivals: {ends.sum()}"), fontsize=10
                 )
-            shots.append(Image.open(io.BytesIO(figure.png())).convert("RGB"))
-        palette = shots[-1].quantize(64, FEW_COLOURS)
-        first, *rest = (
-            shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots
-        )
-        buffer, times = (
-            io.BytesIO(),
-            [200] * len(rest) + [3000],
-        )  # how long each stays [ms]
-        first.save(
-            buffer,
-            "GIF",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=times,
-            optimize=True,
-        )
-        return Still(
-            repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif"
-        )
+            shots.append(image_of(figure.png()))
+        return film_of(repr(self), shots, 64, 200)
 
 
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
