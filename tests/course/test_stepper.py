@@ -129,10 +129,6 @@ def test_the_page_shows_the_equation_of_the_step_with_symbols_above_the_numbers(
     (row,) = exact(view(stepper))
     assert evaluate(row)[1] == stepper._tape.q[step.s, step.a]
     (line,) = explain_update(stepper._tape.agent, stepper._tape.frame)
-    assert (
-        "".join(term.symbol for term in line)
-        == "Q(s, a)←Q(s, a)+α·(r+γ·max Q(s′, ·)−Q(s, a))"
-    )
     assert as_text(line).startswith(f"Q({step.s}, {step.a}) ← 0.00 + 0.1·(")
 
 
