@@ -1,10 +1,10 @@
 """What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal, TypeVar
 
 import ipywidgets
 import numpy as np
@@ -31,10 +31,14 @@ from rlrobot_edu.show.picture import Picture, Size, axes_or_new, gif_of, image_o
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "SideBySide", "axes_or_new", "chart", "draw_curves", "film_of", "name_rows", "plain",
+    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice", "film_of",
+    "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
+Point = tuple[float, float]
+K = TypeVar("K")
+V = TypeVar("V")
 
 
 def chart(
@@ -82,6 +86,41 @@ def name_rows(ax: Axes, names: Sequence[str]) -> None:
     ax.invert_yaxis()
 
 
+def draw_lattice(ax: Axes, shape: tuple[int, int]) -> None:
+    """The borders of cells in so many rows and columns, row 0 on top; the middle of each is at whole numbers."""
+    rows, columns = shape
+    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal")
+    ax.set_xticks(np.arange(columns) - 0.5, minor=True)
+    ax.set_yticks(np.arange(rows) - 0.5, minor=True)
+    ax.grid(which="minor", alpha=0.4)
+    ax.tick_params(which="both", length=0)
+
+
+def draw_arrow(ax: Axes, start: Point, end: Point, colour: str, width: float) -> Any:
+    """An arrow that reaches from point to point; returns matplotlib's annotation."""
+    look = {"arrowstyle": "-|>", "color": colour, "linewidth": width}
+    return ax.annotate("", end, start, arrowprops={**look, "shrinkA": 0, "shrinkB": 0})
+
+
+def in_panels(
+    figure: Picture, things: Mapping[K, V], **more: Any
+) -> Iterator[tuple[Axes, K, V]]:
+    """The axes, the name and the thing for each of the things, side by side; more: as of matplotlib's subplots."""
+    axes = figure.subplots(1, len(things), squeeze=False, **more)[0]
+    for ax, (name, thing) in zip(axes, things.items(), strict=True):
+        yield ax, name, thing
+
+
+def centred(ax: Axes, x: float, y: float, text: str, **look: Any) -> None:
+    """Write a text whose middle is at (x, y); look: as of matplotlib's texts."""
+    ax.text(x, y, text, ha="center", va="center", **look)
+
+
+def legend_below(figure: Picture, columns: int, **more: Any) -> None:
+    """The legend of a picture, below its charts, where it hides no curve; more: as of matplotlib's legends."""
+    figure.legend(loc="outside lower center", ncols=columns, **more)
+
+
 class SideBySide(Displayed):
     """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
 
@@ -116,9 +155,7 @@ class SideBySide(Displayed):
             alt = f"Films of robots from above, side by side. {' '.join(ends)}"
             return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
-        for ax, (name, view) in zip(
-            picture.subplots(1, len(self.views)), self.views.items(), strict=True
-        ):
+        for ax, name, view in in_panels(picture, self.views):
             ax.imshow(image_of(view.still().data))
             ax.set_title(plain(name))
             ax.set_axis_off()

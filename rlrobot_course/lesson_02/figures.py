@@ -8,7 +8,14 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
-from rlrobot_course.figures.plots import BLUE, GREY, Picture, film_of
+from rlrobot_course.figures.plots import (
+    BLUE,
+    GREY,
+    Picture,
+    centred,
+    draw_arrow,
+    film_of,
+)
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import image_of
 
@@ -97,16 +104,8 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
         y, x = divmod(s, desc.shape[1])
         for a in actions:
             right, down = ARROWS[int(a)]
-            arrow = {
-                "arrowstyle": "-|>",
-                "color": "white",
-                "linewidth": 2,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            }
-            drawn = ax.annotate(
-                "", (x + 0.45 * right, y + 0.45 * down), (x, y), arrowprops=arrow
-            )
+            head = (x + 0.45 * right, y + 0.45 * down)
+            drawn = draw_arrow(ax, (x, y), head, "white", 2)
             drawn.arrow_patch.set_path_effects(
                 [withStroke(linewidth=4, foreground="black")]
             )
@@ -142,24 +141,9 @@ def draw_values(
             ax.add_patch(end)
         if square in (b"S", b"G") and not grid[y, x]:
             colour = "black" if square == b"G" and not numbers else "white"
-            ax.text(
-                x,
-                y,
-                square.decode(),
-                ha="center",
-                va="center",
-                color=colour,
-                fontsize=11,
-                weight="bold",
-            )
+            centred(ax, x, y, square.decode(), color=colour, fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
             colour = "black" if grid[y, x] > 0.45 else "white"
-            ax.text(
-                x,
-                y,
-                f"{grid[y, x]:.2f}".lstrip("0"),
-                ha="center",
-                va="center",
-                color=colour,
-                fontsize=8.5,
+            centred(
+                ax, x, y, f"{grid[y, x]:.2f}".lstrip("0"), color=colour, fontsize=8.5
             )

@@ -6,7 +6,15 @@ from dataclasses import replace
 import gymnasium
 import numpy as np
 
-from rlrobot_course.figures.plots import BLACK, BLUE, CURVES, GREY, Picture, plain
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    CURVES,
+    GREY,
+    Picture,
+    in_panels,
+    plain,
+)
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_edu import Agent, Task, learn, make_env, plot_learning
 from rlrobot_edu.learning.history import History
@@ -126,8 +134,7 @@ def plot_side_by_side(
     panels: title of a panel -> for each label the repetitions to average, see `plot_learning`
     """
     figure, told = Picture(figsize=(8.5, 3.6)), []
-    axes = figure.subplots(1, len(panels), sharey=True)
-    for ax, (name, groups) in zip(axes, panels.items(), strict=True):
+    for ax, name, groups in in_panels(figure, panels, sharey=True):
         plot_learning(*groups, labels=labels, ax=ax, title=name)
         ax.get_legend().remove()
         ends = [
@@ -140,11 +147,10 @@ def plot_side_by_side(
                 f"{label} {end:.2f}" for label, end in zip(labels, ends, strict=True)
             )
         )
+    axes = figure.axes
     axes[1].set_ylabel("")
     # the bands of the first steps are as wide as the rewards themselves; the means decide what is shown
-    means = np.concatenate(
-        [line.get_ydata() for ax in figure.axes for line in ax.lines]
-    )
+    means = np.concatenate([line.get_ydata() for ax in axes for line in ax.lines])
     axes[0].set_ylim(
         means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means)
     )
@@ -166,9 +172,7 @@ def plot_ends(
     worlds: title of a panel -> name of a rule -> the repetitions
     """
     figure, told = Picture(figsize=(8.5, 3.6)), []
-    for ax, (world, groups) in zip(
-        figure.subplots(1, len(worlds)), worlds.items(), strict=True
-    ):
+    for ax, world, groups in in_panels(figure, worlds):
         means = []
         for i, ((name, group), (colour, _)) in enumerate(
             zip(groups.items(), CURVES, strict=False)

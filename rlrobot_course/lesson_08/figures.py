@@ -14,7 +14,10 @@ from rlrobot_course.figures.plots import (
     GREY,
     VERMILION,
     Picture,
+    centred,
     chart,
+    draw_arrow,
+    legend_below,
     plain,
 )
 from rlrobot_course.figures.runs import error_bars
@@ -180,8 +183,7 @@ def plot_q_old() -> Picture:
 
 def _change(ax: Axes, x: float, before: float, after: float, colour: str) -> None:
     """An arrow from one value to another."""
-    ax.annotate("", (x, after), (x, before), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5,
-                                                         "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    draw_arrow(ax, (x, before), (x, after), colour, 2.5)
 
 
 def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
@@ -238,13 +240,8 @@ def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
                 ax.add_patch(
                     Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity)
                 )
-                ax.text(
-                    k + 1,
-                    t + 1,
-                    f"{weight:.2f}".replace("-", "−"),
-                    ha="center",
-                    va="center",
-                    fontsize=7.5,
+                centred(
+                    ax, k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), fontsize=7.5
                 )
         value = float(shown[-1] @ rewards)
         ax.set(
@@ -357,7 +354,7 @@ def plot_over_alpha(
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
     legend = f"means of {repetitions} repetitions, and their 95 % intervals"
-    figure.legend(title=legend, loc="outside lower center", ncols=2)
+    legend_below(figure, 2, title=legend)
     figure.alt = (
         f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
     )

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from rlrobot_course.figures.plots import BLACK, Picture, plain
+from rlrobot_course.figures.plots import BLACK, Picture, legend_below, plain
 from rlrobot_course.lesson_11.motions import (
     Motion,
     draw_motion,
@@ -59,9 +59,7 @@ def plot_policy(
         ax.set_visible(False)
     laser = task.states.inputs[0]
     arrow = Line2D([], [], color=BLACK, marker=">", label="best action")
-    figure.legend(
-        handles=[*legend_of(laser), arrow], loc="outside lower center", ncols=3
-    )
+    legend_below(figure, 3, handles=[*legend_of(laser), arrow])
     figure.suptitle(plain(title))
     figure.alt = (
         f"{len(states)} situations, the most frequent first: {'; '.join(told)}."

@@ -15,7 +15,9 @@ from rlrobot_course.figures.plots import (
     ORANGE,
     VERMILION,
     Picture,
+    centred,
     chart,
+    legend_below,
     plain,
 )
 from rlrobot_course.figures.runs import mean_and_half
@@ -214,7 +216,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
         )
     ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, alpha=0.6, zorder=1))
     ax.add_patch(Circle((0, 0), 0.06, color=BLUE, alpha=0.6))
-    ax.text(0, 0, "foot", ha="center", va="center", color="white")
+    centred(ax, 0, 0, "foot", color="white")
     ax.plot(
         x[path],
         y[path],
@@ -240,7 +242,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     )
     ax.set_xlim(-0.08, 0.36)
     figure.colorbar(dots, ax=ax, label="height (m)")
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     figure.alt = (
         f"{len(x)} places from above, {touches.sum()} of them in contact with the object. The arm goes to and fro "
         f"between {' and '.join(f'x = {x[i]:.2f}, y = {y[i]:.2f} m' for i in path[-2:])}."
@@ -270,7 +272,7 @@ def plot_means(
         )
     ax.set_xticks(range(len(groups)), list(groups))
     ax.margins(x=0.2)
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     figure.alt = f"{title}. {'. '.join(told)}."
     return figure
 
@@ -301,7 +303,7 @@ def plot_episode(
             fontsize=8,
         )
     ax.set_ylim(0, 100 * distances.max() + 3)
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     half = len(rewards) // 2
     near, far = np.sort(distances[half:])[[0, -1]] * 100
     figure.alt = (

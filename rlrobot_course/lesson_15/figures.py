@@ -16,6 +16,7 @@ from rlrobot_course.figures.plots import (
     VERMILION,
     Picture,
     chart,
+    legend_below,
     name_rows,
     plain,
 )
@@ -214,7 +215,7 @@ def plot_report() -> Picture:
         [], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper"
     )
     axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     total = 3 * len(rows)
     figure.suptitle(
         f"{total - opposite} of {total} differences have the paper's direction, {alike} significantly; "

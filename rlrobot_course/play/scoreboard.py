@@ -8,7 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLUE, GREY, SKY, Picture, chart, plain
+from rlrobot_course.figures.plots import (
+    BLUE,
+    GREY,
+    SKY,
+    Picture,
+    chart,
+    legend_below,
+    plain,
+)
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
 from rlrobot_course.play.challenge import Score, score_of
@@ -167,6 +175,6 @@ def plot_bars(bars: Mapping[str, Bar], title: str) -> Picture:
     ax.set_xticks(range(len(bars)), names)
     ax.set_xlim(-0.6, max(len(bars), 4) - 0.4)
     ax.margins(y=0.12)
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     figure.alt = f"What {ROBOTS} robots earn a step in their first hour, means with 95 % intervals: {'; '.join(told)}."
     return figure
