@@ -21,6 +21,7 @@ ANOTHER = (
     "pays otherwise when it is asked again"  # how a function that remembers is told
 )
 READ = ("before", "after")  # arguments of the learner's function
+Place = tuple[float, float]  # x and y [m]
 Situation = tuple[
     str, Readings, Readings
 ]  # name of a step of the robot, readings before and after it
@@ -31,6 +32,14 @@ def way(before: Mapping[str, float], after: Mapping[str, float]) -> str:
     return (
         f"moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m"
     )
+
+
+def moved(
+    name: str, start: Place, by: Place, before: Readings, after: Readings
+) -> Situation:
+    """A step that moved the robot from `start` by so much in x and y [m]; before, after: its other readings."""
+    (x, y), (dx, dy) = start, by
+    return name, {"x": x, "y": y} | before, {"x": x + dx, "y": y + dy} | after
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
 
 
 def learn_in_units(
-    task: Task, factor: float, normalised: bool, repetitions: int, steps: int, seed: int
+    task: Task, factor: float, normalised: bool, repetitions: int, steps: int
 ) -> list[History]:
     """Let Q+SR agents learn `task` with all rewards times `factor`; the histories are in the task's own units again.
 
@@ -92,11 +92,11 @@ def learn_in_units(
     histories = []
     for i in range(repetitions):
         env = gymnasium.wrappers.TransformReward(
-            make_env(task, seed=seed + i), lambda r: r * factor
+            make_env(task, seed=i), lambda r: r * factor
         )
         r_max = max(task.rewards) * (factor if normalised else 1)
         history = learn(
-            Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=seed + i),
+            Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=i),
             env,
             steps,
             progress=False,
@@ -112,12 +112,11 @@ def plot_units(
     *,
     repetitions: int = 10,
     steps: int = 600,
-    seed: int = 0,
 ) -> Picture:
     """Learning curves for rewards times each of `factors`: on the left without normalising, on the right with it."""
     panels = {
         f"{name} ({repetitions} repetitions)": [
-            learn_in_units(task, factor, name == "normalised", repetitions, steps, seed)
+            learn_in_units(task, factor, name == "normalised", repetitions, steps)
             for factor in factors
         ]
         for name in ("not normalised", "normalised")

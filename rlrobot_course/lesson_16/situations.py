@@ -1,5 +1,6 @@
 """The situations on which a reward for following a wall on the right is tried."""
 
+from rlrobot_course.exercises import design
 from rlrobot_course.exercises.design import Readings, Situation, way
 
 LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
@@ -26,10 +27,9 @@ def situation(
 
     before: laser_right before the step; None is the same as after it
     """
-    (x, y), (dx, dy) = start, moved
     now = dict(zip(LASERS, (front, front_right, right, left), strict=True))
     was = now | {"laser_right": right if before is None else before}
-    return name, {"x": x, "y": y} | was, {"x": x + dx, "y": y + dy} | now
+    return design.moved(name, start, moved, was, now)
 
 
 ALONG = situation("follows the wall", (0.095, 0.0))

@@ -36,8 +36,8 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import image_of
 
 
-def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) -> None:
-    """The cells, row 0 on top, with walls, start and goal. shades: array (rows, columns), nan or 0 to `most`."""
+def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
+    """The cells, row 0 on top, with walls, start and goal. shades: array (rows, columns), nan or 0 to 1."""
     draw_lattice(ax, SHAPE)
     ax.set(xticks=[], yticks=[])
     if shades is not None:
@@ -45,7 +45,7 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) ->
             np.ma.masked_invalid(shades),
             cmap="Blues",
             vmin=0,
-            vmax=1.6 * most,
+            vmax=1.6,
             zorder=0,
         )
     for row, column in WALLS:

@@ -85,6 +85,6 @@ def plot_rulers(
     return figure
 
 
-def edges_of(task: str, name: str = "laser_front") -> list[float]:
-    """The edges of an input's bins [m], with the ends of what its sensor can read."""
-    return edges(next(v for v in load_task(task).inputs if v.name == name))
+def edges_of(task: str) -> list[float]:
+    """The edges of the front laser's bins [m], with the ends of what its sensor can read."""
+    return edges(next(v for v in load_task(task).inputs if v.name == "laser_front"))

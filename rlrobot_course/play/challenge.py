@@ -105,7 +105,7 @@ class Challenge:
 
     def _keep(self, score: Score) -> tuple[Score, str]:
         """The better of this score and the learner's best so far, which is kept; and what is to be said of its file."""
-        best = best_scores().get(self.lesson, score)
+        best = entries(FILE, score_of).get(self.lesson, score)
         best = min(best, score) if self.least_wins else max(best, score)
         return best, enter(FILE, self.lesson, best, score_of)
 
@@ -227,11 +227,6 @@ def challenge_of(lesson: str) -> Challenge:
         f"rlrobot_course.lesson_{lesson}.challenge"
     ).challenge
     return found
-
-
-def best_scores(folder: str | Path = ".") -> dict[str, Score]:
-    """By lesson, the learner's best score; without those that cannot be read."""
-    return entries(Path(folder, FILE), score_of)
 
 
 def score_of(entry: Any) -> Score:
