@@ -10,6 +10,7 @@ import ipywidgets
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 from PIL import Image
 
 from rlrobot_edu.show.describe import describe
@@ -31,8 +32,8 @@ from rlrobot_edu.show.picture import Picture, Size, axes_or_new, gif_of, image_o
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice", "film_of",
-    "in_panels", "legend_below", "name_rows", "plain",
+    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice",
+    "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
@@ -100,6 +101,14 @@ def draw_arrow(ax: Axes, start: Point, end: Point, colour: str, width: float) ->
     """An arrow that reaches from point to point; returns matplotlib's annotation."""
     look = {"arrowstyle": "-|>", "color": colour, "linewidth": width}
     return ax.annotate("", end, start, arrowprops={**look, "shrinkA": 0, "shrinkB": 0})
+
+
+def draw_weight(ax: Axes, x: float, y: float, weight: float, most: float) -> None:
+    """A cell around (x, y): blue above 0, else vermilion, the stronger the more it is of `most`."""
+    colour = BLUE if weight > 0 else VERMILION
+    opacity = 0.1 + 0.6 * np.sqrt(abs(weight) / most)
+    corner = (x - 0.5, y - 0.5)
+    ax.add_patch(Rectangle(corner, 1, 1, facecolor=colour, alpha=opacity))
 
 
 def in_panels(

@@ -4,6 +4,7 @@ import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
+    Q_START,
     Q_TAPE,
     Fickle,
     Ranked,
@@ -27,15 +28,7 @@ def target(q, r, s_next, terminated, gamma):
 
 
 # as in the other lessons, and a state in which every action is bad
-Q = np.array(
-    [
-        [0.0, 2.0, 1.0],
-        [4.0, -1.0, 5.5],
-        [0.0, 0.5, 3.0],
-        [5.0, 6.0, 7.0],
-        [-1.375, -3.0, -2.0],
-    ]
-)
+Q = np.vstack([Q_START, [-1.375, -3.0, -2.0]])
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):

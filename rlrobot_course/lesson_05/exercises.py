@@ -9,7 +9,7 @@ from rlrobot_course.exercises.parts import (
     Question,
     with_pages,
 )
-from rlrobot_course.worlds.tapes import rows
+from rlrobot_course.worlds.tapes import SMALL, rows
 from rlrobot_edu.widgets.kernels import bias_of
 
 BY_HAND = Formula(
@@ -44,9 +44,6 @@ BIAS_DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
 BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
 BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
 best_adviser = "floor"
-SMALL = np.array(
-    [[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]]
-)  # shown in full
 
 check = with_pages(
     globals(),

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.figures.plots import (
@@ -17,6 +16,7 @@ from rlrobot_course.figures.plots import (
     centred,
     chart,
     draw_arrow,
+    draw_weight,
     legend_below,
     plain,
 )
@@ -233,13 +233,7 @@ def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
         most = max(1.0, np.abs(shown).max())
         for (t, k), weight in np.ndenumerate(shown):
             if k <= t:
-                colour, opacity = (
-                    (BLUE if weight > 0 else VERMILION),
-                    0.1 + 0.6 * np.sqrt(abs(weight) / most),
-                )
-                ax.add_patch(
-                    Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity)
-                )
+                draw_weight(ax, k + 1, t + 1, weight, most)
                 centred(
                     ax, k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), fontsize=7.5
                 )

@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch
 
 from rlrobot_course.figures.plots import (
     BLUE,
     VERMILION,
     Picture,
     centred,
+    draw_weight,
     in_panels,
     legend_below,
 )
@@ -56,16 +57,8 @@ def plot_shares(
     )
     for ax, lam, paid in in_panels(picture, maps, sharey=True):
         for (row, a), share in np.ndenumerate(paid[states]):
-            colour, opacity = (
-                (BLUE if share > 0 else VERMILION),
-                0.1 + 0.6 * np.sqrt(abs(share) / most),
-            )
             if share:
-                ax.add_patch(
-                    Rectangle(
-                        (a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity
-                    )
-                )
+                draw_weight(ax, a, row, share, most)
             text = f"{share:.2g}".replace("-", "−") if share else "·"
             centred(ax, a, row, text, fontsize=8)
         ax.set(

@@ -1,6 +1,5 @@
 """One robot, one scoreboard: what the learner's code so far earns on the robot that walls hold, lesson by lesson."""
 
-import csv
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -20,6 +19,7 @@ from rlrobot_course.figures.plots import (
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
 from rlrobot_course.play.challenge import Score, score_of
+from rlrobot_course.play.report import rows_of
 from rlrobot_course.worlds.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.progress import progress_bar
@@ -131,15 +131,10 @@ def earned(
 
 def library_bars(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
     """By lesson, the bar of the library's agents. robot: "held", by walls, or "ideal"; robots: how many of the study"""
-    with GIVEN.open(encoding="utf-8", newline="") as file:
-        rows = [
-            row
-            for row in csv.DictReader(file)
-            if (row["robot"], row["robots"]) == (robot, str(robots))
-        ]
     return {
         row["lesson"]: Bar(row["label"], score_of((row["mean"], row["half"])))
-        for row in rows
+        for row in rows_of(GIVEN)
+        if (row["robot"], row["robots"]) == (robot, str(robots))
     }
 
 

@@ -2,6 +2,7 @@
 
 import functools
 import inspect
+from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
@@ -18,6 +19,11 @@ Q_START = np.array(
 )
 # Of another world, with two actions, and values with many digits.
 OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+
+# Of a world with two inputs, of two and three bins; so small that it is shown in full.
+SMALL = np.array(
+    [[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]]
+)
 
 _COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
 _STEPS = (
@@ -158,15 +164,23 @@ class PatientWorld(TapeWorld):
         return s_next, reward, terminated or self.t >= 6, truncated
 
 
-class Ranked:
-    """choose(q, s) without chance: the best action, or that of another rank, 0 for the worst."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
+class Choice:
+    """choose(q, s) without chance."""
 
     def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
         return self._action(*in_order("choose", self._action, arguments, by_name))
+
+    @abstractmethod
+    def _action(self, q: np.ndarray, s: int) -> int:
+        """The action that is chosen."""
+
+
+class Ranked(Choice):
+    """Chooses the best action, or that of another rank, 0 for the worst."""
+
+    def __init__(self, rank: int) -> None:
+        self.rank = rank
 
     def _action(self, q: np.ndarray, s: int) -> int:
         return int(q[s].argsort(kind="stable")[self.rank])
@@ -190,8 +204,8 @@ class Wavering(Ranked):
         return (super()._action(q, s) + int(1000 * q.sum())) % 3
 
 
-class Fickle:
-    """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
+class Fickle(Choice):
+    """Asked twice at the same moment it answers differently, so that asking again shows.
 
     world: the TapeWorld whose clock it reads
     """
@@ -207,10 +221,6 @@ class Fickle:
         return isinstance(
             other, Fickle
         )  # how often it was asked is judged by what follows from it
-
-    def __call__(self, *arguments: Any, **by_name: Any) -> int:
-        """An action. Raises TypeError for other arguments than (q, s)."""
-        return self._action(*in_order("choose", self._action, arguments, by_name))
 
     def _action(self, q: np.ndarray, s: int) -> int:
         """The best, second or third best action in `s`, as the time and the number of times asked will have it."""

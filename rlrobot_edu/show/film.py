@@ -1,6 +1,6 @@
 """A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,6 +54,23 @@ class Film(Displayed):
     def __post_init__(self) -> None:
         if not self.frames:
             raise ValueError("a film without steps shows nothing; film at least 1 step")
+
+    @classmethod
+    def of(cls, shots: Iterable[tuple[Scene, float]]) -> "Film":
+        """The film of some scenes, each with its reward.
+
+        Parameters
+        ----------
+        shots : iterable of (Scene, float)
+            What could be seen after each step, and the step's reward.
+
+        Returns
+        -------
+        Film
+            The film.
+        """
+        scenes, rewards = zip(*shots, strict=True)
+        return cls(list(scenes), list(rewards))
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
@@ -163,7 +180,6 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
     check_count("steps", steps)
-    shots = [
+    return Film.of(
         (robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)
-    ]
-    return Film([scene for scene, _ in shots], [reward for _, reward in shots])
+    )
