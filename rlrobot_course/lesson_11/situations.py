@@ -19,7 +19,7 @@ from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 
-COLUMNS = 4
+COLUMNS, MOST = 4, 12  # situations in a row, and in all
 FAST = 0.15  # forward above it is fast [m/s]
 INNERMOST, OUTERMOST = (
     0.48,
@@ -40,13 +40,12 @@ def plot_policy(
     visits: np.ndarray,
     motion: Motion,
     title: str,
-    most: int = 12,
 ) -> Picture:
     """One small robot for each of the most visited states: its lasers' bins, and an arrow for its best action.
 
     q, visits: arrays (S, A); motion: from wheel speeds to (m/s, degrees/s)
     """
-    states, share = most_visited(visits, most), visits.sum(axis=1) / visits.sum()
+    states, share = most_visited(visits, MOST), visits.sum(axis=1) / visits.sum()
     columns = min(COLUMNS, len(states))
     rows = -(-len(states) // columns)
     figure, told = Picture(figsize=(max(2.1 * columns, 6.3), 2.75 * rows + 1.4)), []

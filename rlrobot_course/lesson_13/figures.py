@@ -35,15 +35,16 @@ from rlrobot_edu.show.top_down import footprint
 from rlrobot_edu.task.task import Task
 
 CONTACT = 0.05  # [m]
+TOLD = 24  # rewards that stand in a picture
 
 
-def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
+def plot_arm(task: Task) -> Picture:
     """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
     figure = Picture(figsize=(9.5, 4.6))
     side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
-    _from_the_side(side, angles)
-    _from_above(above, task, angles)
-    x, y, _ = link_poses(angles)["gripper"][:3, 3]
+    _from_the_side(side, HOME)
+    _from_above(above, task, HOME)
+    x, y, _ = link_poses(HOME)["gripper"][:3, 3]
     n_x, n_y = (len(task.inputs[i].cuts) + 1 for i in (0, 1))
     figure.alt = (
         "Left, the arm from the side: a foot, the joint arm that turns all above it, the joint biceps at a height of "
@@ -277,9 +278,7 @@ def plot_means(
     return figure
 
 
-def plot_episode(
-    distances: np.ndarray, rewards: np.ndarray, title: str, told: int = 24
-) -> Picture:
+def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str) -> Picture:
     """The distance to the object before and after each step of an episode [m]; the first rewards as numbers."""
     figure, ax = chart(
         (9, 3.2), "step of the episode (1 s each)", "distance (cm)", title
@@ -291,7 +290,7 @@ def plot_episode(
         label="distance of the gripper to the object",
     )
     ax.axhline(100 * CONTACT, color=VERMILION, linestyle="--", label="5 cm: contact")
-    for t, r in enumerate(rewards[:told], start=1):
+    for t, r in enumerate(rewards[:TOLD], start=1):
         shift = -13 if distances[t] < distances[t - 1] else 6
         at = (t, distances[t] * 100)
         ax.annotate(

@@ -59,7 +59,6 @@ def scoreboard(
     lesson: str,
     learn: Callable[[ShortWorld, int], object],
     owner: str,
-    robots: int = IN_TIME,
 ) -> Picture:
     """Let sixteen robots learn for an hour by a lesson's code, and show its bar beside those of the lessons before.
 
@@ -67,8 +66,7 @@ def scoreboard(
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
     owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for
-        the later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
-        the score of fewer than sixteen is not kept
+        the later lessons, in a notebook and beside it; in a browser only four robots learn, whose score is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
@@ -77,7 +75,7 @@ def scoreboard(
         raise ValueError(
             f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(library_bars())}"
         )
-    score = Score(*mean_and_half(earned(learn, robots)))
+    score = Score(*mean_and_half(earned(learn, IN_TIME)))
     if is_notebook():
         kept = entries(FILE, score_of)
         bars |= {
@@ -87,13 +85,13 @@ def scoreboard(
         }
         if (
             owner == "your"
-            and robots == ROBOTS
+            and IN_TIME == ROBOTS
             and (told := enter(FILE, lesson, score, score_of))
         ):
             print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
-    title = f"Lesson {lesson}: {score} a step" + f" ({robots} robots)" * (
-        robots < ROBOTS
+    title = f"Lesson {lesson}: {score} a step" + f" ({IN_TIME} robots)" * (
+        IN_TIME < ROBOTS
     )
     for before in [AGAINST.get(lesson, one) for one in [*bars][-2:-1]]:
         more, clear = (

@@ -249,7 +249,7 @@ def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
 class RobotWorld:
     """A task's robot with the short interface of the course, which leaves out what a learner need not know.
 
-    task: its name; seed: of all that is random; rewards: list, those of all steps so far
+    task: its name; seed: of all that is random
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
@@ -259,7 +259,6 @@ class RobotWorld:
         self.shape: tuple[int, ...] = robot.task.states.shape
         self.n_actions: int = robot.task.actions.n
         self.r_max: float = robot.r_max
-        self.rewards: list[float] = []
 
     def __repr__(self) -> str:
         return f"the robot of {self.task}"
@@ -273,5 +272,4 @@ class RobotWorld:
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)
-        self.rewards.append(float(reward))
         return int(info["state"]), float(reward), terminated, truncated
