@@ -34,7 +34,7 @@ from rlrobot_edu.widgets.stepper.tape import Tape
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
     env = RandomWorld(p_end=p_end)
     agent = rl.Agent(env, method, seed=1, **settings)
-    return Tape(agent, env, StateView(Names(agent, env, None)), length)
+    return Tape(agent, env, StateView(Names(agent, env)), length)
 
 
 def stepper_of(
@@ -622,7 +622,7 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     np.testing.assert_allclose(np.array(looks)[:, :2], path_of(seen)[:, :2], atol=1e-3)
     assert all(solid.role != "wall" for solid in seen[0].solids)
     agent, env = stepper._tape.agent, rl.make_env("wander_1k", seed=0)
-    assert view_of(env, Names(agent, env, None)).heading == "The world from above"
+    assert view_of(env, Names(agent, env)).heading == "The world from above"
 
 
 def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episode():
