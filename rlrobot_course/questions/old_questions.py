@@ -130,9 +130,9 @@ class OldQuestions(Displayed):
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.asked))
 
-    def page(self) -> str:
+    def _as_html(self) -> str:
         """The questions and their answers, on a page that is not running."""
-        return "".join(one.page() for one in self.asked)
+        return "".join(one._as_html() for one in self.asked)
 
 
 def latest_answers(folder: str | Path = ".", before: str = "99") -> dict[str, str]:

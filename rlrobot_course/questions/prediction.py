@@ -96,7 +96,7 @@ class Prediction(Displayed):
         answers = "".join(f"\n  ○ {answer}" for answer in self.answers)
         return f"{self._headline().rstrip('.')}: {self.question}{answers}"
 
-    def page(self) -> str:
+    def _as_html(self) -> str:
         """The question and its answers, on a page that is not running."""
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
         return self._card(f"<ul>{answers}</ul>")

@@ -46,7 +46,7 @@ class Displayed:
         """The picture to keep; None where there is nothing to see yet."""
         return None
 
-    def page(self) -> str:
+    def _as_html(self) -> str:
         """What a page shows that is not running: the still picture, or the thing in words."""
         still = self.still()
         return still.html if still else f"<p>{escape(repr(self))}</p>"
@@ -55,5 +55,5 @@ class Displayed:
         """By kind of content, what IPython asks for; with it what Colab must know of a widget, where this is Colab."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
         data, metadata = live if isinstance(live, tuple) else (live, {})
-        data = {**data, "text/plain": repr(self), "text/html": self.page()}
+        data = {**data, "text/plain": repr(self), "text/html": self._as_html()}
         return (data, metadata) if metadata else data

@@ -68,9 +68,14 @@ class Film(Displayed):
         -------
         Film
             The film.
+
+        Raises
+        ------
+        ValueError
+            If there are no frames.
         """
-        scenes, rewards = zip(*shots, strict=True)
-        return cls(list(scenes), list(rewards))
+        both = list(shots)
+        return cls([scene for scene, _ in both], [reward for _, reward in both])
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"

@@ -134,7 +134,13 @@ class Task:
 
     @property
     def commands(self) -> list[dict[str, float]]:
-        """The robot's command for each action, in their order; see `command_for`."""
+        """The robot's command for each action, in their order.
+
+        Raises
+        ------
+        ValueError
+            As `command_for`.
+        """
         return [self.command_for(a) for a in range(self.actions.n)]
 
     def command_for(self, a: int) -> dict[str, float]:
