@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import Generic, TypeVar
 
-import numpy as np
-
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
@@ -194,8 +192,7 @@ def transitions_of(
     )
     if not rows:
         raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
-    columns = [np.array(column) for column in zip(*rows, strict=True)]
-    return Transitions(*columns), report
+    return Transitions.of_rows(rows), report
 
 
 def _lasers_of(task: Task, drive: Drive) -> set[str]:

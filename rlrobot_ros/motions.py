@@ -37,7 +37,7 @@ class Motions:
             raise ValueError(
                 f"tolerance must be a number of at least 0, got {tolerance!r:.200}"
             )
-        commands = [task.command_for(a) for a in range(task.actions.n)]
+        commands = task.commands
         # of actions with the same motion the plainest counts: its outputs are the wheels' commands
         plain = [
             task.actions.decode(a) == command for a, command in enumerate(commands)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLUE, GREEN, ORANGE, Picture
+from rlrobot_course.figures.plots import BLUE, GREEN, ORANGE, Picture, centred
 from rlrobot_course.worlds.tapes import with_action
 
 CELLS = 7  # the charger is in cell 0, the shelf in cell 6
@@ -79,15 +79,8 @@ def plot_policy(policy: np.ndarray, read: Callable[[int, float], int]) -> Pictur
             best = np.flatnonzero(p)
             counts = [n + (a in best) for a, n in enumerate(counts)]
             look = {"fontsize": 15, "color": LOOKS[best[0]], "family": "DejaVu Sans"}
-            ax.text(
-                cell,
-                charge,
-                "".join(SIGNS[a] for a in best),
-                ha="center",
-                va="center",
-                **look,
-            )
-    ax.text(CELLS - 1, FULL / 2, "shelf", ha="center", va="center", rotation=90)
+            centred(ax, cell, charge, "".join(SIGNS[a] for a in best), **look)
+    centred(ax, CELLS - 1, FULL / 2, "shelf", rotation=90)
     ax.set(
         xlim=(-0.5, CELLS - 0.5),
         ylim=(-0.5, FULL + 0.5),

@@ -74,15 +74,16 @@ check = with_pages(
     state_of=Exercise(
         state_of,
         returns="state",
-        tape=[
-            {"cell": 0, "voltage": 11.0, "cuts": VOLTS},
-            {"cell": 0, "voltage": 12.0, "cuts": VOLTS},
-            {"cell": 2, "voltage": 12.5, "cuts": VOLTS},
-            {"cell": 1, "voltage": 11.75, "cuts": VOLTS},
-            {"cell": 5, "voltage": 11.5, "cuts": [11.25]},
-            {"cell": 3, "voltage": 13.0, "cuts": [11.0, 11.5, 12.0, 12.5, 13.5]},
-            {"cell": 1, "voltage": 9.0, "cuts": VOLTS},
-        ],
+        tape=rows(
+            "cell voltage cuts",
+            (0, 11.0, VOLTS),
+            (0, 12.0, VOLTS),
+            (2, 12.5, VOLTS),
+            (1, 11.75, VOLTS),
+            (5, 11.5, [11.25]),
+            (3, 13.0, [11.0, 11.5, 12.0, 12.5, 13.5]),
+            (1, 9.0, VOLTS),
+        ),
         another=other_cell,
     ),
     returns=Exercise(
@@ -106,24 +107,26 @@ check = with_pages(
     replay=Exercise(
         replay,
         memory={"q": Q_START},
-        tape=[
-            {"log": LOG[:1], "alpha": 0.25, "gamma": 0.9},
-            {"log": LOG[2:3], "alpha": 0.5, "gamma": 0.9},
-            {"log": LOG[:3], "alpha": 0.5, "gamma": 0.8},
-            {"log": LOG, "alpha": 0.1, "gamma": 0.95},
-            {"log": [], "alpha": 0.1, "gamma": 0.95},
-        ],
+        tape=rows(
+            "log alpha gamma",
+            (LOG[:1], 0.25, 0.9),
+            (LOG[2:3], 0.5, 0.9),
+            (LOG[:3], 0.5, 0.8),
+            (LOG, 0.1, 0.95),
+            ([], 0.1, 0.95),
+        ),
     ),
     greedy=Exercise(
         greedy,
         returns="policy",
-        tape=[
-            {"q": np.array([[1.5, 2.5, 0.5], [0.25, -1.0, -2.0]])},
-            {"q": np.array([[2.5, 2.5, 0.5], [0.0, 0.0, 0.0], [-3.5, -1.5, -1.5]])},
-            {"q": np.array([[-0.5, -1.5]])},
-            {"q": np.array([[0.0, 3.5, 3.5, 3.5], [5.5, 0.0, 5.5, 1.0]])},
-            {"q": np.array([[0.5, 1.25, 0.75], [7.5, 7.25, 7.0], [0.0, 0.125, -2.5]])},
-        ],
+        tape=rows(
+            "q[]",
+            ([[1.5, 2.5, 0.5], [0.25, -1.0, -2.0]],),
+            ([[2.5, 2.5, 0.5], [0.0, 0.0, 0.0], [-3.5, -1.5, -1.5]],),
+            ([[-0.5, -1.5]],),
+            ([[0.0, 3.5, 3.5, 3.5], [5.5, 0.0, 5.5, 1.0]],),
+            ([[0.5, 1.25, 0.75], [7.5, 7.25, 7.0], [0.0, 0.125, -2.5]],),
+        ),
     ),
     train=Exercise(
         train,

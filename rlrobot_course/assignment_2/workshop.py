@@ -4,7 +4,14 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from rlrobot_course.figures.plots import CURVES, GREY, Picture, chart, plain
+from rlrobot_course.figures.plots import (
+    CURVES,
+    GREY,
+    Picture,
+    chart,
+    legend_below,
+    plain,
+)
 from rlrobot_course.worlds.tapes import with_action
 
 DOORS = 8
@@ -95,6 +102,6 @@ def plot_shares(shares: Mapping[str, np.ndarray], chance: np.ndarray) -> Picture
         )
     ax.plot(chance, color=GREY, linestyle=":", label="by exploring alone")
     ax.margins(x=0)
-    picture.legend(loc="outside lower center", ncols=2)
+    legend_below(picture, 2)
     picture.alt = f"Share of {ROBOTS} robots in the workshop over {EPISODES} episodes. {'; '.join(told)}."
     return picture

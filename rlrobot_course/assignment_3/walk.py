@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.figures.plots import CURVES, Picture, chart, plain
+from rlrobot_course.figures.plots import CURVES, Picture, chart, legend_below, plain
 from rlrobot_course.figures.runs import error_bars
 
 SECTIONS = 9  # of the wall, 1 to 9; 0 and 10 are the docks
@@ -69,7 +69,7 @@ def plot_errors(
             f"{label}: {mean[0]:.2f} at λ = 0, at best {mean.min():.2f}, {last} at λ = {lambdas[-1]:g}"
         )
     ax.set_ylim(0, HIGHEST)
-    picture.legend(loc="outside lower center", ncols=3)
+    legend_below(picture, 3)
     picture.alt = f"Error of V over λ, α = {alpha:g}. {'; '.join(told)}."
     return picture
 

@@ -1,6 +1,13 @@
 """The task of assignment 5: to park in front of a wall."""
 
-from rlrobot_course.exercises.design import Pay, Readings, Situation, paid_by, way
+from rlrobot_course.exercises.design import (
+    Pay,
+    Readings,
+    Situation,
+    moved,
+    paid_by,
+    way,
+)
 from rlrobot_edu import InputVariable, OutputVariable, Task
 
 LASERS = ("laser_front", "laser_front_left", "laser_front_right")
@@ -27,7 +34,7 @@ def situation(
     """
     now = dict(zip(LASERS, (front, left, right), strict=True))
     was = now | {"laser_front": front if before is None else before}
-    return name, {"x": 0.2, "y": -0.3} | was, {"x": 0.2, "y": -0.3 + ahead} | now
+    return moved(name, (0.2, -0.3), (0.0, ahead), was, now)
 
 
 PARKED = situation("stands 0.25 m in front of the wall", 0.25)

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 from rlrobot_edu.task.task import Task
 from rlrobot_grading.answers.limits import attempt
 from rlrobot_grading.answers.replay import Case, Outcome
-from rlrobot_grading.answers.values import as_data, kept, safely, show
+from rlrobot_grading.answers.values import Function, as_data, kept, safely, show
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.hints.evidence import Hint
 
@@ -21,6 +21,7 @@ ANOTHER = (
     "pays otherwise when it is asked again"  # how a function that remembers is told
 )
 READ = ("before", "after")  # arguments of the learner's function
+Place = tuple[float, float]  # x and y [m]
 Situation = tuple[
     str, Readings, Readings
 ]  # name of a step of the robot, readings before and after it
@@ -31,6 +32,14 @@ def way(before: Mapping[str, float], after: Mapping[str, float]) -> str:
     return (
         f"moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m"
     )
+
+
+def moved(
+    name: str, start: Place, by: Place, before: Readings, after: Readings
+) -> Situation:
+    """A step that moved the robot from `start` by so much in x and y [m]; before, after: its other readings."""
+    (x, y), (dx, dy) = start, by
+    return name, {"x": x, "y": y} | before, {"x": x + dx, "y": y + dy} | after
 
 
 @dataclass(frozen=True)
@@ -46,9 +55,7 @@ class Design(Exercise):
     is_exact: ClassVar[bool] = False
     words: Callable[[Readings, Readings], str] = way
 
-    def outcome(
-        self, answer: Callable[..., Any], case: Case, endless: bool = False
-    ) -> Outcome:
+    def outcome(self, answer: Function, case: Case, endless: bool = False) -> Outcome:
         paid, printed, spoilt = [], "", []
         for _, before, after in 2 * tuple(case.values()):
             given = dict(before), dict(after)
@@ -67,7 +74,7 @@ class Design(Exercise):
             {self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed
         )
 
-    def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
+    def hint_on(self, answer: Function, got: Sequence[Outcome]) -> Hint:
         told = [outcome.values.get(self.returns) for outcome in got]
         if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
             return Hint(

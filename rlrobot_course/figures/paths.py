@@ -7,7 +7,13 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.axes import Axes
 
-from rlrobot_course.figures.plots import CURVES, Picture, axes_or_new, plain
+from rlrobot_course.figures.plots import (
+    CURVES,
+    Picture,
+    axes_or_new,
+    legend_below,
+    plain,
+)
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import robot_of
@@ -75,5 +81,5 @@ def plot_paths(
     if shown is ax:
         ax.legend(handles=handles, loc="best")
     else:
-        shown.legend(handles=handles, loc="outside lower center", ncols=3)
+        legend_below(shown, 3, handles=handles)
     return shown

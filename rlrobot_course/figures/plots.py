@@ -1,15 +1,16 @@
 """What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal, TypeVar
 
 import ipywidgets
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 from PIL import Image
 
 from rlrobot_edu.show.describe import describe
@@ -27,14 +28,18 @@ from rlrobot_edu.show.palette import (
     SKY,
     VERMILION,
 )
-from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.picture import Picture, Size, axes_or_new, gif_of, image_of, plain
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "SideBySide", "axes_or_new", "chart", "draw_curves", "name_rows", "plain",
+    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice",
+    "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
+Point = tuple[float, float]
+K = TypeVar("K")
+V = TypeVar("V")
 
 
 def chart(
@@ -82,6 +87,49 @@ def name_rows(ax: Axes, names: Sequence[str]) -> None:
     ax.invert_yaxis()
 
 
+def draw_lattice(ax: Axes, shape: tuple[int, int]) -> None:
+    """The borders of cells in so many rows and columns, row 0 on top; the middle of each is at whole numbers."""
+    rows, columns = shape
+    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal")
+    ax.set_xticks(np.arange(columns) - 0.5, minor=True)
+    ax.set_yticks(np.arange(rows) - 0.5, minor=True)
+    ax.grid(which="minor", alpha=0.4)
+    ax.tick_params(which="both", length=0)
+
+
+def draw_arrow(ax: Axes, start: Point, end: Point, colour: str, width: float) -> Any:
+    """An arrow that reaches from point to point; returns matplotlib's annotation."""
+    look = {"arrowstyle": "-|>", "color": colour, "linewidth": width}
+    return ax.annotate("", end, start, arrowprops={**look, "shrinkA": 0, "shrinkB": 0})
+
+
+def draw_weight(ax: Axes, x: float, y: float, weight: float, most: float) -> None:
+    """A cell around (x, y): blue above 0, else vermilion, the stronger the more it is of `most`."""
+    colour = BLUE if weight > 0 else VERMILION
+    opacity = 0.1 + 0.6 * np.sqrt(abs(weight) / most)
+    corner = (x - 0.5, y - 0.5)
+    ax.add_patch(Rectangle(corner, 1, 1, facecolor=colour, alpha=opacity))
+
+
+def in_panels(
+    figure: Picture, things: Mapping[K, V], **more: Any
+) -> Iterator[tuple[Axes, K, V]]:
+    """The axes, the name and the thing for each of the things, side by side; more: as of matplotlib's subplots."""
+    axes = figure.subplots(1, len(things), squeeze=False, **more)[0]
+    for ax, (name, thing) in zip(axes, things.items(), strict=True):
+        yield ax, name, thing
+
+
+def centred(ax: Axes, x: float, y: float, text: str, **look: Any) -> None:
+    """Write a text whose middle is at (x, y); look: as of matplotlib's texts."""
+    ax.text(x, y, text, ha="center", va="center", **look)
+
+
+def legend_below(figure: Picture, columns: int, **more: Any) -> None:
+    """The legend of a picture, below its charts, where it hides no curve; more: as of matplotlib's legends."""
+    figure.legend(loc="outside lower center", ncols=columns, **more)
+
+
 class SideBySide(Displayed):
     """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
 
@@ -116,10 +164,8 @@ class SideBySide(Displayed):
             alt = f"Films of robots from above, side by side. {' '.join(ends)}"
             return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
-        for ax, (name, view) in zip(
-            picture.subplots(1, len(self.views)), self.views.items(), strict=True
-        ):
-            ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
+        for ax, name, view in in_panels(picture, self.views):
+            ax.imshow(image_of(view.still().data))
             ax.set_title(plain(name))
             ax.set_axis_off()
         return picture.still()
@@ -146,18 +192,11 @@ def side_by_side(films: Sequence[Film]) -> bytes:
         for column, one in enumerate(moving):
             one.seek(i)
             frames[-1].paste(one.convert("RGB"), (column * moving[0].width, 0))
-    palette = frames[-1].quantize(COLOURS, FEW_COLOURS)
-    first, *rest = (
-        frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames
-    )
-    buffer, duration = io.BytesIO(), round(1000 * films[0].seconds_per_frame)
-    first.save(
-        buffer,
-        "GIF",
-        save_all=True,
-        append_images=rest,
-        loop=0,
-        duration=duration,
-        optimize=True,
-    )
-    return buffer.getvalue()
+    return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
+
+
+def film_of(said: str, shots: Sequence[Image.Image], colours: int, time: int) -> Still:
+    """A moving picture of several figures; each stays for a time [ms], the last one for 3 s. said: what it shows."""
+    times = [time] * (len(shots) - 1) + [3000]
+    moving = gif_of(shots, colours, times)
+    return Still(said.strip("<>"), moving, shots[0].width, "image/gif")

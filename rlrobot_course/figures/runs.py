@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.figures.plots import Picture, chart, draw_curves
+from rlrobot_course.figures.plots import Picture, chart, draw_curves, legend_below
 from rlrobot_edu.experiments.statistics import mean_band
 
 SKIPPED = 0.03  # of the steps: means of so few rewards jump about, and would decide how high the picture is
@@ -24,7 +24,7 @@ def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
     seen = [mean[int(SKIPPED * len(mean)) :] for mean in means.values()]
     low, high = min(part.min() for part in seen), max(part.max() for part in seen)
     ax.set_ylim(low - 0.08 * (high - low) - 0.1, high + 0.08 * (high - low) + 0.1)
-    figure.legend(loc="outside lower center", ncols=len(rewards))
+    legend_below(figure, len(rewards))
     told = "; ".join(f"{label} ends at {mean[-1]:.2f}" for label, mean in means.items())
     figure.alt = f"Average reward over {max(map(len, means.values()))} steps. {told}."
     return figure

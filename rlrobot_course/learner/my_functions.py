@@ -32,7 +32,7 @@ from rlrobot_course.learner.learners_files import (
 from rlrobot_course.learner.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.progress import watched
-from rlrobot_grading.answers.values import one_line, safely
+from rlrobot_grading.answers.values import Function, one_line, safely
 
 FILE = "my_functions.py"
 LESSONS = sorted(
@@ -46,7 +46,7 @@ Judge = Callable[[Any], Any]
 
 
 def keep(
-    answer: Callable[..., Any],
+    answer: Function,
     lesson: str,
     name: str,
     judge: Judge,
@@ -143,7 +143,7 @@ def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     return was_right or _right(known, lesson, name) is not None
 
 
-def owner_of(*functions: Callable[..., Any]) -> str:
+def owner_of(*functions: Function) -> str:
     """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
     yours = [
         function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions
@@ -157,7 +157,7 @@ def check_of(lesson: str) -> SimpleNamespace:
     return importlib.import_module(f"rlrobot_course.lesson_{lesson}.exercises").check  # type: ignore[no-any-return]
 
 
-def _source_of(answer: Callable[..., Any], name: str) -> str:
+def _source_of(answer: Function, name: str) -> str:
     """The source of a function made with def, under the name `name`."""
     source = textwrap.dedent(inspect.getsource(answer)).rstrip() + "\n"
     definition = ast.parse(source).body[0]
@@ -170,7 +170,7 @@ def _source_of(answer: Callable[..., Any], name: str) -> str:
     )
 
 
-def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
+def _helpers(answer: Function, known: set[str]) -> str:
     """The source of what a function calls or reads by name beside the names `known`: functions, modules, numbers."""
     source, codes = "", [answer.__code__]
     while codes:
@@ -256,7 +256,7 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
 
 def _right(
     known: dict[tuple[str, str], str], lesson: str, name: str
-) -> Callable[..., Any] | None:
+) -> Function | None:
     """The learner's function, if its check finds it right; else None."""
     mine = safely(
         None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known)
@@ -266,9 +266,7 @@ def _right(
     )
 
 
-def _made(
-    source: str, name: str, surroundings: dict[str, Any]
-) -> Callable[..., Any] | None:
+def _made(source: str, name: str, surroundings: dict[str, Any]) -> Function | None:
     """The function of this name that the source defines; None if it is not in the file."""
     if source.startswith(NOT_KEPT):
         return None

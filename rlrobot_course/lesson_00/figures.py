@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from matplotlib.collections import LineCollection
 
-from rlrobot_course.figures.plots import GREY, VERMILION, Picture, plain
+from rlrobot_course.figures.plots import GREY, VERMILION, Picture, centred, plain
 from rlrobot_edu import InputVariable, plot_scene
 from rlrobot_edu.robots.scene import Scene
 
@@ -43,9 +43,7 @@ def plot_lasers(
                 "edgecolor": VERMILION,
                 "boxstyle": "round,pad=0.2",
             }
-            ax.text(
-                x, y, text, ha="center", va="center", fontsize=8.5, bbox=box, zorder=9
-            )
+            centred(ax, x, y, text, fontsize=8.5, bbox=box, zorder=9)
     told = ", ".join(
         f"{variable.name} {readings[variable.name]:.2f} m" for variable in inputs
     )

@@ -1,6 +1,9 @@
 """The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
 
+from rlrobot_course.exercises import design
 from rlrobot_course.exercises.design import Readings, Situation, way
+
+LASERS = ("laser_front_left", "laser_front_right")
 
 
 def words(before: Readings, after: Readings) -> str:
@@ -17,20 +20,9 @@ def situation(
     start: tuple[float, float] = (2.0, 1.0),
 ) -> Situation:
     """A step that moved the robot from `start` by `moved` in x and y [m]; before, after: lasers left and right [m]."""
-    (x, y), (dx, dy) = start, moved
-    was = {
-        "x": x,
-        "y": y,
-        "laser_front_left": before[0],
-        "laser_front_right": before[1],
-    }
-    now = {
-        "x": x + dx,
-        "y": y + dy,
-        "laser_front_left": after[0],
-        "laser_front_right": after[1],
-    }
-    return name, was, now
+    was = dict(zip(LASERS, before, strict=True))
+    now = dict(zip(LASERS, after, strict=True))
+    return design.moved(name, start, moved, was, now)
 
 
 STANDS = situation("stands still", start=(0.0, 0.0))

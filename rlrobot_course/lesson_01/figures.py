@@ -5,7 +5,14 @@ from itertools import pairwise
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLACK, ORANGE, Picture, plain
+from rlrobot_course.figures.plots import (
+    BLACK,
+    ORANGE,
+    Picture,
+    centred,
+    in_panels,
+    plain,
+)
 from rlrobot_course.lesson_01.drive import Drive
 from rlrobot_edu import plot_scene
 from rlrobot_edu.task.variables import InputVariable
@@ -35,14 +42,8 @@ def plot_bins(
         edges = [0.0, *variable.cuts, end]
         for i, (low, high) in enumerate(pairwise(edges)):
             ax.barh(row, high - low, left=low, height=0.8, color=SHADES[i % 2])
-            ax.text(
-                (low + high) / 2,
-                row - 0.24,
-                f"bin {i}",
-                ha="center",
-                va="center",
-                fontsize=8.5,
-                color=BLACK,
+            centred(
+                ax, (low + high) / 2, row - 0.24, f"bin {i}", fontsize=8.5, color=BLACK
             )
         ax.vlines(
             variable.cuts,
@@ -86,9 +87,7 @@ def plot_drives(drives: Mapping[str, Drive]) -> Picture:
     """The ways of two or more robots of wander_simple side by side, below what each did; by what each is called."""
     figure = Picture((3.3 * len(drives), 3.9))
     said = []
-    for ax, (name, drive) in zip(
-        figure.subplots(1, len(drives)), drives.items(), strict=True
-    ):
+    for ax, name, drive in in_panels(figure, drives):
         far = sum(way > 0.07 for way in drive.ways())
         lasers = [
             (r["laser_front_left"], r["laser_front_right"]) for r in drive.readings[1:]

@@ -1,6 +1,5 @@
 """The figures of lesson 02: what counts of each reward, and how values spread from a goal through a grid."""
 
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -8,11 +7,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
-from PIL import Image
 
-from rlrobot_course.figures.plots import BLUE, GREY, Picture
+from rlrobot_course.figures.plots import (
+    BLUE,
+    GREY,
+    Picture,
+    centred,
+    draw_arrow,
+    film_of,
+)
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import FEW_COLOURS
+from rlrobot_edu.show.picture import image_of
 
 ARROWS = {
     0: (-1, 0),
@@ -47,30 +52,8 @@ class Sweeps(Displayed):
 
     def still(self) -> Still:
         """All of them, about a second each."""
-        shots = [
-            Image.open(io.BytesIO(self.picture(k).png())).convert("RGB")
-            for k in range(len(self.values))
-        ]
-        palette = shots[-1].quantize(128, FEW_COLOURS)
-        first, *rest = (
-            shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots
-        )
-        buffer, times = (
-            io.BytesIO(),
-            [900] * len(rest) + [3000],
-        )  # how long each stays [ms]
-        first.save(
-            buffer,
-            "GIF",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=times,
-            optimize=True,
-        )
-        return Still(
-            repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif"
-        )
+        shots = [image_of(self.picture(k).png()) for k in range(len(self.values))]
+        return film_of(repr(self), shots, 128, 900)
 
 
 def plot_returns(
@@ -121,16 +104,8 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
         y, x = divmod(s, desc.shape[1])
         for a in actions:
             right, down = ARROWS[int(a)]
-            arrow = {
-                "arrowstyle": "-|>",
-                "color": "white",
-                "linewidth": 2,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            }
-            drawn = ax.annotate(
-                "", (x + 0.45 * right, y + 0.45 * down), (x, y), arrowprops=arrow
-            )
+            head = (x + 0.45 * right, y + 0.45 * down)
+            drawn = draw_arrow(ax, (x, y), head, "white", 2)
             drawn.arrow_patch.set_path_effects(
                 [withStroke(linewidth=4, foreground="black")]
             )
@@ -166,24 +141,9 @@ def draw_values(
             ax.add_patch(end)
         if square in (b"S", b"G") and not grid[y, x]:
             colour = "black" if square == b"G" and not numbers else "white"
-            ax.text(
-                x,
-                y,
-                square.decode(),
-                ha="center",
-                va="center",
-                color=colour,
-                fontsize=11,
-                weight="bold",
-            )
+            centred(ax, x, y, square.decode(), color=colour, fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
             colour = "black" if grid[y, x] > 0.45 else "white"
-            ax.text(
-                x,
-                y,
-                f"{grid[y, x]:.2f}".lstrip("0"),
-                ha="center",
-                va="center",
-                color=colour,
-                fontsize=8.5,
+            centred(
+                ax, x, y, f"{grid[y, x]:.2f}".lstrip("0"), color=colour, fontsize=8.5
             )

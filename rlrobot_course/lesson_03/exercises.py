@@ -4,6 +4,7 @@ import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
+    Q_START,
     Q_TAPE,
     Fickle,
     Ranked,
@@ -27,15 +28,7 @@ def target(q, r, s_next, terminated, gamma):
 
 
 # as in the other lessons, and a state in which every action is bad
-Q = np.array(
-    [
-        [0.0, 2.0, 1.0],
-        [4.0, -1.0, 5.5],
-        [0.0, 0.5, 3.0],
-        [5.0, 6.0, 7.0],
-        [-1.375, -3.0, -2.0],
-    ]
-)
+Q = np.vstack([Q_START, [-1.375, -3.0, -2.0]])
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -45,15 +38,10 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
-AT_A_WALL = (
-    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
-    {
-        "s": 4,
-        "a": 0,
-        "r": -0.02,
-        "s_next": 4,
-        "terminated": False,
-    },  # it stays, and a is the best action there
+AT_A_WALL = rows(
+    "s a r s_next terminated",
+    (4, 1, -2.0, 4, False),
+    (4, 0, -0.02, 4, False),  # it stays, and a is the best action there
 )
 
 

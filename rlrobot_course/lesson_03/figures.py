@@ -12,6 +12,7 @@ from rlrobot_course.figures.plots import (
     ORANGE,
     Picture,
     chart,
+    draw_arrow,
     draw_curves,
 )
 from rlrobot_edu import Agent, Task, make_env
@@ -40,14 +41,7 @@ def plot_towards(
         ax.plot(
             [i + 0.5] * 2, [before, target], color=BLACK, linewidth=1, linestyle=":"
         )
-        arrow = {
-            "arrowstyle": "-|>",
-            "color": ORANGE,
-            "linewidth": 3,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
-        ax.annotate("", (i + 0.5, after), (i + 0.5, before), arrowprops=arrow)
+        draw_arrow(ax, (i + 0.5, before), (i + 0.5, after), ORANGE, 3)
         if i < labelled:
             ax.text(
                 i + 0.57,

@@ -4,18 +4,17 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.play.challenge import Challenge, Watched, array, rewards_of
-from rlrobot_edu import Agent, make_env
+from rlrobot_course.play.challenge import Challenge, Watched, array, mean_reward
+from rlrobot_edu import Agent
 
 
 def earned(rule: Watched, seed: int) -> float:
     """Reward a step of a robot of Q-learning in its first 1,000 steps."""
-    agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
 
-    def choose(s: int, t: int, tries: np.ndarray) -> Any:
+    def choose(agent: Agent, s: int, t: int, tries: np.ndarray) -> Any:
         return rule(agent.q[s].copy(), tries[s].copy(), t)
 
-    return float(rewards_of(agent, env, choose, 1000, seed).mean())
+    return mean_reward(choose, 1000, seed)
 
 
 challenge = Challenge(

@@ -6,7 +6,15 @@ from dataclasses import replace
 import gymnasium
 import numpy as np
 
-from rlrobot_course.figures.plots import BLACK, BLUE, CURVES, GREY, Picture, plain
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    CURVES,
+    GREY,
+    Picture,
+    in_panels,
+    plain,
+)
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_edu import Agent, Task, learn, make_env, plot_learning
 from rlrobot_edu.learning.history import History
@@ -74,7 +82,7 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
 
 
 def learn_in_units(
-    task: Task, factor: float, normalised: bool, repetitions: int, steps: int, seed: int
+    task: Task, factor: float, normalised: bool, repetitions: int, steps: int
 ) -> list[History]:
     """Let Q+SR agents learn `task` with all rewards times `factor`; the histories are in the task's own units again.
 
@@ -84,11 +92,11 @@ def learn_in_units(
     histories = []
     for i in range(repetitions):
         env = gymnasium.wrappers.TransformReward(
-            make_env(task, seed=seed + i), lambda r: r * factor
+            make_env(task, seed=i), lambda r: r * factor
         )
         r_max = max(task.rewards) * (factor if normalised else 1)
         history = learn(
-            Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=seed + i),
+            Agent(task, "Q+SR", r_max=r_max, loop_evasion=False, seed=i),
             env,
             steps,
             progress=False,
@@ -104,12 +112,11 @@ def plot_units(
     *,
     repetitions: int = 10,
     steps: int = 600,
-    seed: int = 0,
 ) -> Picture:
     """Learning curves for rewards times each of `factors`: on the left without normalising, on the right with it."""
     panels = {
         f"{name} ({repetitions} repetitions)": [
-            learn_in_units(task, factor, name == "normalised", repetitions, steps, seed)
+            learn_in_units(task, factor, name == "normalised", repetitions, steps)
             for factor in factors
         ]
         for name in ("not normalised", "normalised")
@@ -126,8 +133,7 @@ def plot_side_by_side(
     panels: title of a panel -> for each label the repetitions to average, see `plot_learning`
     """
     figure, told = Picture(figsize=(8.5, 3.6)), []
-    axes = figure.subplots(1, len(panels), sharey=True)
-    for ax, (name, groups) in zip(axes, panels.items(), strict=True):
+    for ax, name, groups in in_panels(figure, panels, sharey=True):
         plot_learning(*groups, labels=labels, ax=ax, title=name)
         ax.get_legend().remove()
         ends = [
@@ -140,11 +146,10 @@ def plot_side_by_side(
                 f"{label} {end:.2f}" for label, end in zip(labels, ends, strict=True)
             )
         )
+    axes = figure.axes
     axes[1].set_ylabel("")
     # the bands of the first steps are as wide as the rewards themselves; the means decide what is shown
-    means = np.concatenate(
-        [line.get_ydata() for ax in figure.axes for line in ax.lines]
-    )
+    means = np.concatenate([line.get_ydata() for ax in axes for line in ax.lines])
     axes[0].set_ylim(
         means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means)
     )
@@ -166,9 +171,7 @@ def plot_ends(
     worlds: title of a panel -> name of a rule -> the repetitions
     """
     figure, told = Picture(figsize=(8.5, 3.6)), []
-    for ax, (world, groups) in zip(
-        figure.subplots(1, len(worlds)), worlds.items(), strict=True
-    ):
+    for ax, world, groups in in_panels(figure, worlds):
         means = []
         for i, ((name, group), (colour, _)) in enumerate(
             zip(groups.items(), CURVES, strict=False)

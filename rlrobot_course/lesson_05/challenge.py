@@ -2,20 +2,19 @@
 
 import numpy as np
 
-from rlrobot_course.play.challenge import Challenge, Watched, array, rewards_of
-from rlrobot_edu import Agent, make_env
+from rlrobot_course.play.challenge import Challenge, Watched, array, mean_reward
+from rlrobot_edu import Agent
 
 
 def earned(bias: Watched, seed: int) -> float:
     """Reward a step of a Q-learner that chooses by softmax with that bias, in its first 1200 steps."""
-    agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
 
-    def choose(s: int, t: int, tries: np.ndarray) -> np.ndarray:
+    def choose(agent: Agent, s: int, t: int, tries: np.ndarray) -> np.ndarray:
         x = agent.q[s] + bias(agent.q.copy(), tries.copy(), agent.shape, s)
         powers = np.exp(x - x.max())
         return powers / powers.sum()
 
-    return float(rewards_of(agent, env, choose, 1200, seed).mean())
+    return mean_reward(choose, 1200, seed)
 
 
 challenge = Challenge(

@@ -9,7 +9,7 @@ from rlrobot_course.exercises.parts import (
     Question,
     with_pages,
 )
-from rlrobot_course.worlds.tapes import rows
+from rlrobot_course.worlds.tapes import SMALL, rows
 from rlrobot_edu.widgets.kernels import bias_of
 
 BY_HAND = Formula(
@@ -43,10 +43,8 @@ def bias(q, shape, s):
 BIAS_DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
 BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
 BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
+SHAPE = (2, 2, 3, 2)  # bins of the inputs of worked_example
 best_adviser = "floor"
-SMALL = np.array(
-    [[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]]
-)  # shown in full
 
 check = with_pages(
     globals(),
@@ -57,10 +55,10 @@ check = with_pages(
         returns="siblings",
         tape=rows(
             "shape s i",
-            ((2, 2, 3, 2), 21, 2),
-            ((2, 2, 3, 2), 21, 0),
-            ((2, 2, 3, 2), 4, 3),
-            ((2, 2, 3, 2), 13, 1),
+            (SHAPE, 21, 2),
+            (SHAPE, 21, 0),
+            (SHAPE, 4, 3),
+            (SHAPE, 13, 1),
             ((2, 5, 3), 17, 1),
             ((4, 3), 7, 0),
             ((4, 3), 7, 1),
@@ -76,8 +74,8 @@ check = with_pages(
         + [
             {"q": BIAS_DRAWN[: np.prod(shape), :n_actions], "shape": shape, "s": s}
             for shape, s, n_actions in (
-                ((2, 2, 3, 2), 21, 3),
-                ((2, 2, 3, 2), 4, 3),
+                (SHAPE, 21, 3),
+                (SHAPE, 4, 3),
                 ((4, 6), 9, 4),
                 ((3, 2, 4), 16, 2),
                 ((24,), 5, 5),

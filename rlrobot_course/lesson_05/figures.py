@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
+from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart, legend_below
 from rlrobot_edu import load_task
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of
@@ -102,7 +102,7 @@ def plot_draws(taken: Mapping[str, Sequence[int]], actions: Sequence[str]) -> Pi
     ax.set_title(
         f"The same {len(next(iter(taken.values())))} draws: {bumps[0]} bumps without the bias, {bumps[1]} with it"
     )
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     told = (
         f"{name}: {', '.join(f'{a} {n}' for a, n in zip(actions, times, strict=True))}"
         for name, times in counts.items()

@@ -12,6 +12,7 @@ from rlrobot_course.worlds.tapes import (
     Fickle,
     TapeWorld,
     in_order,
+    rows,
     with_columns,
 )
 
@@ -27,43 +28,12 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
 
 
 # Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
-OTHER_STEPS: tuple[dict[str, object], ...] = (
-    {
-        "q": OTHER_Q,
-        "s": 1,
-        "a": 1,
-        "r": -0.3,
-        "s_next": 2,
-        "a_next": 1,
-        "terminated": False,
-    },
-    {
-        "q": OTHER_Q,
-        "s": 0,
-        "a": 1,
-        "r": -5.5,
-        "s_next": 1,
-        "a_next": 0,
-        "terminated": np.True_,
-    },
-    {
-        "q": OTHER_Q,
-        "s": 2,
-        "a": 0,
-        "r": 0.0,
-        "s_next": 1,
-        "a_next": 1,
-        "terminated": False,
-    },
-    {
-        "q": OTHER_Q,
-        "s": 1,
-        "a": 0,
-        "r": 0.0,
-        "s_next": 0,
-        "a_next": None,
-        "terminated": True,
-    },
+OTHER_STEPS = rows(
+    "q s a r s_next a_next terminated",
+    (OTHER_Q, 1, 1, -0.3, 2, 1, False),
+    (OTHER_Q, 0, 1, -5.5, 1, 0, np.True_),
+    (OTHER_Q, 2, 0, 0.0, 1, 1, False),
+    (OTHER_Q, 1, 0, 0.0, 0, None, True),
 )
 # α and γ of each step: none is the default twice, and no product of them is round
 ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)

@@ -14,7 +14,10 @@ from rlrobot_course.figures.plots import (
     ROLE,
     VERMILION,
     Picture,
+    centred,
     chart,
+    draw_lattice,
+    legend_below,
     plain,
 )
 from rlrobot_edu.experiments.statistics import mean_band
@@ -63,14 +66,7 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         falls = falls_of(histories)
         for cell, n in zip(CLIFF, falls, strict=True):
             row, column = np.unravel_index(cell, SHAPE)
-            ax.text(
-                column,
-                row,
-                f"{n:.1f}" if n else "",
-                ha="center",
-                va="center",
-                fontsize=9,
-            )
+            centred(ax, column, row, f"{n:.1f}" if n else "", fontsize=9)
         ways = Counter(way_of(history) for history in histories)
         told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
         title = f"{name}: of {len(histories)} agents {told}"
@@ -148,34 +144,22 @@ def plot_returns(
     ax.set_ylim(
         -110, 0
     )  # the first episodes lie far below and would flatten all that follows
-    figure.legend(
-        title="means, and their 95 % intervals", loc="outside lower center", ncols=2
-    )
+    legend_below(figure, 2, title="means, and their 95 % intervals")
     return figure
 
 
 def _draw_grid(ax: Axes) -> None:
     """Cells, cliff, start and goal, row 0 on top."""
     rows, columns = SHAPE
-    ax.set(
-        xlim=(-0.5, columns - 0.5),
-        ylim=(rows - 0.5, -0.5),
-        aspect="equal",
-        ylabel="row",
-    )
+    draw_lattice(ax, SHAPE)
+    ax.set(xticks=range(columns), yticks=range(rows), ylabel="row")
     ax.set_xlabel("column; grey: the cliff, with the falls into each cell")
-    ax.set_xticks(range(columns))
-    ax.set_yticks(range(rows))
-    ax.set_xticks(np.arange(columns) - 0.5, minor=True)
-    ax.set_yticks(np.arange(rows) - 0.5, minor=True)
-    ax.grid(which="minor", alpha=0.4)
-    ax.tick_params(which="both", length=0)
     ax.add_patch(
         Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4)
     )
     for state, word in ((START, "start"), (GOAL, "goal")):
         row, column = np.unravel_index(state, SHAPE)
-        ax.text(column, row + 0.28, word, ha="center", va="center", fontsize=9)
+        centred(ax, column, row + 0.28, word, fontsize=9)
 
 
 def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.worlds.tapes import OTHER_Q, Q_START, TAPE, with_columns
+from rlrobot_course.worlds.tapes import OTHER_Q, Q_START, TAPE, rows, with_columns
 
 BY_HAND = Formula(
     "Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps"
@@ -25,48 +25,13 @@ EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [
 ]
 # Another world, two actions: some traces are small (a threshold would drop them), one reward is 0, values have digits
 OTHER_E = np.array([[0.0073, 0.0], [0.31, 0.0004], [0.0, 0.62]])
-OTHER: list[dict[str, object]] = [
-    {
-        "q": OTHER_Q,
-        "e": OTHER_E,
-        "s": 1,
-        "a": 1,
-        "r": -0.3,
-        "s_next": 2,
-        "a_next": 1,
-        "terminated": False,
-    },
-    {
-        "q": OTHER_Q,
-        "e": OTHER_E,
-        "s": 2,
-        "a": 0,
-        "r": 0.0,
-        "s_next": 1,
-        "a_next": 1,
-        "terminated": False,
-    },
-    {
-        "q": OTHER_Q,
-        "e": OTHER_E,
-        "s": 0,
-        "a": 1,
-        "r": 0.0,
-        "s_next": 1,
-        "a_next": 0,
-        "terminated": True,
-    },
-    {
-        "q": OTHER_Q,
-        "e": OTHER_E,
-        "s": 2,
-        "a": 0,
-        "r": 0.1234,
-        "s_next": 1,
-        "a_next": 0,
-        "terminated": True,
-    },  # δ = 0
-]
+OTHER = rows(
+    "q e s a r s_next a_next terminated",
+    (OTHER_Q, OTHER_E, 1, 1, -0.3, 2, 1, False),
+    (OTHER_Q, OTHER_E, 2, 0, 0.0, 1, 1, False),
+    (OTHER_Q, OTHER_E, 0, 1, 0.0, 1, 0, True),
+    (OTHER_Q, OTHER_E, 2, 0, 0.1234, 1, 0, True),  # δ = 0
+)
 ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
 GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
 LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)

@@ -4,7 +4,16 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    VERMILION,
+    Picture,
+    centred,
+    chart,
+    in_panels,
+    plain,
+)
 
 
 def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
@@ -18,21 +27,11 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
     picture.alt = f"{title}. {'; '.join(known)}."
-    for ax, (name, table) in zip(
-        picture.subplots(1, len(values), squeeze=False)[0], values.items(), strict=True
-    ):
+    for ax, name, table in in_panels(picture, values):
         ax.imshow(table, cmap="cividis", vmin=0, vmax=highest, aspect="auto")
         for (row, column), q in np.ndenumerate(table):
             colour = BLACK if q > 0.45 * highest else "white"
-            ax.text(
-                column,
-                row,
-                f"{q:.1f}",
-                ha="center",
-                va="center",
-                color=colour,
-                fontsize=8,
-            )
+            centred(ax, column, row, f"{q:.1f}", color=colour, fontsize=8)
         ax.set(
             title=plain(name),
             xlabel="cell (the reward lies behind the last one)",

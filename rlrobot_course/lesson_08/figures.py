@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.figures.plots import (
@@ -13,7 +12,10 @@ from rlrobot_course.figures.plots import (
     GREY,
     VERMILION,
     Picture,
+    centred,
     chart,
+    draw_weight,
+    legend_below,
     plain,
 )
 from rlrobot_course.figures.runs import error_bars
@@ -138,20 +140,9 @@ def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
         most = max(1.0, np.abs(shown).max())
         for (t, k), weight in np.ndenumerate(shown):
             if k <= t:
-                colour, opacity = (
-                    (BLUE if weight > 0 else VERMILION),
-                    0.1 + 0.6 * np.sqrt(abs(weight) / most),
-                )
-                ax.add_patch(
-                    Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity)
-                )
-                ax.text(
-                    k + 1,
-                    t + 1,
-                    f"{weight:.2f}".replace("-", "−"),
-                    ha="center",
-                    va="center",
-                    fontsize=7.5,
+                draw_weight(ax, k + 1, t + 1, weight, most)
+                centred(
+                    ax, k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), fontsize=7.5
                 )
         value = float(shown[-1] @ rewards)
         ax.set(
@@ -264,7 +255,7 @@ def plot_over_alpha(
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
     legend = f"means of {repetitions} repetitions, and their 95 % intervals"
-    figure.legend(title=legend, loc="outside lower center", ncols=2)
+    legend_below(figure, 2, title=legend)
     figure.alt = (
         f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
     )

@@ -9,6 +9,7 @@ from rlrobot_course.figures.plots import (
     GREY,
     VERMILION,
     Picture,
+    draw_arrow,
 )
 from rlrobot_course.lesson_08.forward_view import online_lambda_return
 
@@ -101,5 +102,4 @@ def plot_q_old() -> Picture:
 
 def _change(ax: Axes, x: float, before: float, after: float, colour: str) -> None:
     """An arrow from one value to another."""
-    ax.annotate("", (x, after), (x, before), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5,
-                                                         "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    draw_arrow(ax, (x, before), (x, after), colour, 2.5)

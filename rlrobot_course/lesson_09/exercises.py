@@ -26,17 +26,18 @@ def new_temperature(temperature, states, rewards, s, default):
 
 
 IDLE = [-0.02] * 8
+LOOP = [4, 6, 4, 6, 4, 6, 4, 6]
 HITS = [-0.02, -2.0, -0.02, -2.0, -0.02, -0.02, -0.02, -0.02]
 # (temperature, states, rewards, default); s is the last of the states
 SITUATIONS = (
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         HITS,
         0.5,
     ),  # a loop; from here on all classic mistakes differ
     (1.0, [0, 1, 2, 3, 4, 5, 6, 7], [10.0] * 8, 1.0),  # on its way
-    (1.0, [4, 6, 4, 6, 4, 6, 4, 6], IDLE, 1.0),
+    (1.0, LOOP, IDLE, 1.0),
     (
         2.0,
         [4, 6, 9, 4, 6, 9, 4],
@@ -53,37 +54,37 @@ SITUATIONS = (
     ),  # s twice in it, and a redundancy that is no whole number
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0],
         1.0,
     ),  # a loop that pays
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         [-2.0] * 7 + [10.0],
         1.0,
     ),  # a loop that does not, though the last one is positive
     (3.0, [3, 3, 3, 5, 5, 5, 3, 9], IDLE, 1.0),  # it has just left
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         [10.0] + [-2.0] * 7,
         1.0,
     ),  # a loop that pays no more
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         [15.0] + [-2.0] * 7,
         1.0,
     ),  # it pays by its first step
     (
         3.0,
-        [4, 6, 4, 6, 4, 6, 4, 6],
+        LOOP,
         [-1.0] * 7 + [10.0],
         1.0,
     ),  # it pays by its last one
     (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
+    (3.0, LOOP, [-0.001] * 8, 1.0),  # it costs hardly anything
     (
         2.0,
         [*range(30), *range(30), 0],

@@ -12,6 +12,7 @@ from rlrobot_course.figures.plots import (
     VERMILION,
     Picture,
     chart,
+    legend_below,
     plain,
 )
 from rlrobot_course.play.challenge import Score
@@ -149,7 +150,7 @@ def plot_worth(pairs: Mapping[str, tuple[Score, Score]], title: str) -> Picture:
             )
     ax.set_xticks(range(len(pairs)), map(plain, pairs))
     ax.margins(y=0.12)
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     told = "; ".join(
         f"{plain(name)}: {both[0]} without, {both[1]} with"
         for name, both in pairs.items()

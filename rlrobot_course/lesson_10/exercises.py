@@ -14,7 +14,6 @@ from rlrobot_course.lesson_10.fixtures import (
     OTHER,
     OTHERS,
     SHAPE,
-    SMALL,
     USUAL,
     P,
     Q,
@@ -22,7 +21,7 @@ from rlrobot_course.lesson_10.fixtures import (
     library,
     ring,
 )
-from rlrobot_course.worlds.tapes import rows
+from rlrobot_course.worlds.tapes import SMALL, rows
 
 
 def preferences(q, shape, s, r_max, gamma):

@@ -11,9 +11,6 @@ from rlrobot_edu import Agent
 from rlrobot_edu import learn as run
 from rlrobot_edu.learning.size import Size
 
-SMALL = np.array(
-    [[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]]
-)  # shown in full
 SHAPE, OTHER = (2, 2, 3, 2), (3, 4)
 Q = np.random.default_rng(9).normal(3.0, 6.0, size=(24, 3)).round(1)
 P = np.random.default_rng(4).normal(-1.0, 5.0, size=(12, 4)).round(1)

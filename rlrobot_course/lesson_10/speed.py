@@ -8,10 +8,11 @@ import numpy as np
 from rlrobot_course.worlds.tapes import RobotWorld
 from rlrobot_edu import Agent, Method, SampleModel, learn, make_env, read_recording
 
+LEARNER_STEPS, METHOD_STEPS = 1000, 20_000
 SETTINGS = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0}
 
 
-def of_learner(learner: Callable[..., np.ndarray], steps: int = 1000) -> float:
+def of_learner(learner: Callable[..., np.ndarray]) -> float:
     """Microseconds a step of a `learn` as lesson 10 asks for it, with the robot of wander_1k."""
     world = RobotWorld("wander_1k", seed=0)
     start = time.perf_counter()
@@ -20,14 +21,14 @@ def of_learner(learner: Callable[..., np.ndarray], steps: int = 1000) -> float:
         world.shape,
         world.n_actions,
         world.r_max,
-        steps,
+        LEARNER_STEPS,
         np.random.default_rng(0),
         **SETTINGS,
     )
-    return (time.perf_counter() - start) / steps * 1e6
+    return (time.perf_counter() - start) / LEARNER_STEPS * 1e6
 
 
-def of_method(method: str | Method, traces: str, steps: int = 20_000) -> float:
+def of_method(method: str | Method, traces: str) -> float:
     """Microseconds a step of an agent in the sample model of wander_1k, once its kernels are compiled."""
     maze = SampleModel.from_recording(read_recording("wander_1k"))
     agent, env = (
@@ -36,5 +37,5 @@ def of_method(method: str | Method, traces: str, steps: int = 20_000) -> float:
     )
     learn(agent, env, steps=10, progress=False)
     start = time.perf_counter()
-    learn(agent, env, steps=steps, progress=False)
-    return (time.perf_counter() - start) / steps * 1e6
+    learn(agent, env, steps=METHOD_STEPS, progress=False)
+    return (time.perf_counter() - start) / METHOD_STEPS * 1e6

@@ -17,6 +17,8 @@ from rlrobot_course.figures.plots import (
     SKY,
     VERMILION,
     Picture,
+    centred,
+    legend_below,
     plain,
 )
 from rlrobot_edu import InputVariable, Task
@@ -87,10 +89,22 @@ def draw_sector(
         if name or number == seen:
             ax.add_patch(Wedge(centre, high, *span, width=high - low, **look))
     rim = rings[-1 if name else seen][1] + (0.27 if name else 0.13)
-    ax.text(centre[0] + rim * math.cos(towards), centre[1] + rim * math.sin(towards), f"{name}\n{seen}".strip(),
-            color=BLACK, ha="center", va="center", fontsize=8.5 if name else 10, weight="bold", zorder=9, clip_on=True,
-            bbox={"facecolor": "white", "edgecolor": colour,
-                  "boxstyle": f"{'round' if name else 'circle'},pad=0.15"})  # fmt: skip
+    centred(
+        ax,
+        centre[0] + rim * math.cos(towards),
+        centre[1] + rim * math.sin(towards),
+        f"{name}\n{seen}".strip(),
+        color=BLACK,
+        fontsize=8.5 if name else 10,
+        weight="bold",
+        zorder=9,
+        clip_on=True,
+        bbox={
+            "facecolor": "white",
+            "edgecolor": colour,
+            "boxstyle": f"{'round' if name else 'circle'},pad=0.15",
+        },
+    )
 
 
 def legend_of(laser: InputVariable) -> list[Artist]:
@@ -141,11 +155,7 @@ def plot_rings(
             )
         ax.set_title(plain(name), fontsize=11)
     first = task.states.inputs[0]
-    figure.legend(
-        handles=legend_of(first),
-        loc="outside lower center",
-        ncols=2 if len(moments) < 3 else 4,
-    )
+    legend_below(figure, 2 if len(moments) < 3 else 4, handles=legend_of(first))
     figure.alt = (
         f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
     )
@@ -172,8 +182,20 @@ def _draw(ax: Axes, moment: Moment, task: Task) -> str:
         )
         for cut in () if i else variable.cuts or ():
             edge = towards + math.radians(HALF)
-            ax.text(centre[0] + cut * math.cos(edge), centre[1] + cut * math.sin(edge), f"{cut:g}", fontsize=8.5,
-                    ha="center", va="center", zorder=10, clip_on=True,
-                    bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4})  # fmt: skip
+            centred(
+                ax,
+                centre[0] + cut * math.cos(edge),
+                centre[1] + cut * math.sin(edge),
+                f"{cut:g}",
+                fontsize=8.5,
+                zorder=10,
+                clip_on=True,
+                bbox={
+                    "facecolor": "white",
+                    "edgecolor": "none",
+                    "alpha": 0.8,
+                    "pad": 0.4,
+                },
+            )
         told.append(f"{name} {moment.readings[variable.name]:.2f} m, bin {seen}")
     return "; ".join(told)

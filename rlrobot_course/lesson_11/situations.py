@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from rlrobot_course.figures.plots import BLACK, Picture, plain
+from rlrobot_course.figures.plots import BLACK, Picture, legend_below, plain
 from rlrobot_course.lesson_11.motions import (
     Motion,
     draw_motion,
@@ -19,7 +19,7 @@ from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 
-COLUMNS = 4
+COLUMNS, MOST = 4, 12  # situations in a row, and in all
 FAST = 0.15  # forward above it is fast [m/s]
 INNERMOST, OUTERMOST = (
     0.48,
@@ -40,13 +40,12 @@ def plot_policy(
     visits: np.ndarray,
     motion: Motion,
     title: str,
-    most: int = 12,
 ) -> Picture:
     """One small robot for each of the most visited states: its lasers' bins, and an arrow for its best action.
 
     q, visits: arrays (S, A); motion: from wheel speeds to (m/s, degrees/s)
     """
-    states, share = most_visited(visits, most), visits.sum(axis=1) / visits.sum()
+    states, share = most_visited(visits, MOST), visits.sum(axis=1) / visits.sum()
     columns = min(COLUMNS, len(states))
     rows = -(-len(states) // columns)
     figure, told = Picture(figsize=(max(2.1 * columns, 6.3), 2.75 * rows + 1.4)), []
@@ -59,9 +58,7 @@ def plot_policy(
         ax.set_visible(False)
     laser = task.states.inputs[0]
     arrow = Line2D([], [], color=BLACK, marker=">", label="best action")
-    figure.legend(
-        handles=[*legend_of(laser), arrow], loc="outside lower center", ncols=3
-    )
+    legend_below(figure, 3, handles=[*legend_of(laser), arrow])
     figure.suptitle(plain(title))
     figure.alt = (
         f"{len(states)} situations, the most frequent first: {'; '.join(told)}."

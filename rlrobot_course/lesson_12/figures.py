@@ -9,7 +9,15 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 from rlrobot_course.figures.paths import plot_paths
-from rlrobot_course.figures.plots import GREEN, GREY, ROLE, VERMILION, Picture, plain
+from rlrobot_course.figures.plots import (
+    GREEN,
+    GREY,
+    ROLE,
+    VERMILION,
+    Picture,
+    centred,
+    plain,
+)
 from rlrobot_course.lesson_12.episodes import Episode
 from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
 from rlrobot_edu.learning.size import Env
@@ -91,8 +99,14 @@ def plot_values(
             )
             if not unknown:
                 ink = "white" if shades(value) < 0.5 else "black"
-                ax.text((corner[0] + x) / 2, (corner[1] + y) / 2, f"{value:z.0f}".replace("-", "−"), color=ink,
-                        ha="center", va="center", fontsize=9.5)  # fmt: skip
+                centred(
+                    ax,
+                    (corner[0] + x) / 2,
+                    (corner[1] + y) / 2,
+                    f"{value:z.0f}".replace("-", "−"),
+                    color=ink,
+                    fontsize=9.5,
+                )
         for wall in arena.walls:
             ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
         for k in driven[sectors[driven] == heading]:
@@ -170,12 +184,11 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
                 "color": GREEN if nearer else VERMILION,
             }
             ax.annotate("", (cell + head, 0.68), (cell + tail, 0.68), arrowprops=look)
-            ax.text(
+            centred(
+                ax,
                 cell + 0.5,
                 0.26,
                 f"{q[cell].max():.1f}".replace("-", "−"),
-                ha="center",
-                va="center",
                 fontsize=10,
             )
         ax.add_patch(
@@ -189,7 +202,7 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
                 edgecolor=GREY,
             )
         )
-        ax.text(n + 0.5, 0.5, "goal", ha="center", va="center", fontsize=10)
+        centred(ax, n + 0.5, 0.5, "goal", fontsize=10)
         ax.set(xlim=(0, n + 1), ylim=(0, 1), xticks=[], yticks=[], aspect="equal")
         ax.set_title(plain(label), fontsize=10, loc="left")
         ways = ["nearer" if q[cell].argmax() == NEARER else "away" for cell in range(n)]

@@ -25,18 +25,20 @@ from rlrobot_edu.robots.arm.arm_body import (
     solids_of,
 )
 from rlrobot_edu.show.top_down import footprint
-from rlrobot_edu.task.task import Task
 
 CONTACT = 0.05  # [m]
 
 
-def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
+k
+
+
+def plot_arm(task: Task) -> Picture:
     """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
     figure = Picture(figsize=(9.5, 4.6))
     side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
-    _from_the_side(side, angles)
-    _from_above(above, task, angles)
-    x, y, _ = link_poses(angles)["gripper"][:3, 3]
+    _from_the_side(side, HOME)
+    _from_above(above, task, HOME)
+    x, y, _ = link_poses(HOME)["gripper"][:3, 3]
     n_x, n_y = (len(task.inputs[i].cuts) + 1 for i in (0, 1))
     figure.alt = (
         "Left, the arm from the side: a foot, the joint arm that turns all above it, the joint biceps at a height of "

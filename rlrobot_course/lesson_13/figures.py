@@ -12,7 +12,9 @@ from rlrobot_course.figures.plots import (
     ORANGE,
     VERMILION,
     Picture,
+    centred,
     chart,
+    legend_below,
     plain,
 )
 from rlrobot_course.figures.runs import mean_and_half
@@ -22,6 +24,8 @@ from rlrobot_edu.robots.arm.arm_body import (
     OBJECT,
     OBJECT_PLACE,
 )
+
+TOLD = 24  # rewards that stand in a picture
 
 
 def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
@@ -51,7 +55,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
         )
     ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, alpha=0.6, zorder=1))
     ax.add_patch(Circle((0, 0), 0.06, color=BLUE, alpha=0.6))
-    ax.text(0, 0, "foot", ha="center", va="center", color="white")
+    centred(ax, 0, 0, "foot", color="white")
     ax.plot(
         x[path],
         y[path],
@@ -77,7 +81,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     )
     ax.set_xlim(-0.08, 0.36)
     figure.colorbar(dots, ax=ax, label="height (m)")
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     figure.alt = (
         f"{len(x)} places from above, {touches.sum()} of them in contact with the object. The arm goes to and fro "
         f"between {' and '.join(f'x = {x[i]:.2f}, y = {y[i]:.2f} m' for i in path[-2:])}."
@@ -107,14 +111,12 @@ def plot_means(
         )
     ax.set_xticks(range(len(groups)), list(groups))
     ax.margins(x=0.2)
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     figure.alt = f"{title}. {'. '.join(told)}."
     return figure
 
 
-def plot_episode(
-    distances: np.ndarray, rewards: np.ndarray, title: str, told: int = 24
-) -> Picture:
+def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str) -> Picture:
     """The distance to the object before and after each step of an episode [m]; the first rewards as numbers."""
     figure, ax = chart(
         (9, 3.2), "step of the episode (1 s each)", "distance (cm)", title
@@ -126,7 +128,7 @@ def plot_episode(
         label="distance of the gripper to the object",
     )
     ax.axhline(100 * CONTACT, color=VERMILION, linestyle="--", label="5 cm: contact")
-    for t, r in enumerate(rewards[:told], start=1):
+    for t, r in enumerate(rewards[:TOLD], start=1):
         shift = -13 if distances[t] < distances[t - 1] else 6
         at = (t, distances[t] * 100)
         ax.annotate(
@@ -138,7 +140,7 @@ def plot_episode(
             fontsize=8,
         )
     ax.set_ylim(0, 100 * distances.max() + 3)
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     half = len(rewards) // 2
     near, far = np.sort(distances[half:])[[0, -1]] * 100
     figure.alt = (

@@ -43,9 +43,7 @@ def last_episodes(
     for i in range(arms):
         agent = Agent(world, method, seed=seed + i, **settings)
         history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
-        where = [0]
-        for a in history.a[-n:]:
-            where.append(int(world.places.next[where[-1], a]))
+        where, _ = last_path(world, history.a[-n:])
         rewards.append(history.rewards[-n:])
         touched.append(contact[where[1:]].mean())
     return Ends(np.array(rewards), np.array(touched))

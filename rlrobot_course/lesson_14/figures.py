@@ -12,7 +12,10 @@ from rlrobot_course.figures.plots import (
     ORANGE,
     VERMILION,
     Picture,
+    centred,
     chart,
+    in_panels,
+    legend_below,
     name_rows,
     plain,
 )
@@ -28,14 +31,14 @@ NEVER = {
 
 
 def plot_estimates(
-    happened: np.ndarray, sizes: Sequence[int], estimates: int, seed: int = 0
+    happened: np.ndarray, sizes: Sequence[int], estimates: int
 ) -> Picture:
     """How far estimates of a probability scatter, for several numbers of rows.
 
     happened: array (n,) of bool, whether it happened in each of many rows; sizes: how many are drawn of them for one
     estimate; estimates: how many estimates of each size
     """
-    rng, p = np.random.default_rng(seed), happened.mean()
+    rng, p = np.random.default_rng(0), happened.mean()
     title = "The same probability, estimated again and again"
     figure, ax = chart((7.6, 3.9), "number of rows", "estimated probability", title)
     n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
@@ -67,7 +70,7 @@ def plot_estimates(
     ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
     ax.minorticks_off()
     ax.set_ylim(-0.03, 1.03)
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of rows: {'; '.join(shares)}."
     return figure
 
@@ -83,22 +86,14 @@ def plot_counts(
     image = ax.imshow(shown, cmap="cividis", vmin=0, vmax=4.3, aspect="auto")
     for (s, a), count in np.ndenumerate(counts):
         if count:
-            ax.text(
-                a,
-                s,
-                f"{count:,}",
-                ha="center",
-                va="center",
-                color="white" if count < 300 else BLACK,
-            )
+            centred(ax, a, s, f"{count:,}", color="white" if count < 300 else BLACK)
         else:
             ax.add_patch(Rectangle((a - 0.5, s - 0.5), 1, 1, **NEVER))
-            ax.text(
+            centred(
+                ax,
                 a,
                 s,
                 "never",
-                ha="center",
-                va="center",
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 2},
             )
     ax.set_xticks(range(len(actions)), [plain(text) for text in actions])
@@ -123,9 +118,8 @@ def plot_unknown(
     models: by what an unseen pair does; actions, place: what the actions and the state are called
     """
     figure = Picture(figsize=(8.2, 3.1))
-    axes = figure.subplots(1, len(models), sharey=True, sharex=True)
     told = []
-    for ax, (name, model) in zip(axes, models.items(), strict=True):
+    for ax, name, model in in_panels(figure, models, sharey=True, sharex=True):
         q, tried = value_iteration(model).q[s], model.pair_count[s] > 0
         best = int(q.argmax())
         for a, value in enumerate(q):
@@ -143,7 +137,7 @@ def plot_unknown(
         told.append(
             f"{name}: best is {actions[best]}, {'tried' if tried[best] else 'never tried'}, {q[best]:.1f}"
         )
-    name_rows(axes[0], actions)
+    name_rows(figure.axes[0], actions)
     figure.suptitle(
         plain(
             f"The best values {place}; blue: tried, hatched: never tried, ←: the best"
@@ -241,7 +235,7 @@ def plot_gaps(gaps: Mapping[str, Gap], title: str) -> Picture:
     beside.set(xlabel="model less robot, 95 % interval")
     for each in (ax, beside):
         each.grid(alpha=0.3, axis="x")
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     figure.suptitle(plain(title))
     figure.alt = f"{title}. Reward per step of the same agents. {'; '.join(told)}."
     return figure

@@ -1,5 +1,6 @@
 """The situations on which a reward for following a wall on the right is tried."""
 
+from rlrobot_course.exercises import design
 from rlrobot_course.exercises.design import Readings, Situation, way
 
 LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
@@ -26,27 +27,28 @@ def situation(
 
     before: laser_right before the step; None is the same as after it
     """
-    (x, y), (dx, dy) = start, moved
     now = dict(zip(LASERS, (front, front_right, right, left), strict=True))
     was = now | {"laser_right": right if before is None else before}
-    return name, {"x": x, "y": y} | was, {"x": x + dx, "y": y + dy} | now
+    return design.moved(name, start, moved, was, now)
 
 
-ALONG = situation("follows the wall", (0.095, 0.0))
+AHEAD = (0.095, 0.0)  # what a step that drives straight on moves the robot [m]
+ALONG = situation("follows the wall", AHEAD)
+MIDWAY = situation("follows the wall at 0.25 m", AHEAD)
 STANDS = situation("stands beside the wall")
 TURNS = situation(
     "turns on the spot beside the wall", (0.02, 0.01), right=0.30, before=0.22
 )
 FREE = situation(
-    "drives far from any wall", (0.095, 0.0), right=0.9, front_right=1.2, left=0.9
+    "drives far from any wall", AHEAD, right=0.9, front_right=1.2, left=0.9
 )
 LEFT = situation(
-    "follows a wall on its left", (0.095, 0.0), right=1.3, front_right=1.6, left=0.25
+    "follows a wall on its left", AHEAD, right=1.3, front_right=1.6, left=0.25
 )
 STANDS_FREE = situation(
     "stands far from any wall", right=0.9, front_right=1.2, left=0.9
 )
-SCRAPES = situation("scrapes along the wall", (0.095, 0.0), right=0.04, front_right=0.2)
+SCRAPES = situation("scrapes along the wall", AHEAD, right=0.04, front_right=0.2)
 LEANS = situation("leans on a wall in front", front=0.04, right=0.25)
 
 PAIRS = (
@@ -60,15 +62,13 @@ PAIRS = (
     (ALONG, LEFT),
     (
         ALONG,
-        situation(
-            "drives 0.9 m away from the wall", (0.095, 0.0), right=0.9, front_right=1.2
-        ),
+        situation("drives 0.9 m away from the wall", AHEAD, right=0.9, front_right=1.2),
     ),
     (
         ALONG,
         situation(
             "has just left the wall",
-            (0.095, 0.0),
+            AHEAD,
             right=0.55,
             front_right=0.9,
             before=0.30,
@@ -79,38 +79,32 @@ PAIRS = (
         FREE,
     ),
     (
-        situation(
-            "follows the wall at 0.12 m", (0.095, 0.0), right=0.12, front_right=0.3
-        ),
+        situation("follows the wall at 0.12 m", AHEAD, right=0.12, front_right=0.3),
         FREE,
     ),
     (
-        situation(
-            "follows the wall at 0.39 m", (0.095, 0.0), right=0.39, front_right=0.7
-        ),
+        situation("follows the wall at 0.39 m", AHEAD, right=0.39, front_right=0.7),
         FREE,
     ),
     (
-        situation("follows the wall at 0.25 m", (0.095, 0.0)),
-        situation("at 0.07 m", (0.095, 0.0), right=0.07),
+        MIDWAY,
+        situation("at 0.07 m", AHEAD, right=0.07),
     ),
     (
-        situation("follows the wall at 0.25 m", (0.095, 0.0)),
-        situation("at 0.45 m", (0.095, 0.0), right=0.45),
+        MIDWAY,
+        situation("at 0.45 m", AHEAD, right=0.45),
     ),
     (
-        situation(
-            "follows the wall at 0.40 m", (0.095, 0.0), right=0.40, front_right=0.7
-        ),
+        situation("follows the wall at 0.40 m", AHEAD, right=0.40, front_right=0.7),
         FREE,
     ),
     (
-        situation("follows the wall at 0.25 m", (0.095, 0.0)),
-        situation("at 0.10 m", (0.095, 0.0), right=0.10),
+        MIDWAY,
+        situation("at 0.10 m", AHEAD, right=0.10),
     ),
     (ALONG, situation("curves beside the wall, by 0.06 m", (0.06, 0.0))),
     (
-        situation("follows the wall past a box on its left", (0.095, 0.0), left=0.1),
+        situation("follows the wall past a box on its left", AHEAD, left=0.1),
         STANDS,
     ),
     (STANDS, SCRAPES),

@@ -1,13 +1,11 @@
 """The figures of lesson 17 on planning: robots in cells walk, what they know of the way, and what thinking saves."""
 
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
-from PIL import Image
 
 from rlrobot_course.figures.plots import (
     BLACK,
@@ -15,7 +13,12 @@ from rlrobot_course.figures.plots import (
     CURVES,
     ROLE,
     Picture,
+    centred,
     chart,
+    draw_arrow,
+    draw_lattice,
+    film_of,
+    in_panels,
     name_rows,
     plain,
 )
@@ -30,29 +33,19 @@ from rlrobot_course.lesson_17.cells import (
 )
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import FEW_COLOURS
+from rlrobot_edu.show.picture import image_of
 
 
-def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) -> None:
-    """The cells, row 0 on top, with walls, start and goal. shades: array (rows, columns), nan or 0 to `most`."""
-    rows, columns = SHAPE
-    ax.set(
-        xlim=(-0.5, columns - 0.5),
-        ylim=(rows - 0.5, -0.5),
-        aspect="equal",
-        xticks=[],
-        yticks=[],
-    )
-    ax.set_xticks(np.arange(columns) - 0.5, minor=True)
-    ax.set_yticks(np.arange(rows) - 0.5, minor=True)
-    ax.grid(which="minor", alpha=0.4)
-    ax.tick_params(which="both", length=0)
+def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
+    """The cells, row 0 on top, with walls, start and goal. shades: array (rows, columns), nan or 0 to 1."""
+    draw_lattice(ax, SHAPE)
+    ax.set(xticks=[], yticks=[])
     if shades is not None:
         ax.imshow(
             np.ma.masked_invalid(shades),
             cmap="Blues",
             vmin=0,
-            vmax=1.6 * most,
+            vmax=1.6,
             zorder=0,
         )
     for row, column in WALLS:
@@ -67,7 +60,7 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) ->
             )
         )
     for (row, column), word in ((START, "start"), (GOAL, "goal")):
-        ax.text(column, row + 0.36, word, ha="center", va="center", color=BLACK)
+        centred(ax, column, row + 0.36, word, color=BLACK)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,27 +102,8 @@ class Walks(Displayed):
                 ax.set_title(
                     plain(f"{name}\nstep {k}, arrivals: {ends.sum()}"), fontsize=10
                 )
-            shots.append(Image.open(io.BytesIO(figure.png())).convert("RGB"))
-        palette = shots[-1].quantize(64, FEW_COLOURS)
-        first, *rest = (
-            shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots
-        )
-        buffer, times = (
-            io.BytesIO(),
-            [200] * len(rest) + [3000],
-        )  # how long each stays [ms]
-        first.save(
-            buffer,
-            "GIF",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=times,
-            optimize=True,
-        )
-        return Still(
-            repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif"
-        )
+            shots.append(image_of(figure.png()))
+        return film_of(repr(self), shots, 64, 200)
 
 
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
@@ -138,18 +112,14 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
     tables: title of a panel -> Q, array (35, 4)
     """
     figure, told = Picture(figsize=(3.4 * len(tables), 3.1)), []
-    for ax, (title, q) in zip(
-        figure.subplots(1, len(tables), squeeze=False)[0], tables.items(), strict=True
-    ):
+    for ax, title, q in in_panels(figure, tables):
         values = q.max(axis=1).reshape(SHAPE)
         draw_cells(ax, np.where(values > 0, values, np.nan))
         for cell in np.argwhere(values > 0).tolist():
             down, right = MOVES[int(q[number((cell[0], cell[1]))].argmax())]
-            ax.annotate(
-                "", (cell[1] + 0.27 * right, cell[0] - 0.1 + 0.27 * down),
-                (cell[1] - 0.27 * right, cell[0] - 0.1 - 0.27 * down),
-                arrowprops={"arrowstyle": "-|>", "color": BLACK, "linewidth": 1.3, "shrinkA": 0, "shrinkB": 0},
-            )  # fmt: skip
+            tail = (cell[1] - 0.27 * right, cell[0] - 0.1 - 0.27 * down)
+            head = (cell[1] + 0.27 * right, cell[0] - 0.1 + 0.27 * down)
+            draw_arrow(ax, tail, head, BLACK, 1.3)
         way = best_way(q)
         leads = (
             f"the way from the start takes {len(way) - 1}"
@@ -197,20 +167,11 @@ def plot_order(firsts: Mapping[str, np.ndarray]) -> Picture:
     firsts: title of a panel -> array (35,), -1 where nothing was learned
     """
     figure, told = Picture(figsize=(3.9 * len(firsts), 3.3)), []
-    for ax, (title, first) in zip(
-        figure.subplots(1, len(firsts), squeeze=False)[0], firsts.items(), strict=True
-    ):
+    for ax, title, first in in_panels(figure, firsts):
         grid, last = first.reshape(SHAPE), max(int(first.max()), 1)
         draw_cells(ax, np.where(grid >= 0, 1 - 0.9 * grid / last, np.nan))
         for row, column in np.argwhere(grid >= 0).tolist():
-            ax.text(
-                column,
-                row - 0.08,
-                str(grid[row, column]),
-                ha="center",
-                va="center",
-                color=BLACK,
-            )
+            centred(ax, column, row - 0.08, str(grid[row, column]), color=BLACK)
         known = np.sort(first[first >= 0])
         told.append(
             f"{title}: {len(known)} cells have learned something, by thought {', '.join(map(str, known))}"

@@ -7,7 +7,15 @@ from typing import Any
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from rlrobot_course.figures.plots import BLACK, BLUE, GREY, SKY, VERMILION, Picture
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    GREY,
+    SKY,
+    VERMILION,
+    Picture,
+    legend_below,
+)
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_ros.live.rosbridge import Rosbridge
@@ -100,6 +108,6 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     ax.set_rlabel_position(22)
     ax.yaxis.set_major_locator(MaxNLocator(4))
     ax.set_xlabel("direction, and distance from the scanner (m)")
-    figure.legend(loc="outside lower center", ncols=2)
+    legend_below(figure, 2)
     figure.alt = f"A scan of {len(ranges)} rays all round the robot, and eight lasers made of it: {'; '.join(told)}."
     return figure

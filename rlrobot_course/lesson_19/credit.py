@@ -16,8 +16,6 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.step import NO_ACTION
 from rlrobot_edu.learning.traces import forget
 
-MOST_NUMBERS = 50_000_000  # 400 MB
-
 
 class Credit:
     """What each Q(s, a) is made of: a share of each reward.

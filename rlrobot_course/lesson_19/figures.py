@@ -3,9 +3,17 @@
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch
 
-from rlrobot_course.figures.plots import BLUE, VERMILION, Picture
+from rlrobot_course.figures.plots import (
+    BLUE,
+    VERMILION,
+    Picture,
+    centred,
+    draw_weight,
+    in_panels,
+    legend_below,
+)
 from rlrobot_edu import Agent
 from rlrobot_edu.learning.loop import Step
 
@@ -47,24 +55,12 @@ def plot_shares(
     picture.alt = f"What step {t}, which paid {r}, has paid of each value. {'; '.join(told)}.".replace(
         "-", "−"
     )
-    for ax, (lam, paid) in zip(
-        picture.subplots(1, len(maps), sharey=True, squeeze=False)[0],
-        maps.items(),
-        strict=True,
-    ):
+    for ax, lam, paid in in_panels(picture, maps, sharey=True):
         for (row, a), share in np.ndenumerate(paid[states]):
-            colour, opacity = (
-                (BLUE if share > 0 else VERMILION),
-                0.1 + 0.6 * np.sqrt(abs(share) / most),
-            )
             if share:
-                ax.add_patch(
-                    Rectangle(
-                        (a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity
-                    )
-                )
+                draw_weight(ax, a, row, share, most)
             text = f"{share:.2g}".replace("-", "−") if share else "·"
-            ax.text(a, row, text, ha="center", va="center", fontsize=8)
+            centred(ax, a, row, text, fontsize=8)
         ax.set(
             title=f"λ = {lam:g}",
             xlabel="action",
@@ -79,5 +75,5 @@ def plot_shares(
     seen = [BLUE] * any((paid > 0).any() for paid in maps.values())
     seen += [VERMILION] * any((paid < 0).any() for paid in maps.values())
     key = [Patch(color=colour, alpha=0.5, label=told_by[colour]) for colour in seen]
-    picture.legend(handles=key, loc="outside lower center", ncols=2)
+    legend_below(picture, 2, handles=key)
     return picture

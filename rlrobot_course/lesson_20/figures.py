@@ -10,6 +10,7 @@ from rlrobot_course.figures.plots import (
     VERMILION,
     Picture,
     chart,
+    legend_below,
     name_rows,
     plain,
 )
@@ -89,6 +90,6 @@ def plot_worth(worth: Mapping[str, Mapping[str, float]], title: str) -> Picture:
     ax.axvline(0, color="#505050", linewidth=1)
     name_rows(ax, list(worth))
     ax.margins(x=0.12)
-    figure.legend(loc="outside lower center", ncols=len(pupils))
+    legend_below(figure, len(pupils))
     figure.alt = f"Bars, the mean value in the steps of each lesson. {'; '.join(told)}."
     return figure

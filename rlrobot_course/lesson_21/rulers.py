@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLACK, CURVES, GREY, Picture, plain
+from rlrobot_course.figures.plots import BLACK, CURVES, GREY, Picture, centred, plain
 from rlrobot_course.lesson_21.bins import edges
 from rlrobot_edu.task.task_file import load_task
 
@@ -39,19 +39,10 @@ def plot_rulers(
                 alpha=0.35,
                 edgecolor=BLACK,
             )
-            ax.text(
-                (left + right) / 2, y, str(i), ha="center", va="center", color=BLACK
-            )
+            centred(ax, (left + right) / 2, y, str(i), color=BLACK)
         middles.append((ends[:-1] + ends[1:]) / 2)
         for edge in ruler[1:-1]:
-            ax.text(
-                edge,
-                y + (0.2 if y else -0.2),
-                f"{edge:g}",
-                ha="center",
-                va="center",
-                color=BLACK,
-            )
+            centred(ax, edge, y + (0.2 if y else -0.2), f"{edge:g}", color=BLACK)
     for i, row in enumerate(shares):
         for k, share in enumerate(row):
             if share > 0:
@@ -65,8 +56,19 @@ def plot_rulers(
                 )
                 at = 0.62 if share > 0.5 else 0.42
                 x = ends[1] + (ends[0] - ends[1]) * (at - 0.12) / 0.76
-                ax.text(x, at, f"{share:.2f}".rstrip("0").rstrip("."), ha="center", va="center", color=BLACK,
-                        bbox={"facecolor": "white", "edgecolor": GREY, "pad": 1.5, "linewidth": 0.5})  # fmt: skip
+                centred(
+                    ax,
+                    x,
+                    at,
+                    f"{share:.2f}".rstrip("0").rstrip("."),
+                    color=BLACK,
+                    bbox={
+                        "facecolor": "white",
+                        "edgecolor": GREY,
+                        "pad": 1.5,
+                        "linewidth": 0.5,
+                    },
+                )
         told.append(
             f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}"
         )
@@ -83,6 +85,6 @@ def plot_rulers(
     return figure
 
 
-def edges_of(task: str, name: str = "laser_front") -> list[float]:
-    """The edges of an input's bins [m], with the ends of what its sensor can read."""
-    return edges(next(v for v in load_task(task).inputs if v.name == name))
+def edges_of(task: str) -> list[float]:
+    """The edges of the front laser's bins [m], with the ends of what its sensor can read."""
+    return edges(next(v for v in load_task(task).inputs if v.name == "laser_front"))

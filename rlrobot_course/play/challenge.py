@@ -5,8 +5,6 @@ robots that nobody has watched, with its 95 % interval. Beside it stand landmark
 computes.
 """
 
-import csv
-import importlib
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,9 +16,10 @@ import numpy as np
 
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
+from rlrobot_course.play.report import rows_of
 from rlrobot_course.worlds.tapes import draw
+from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.size import Env
 from rlrobot_grading.answers.limits import attempt
 from rlrobot_grading.answers.notebook import is_notebook
 from rlrobot_grading.answers.source import is_unfinished, uses_chance
@@ -105,7 +104,7 @@ class Challenge:
 
     def _keep(self, score: Score) -> tuple[Score, str]:
         """The better of this score and the learner's best so far, which is kept; and what is to be said of its file."""
-        best = best_scores().get(self.lesson, score)
+        best = entries(FILE, score_of).get(self.lesson, score)
         best = min(best, score) if self.least_wins else max(best, score)
         return best, enter(FILE, self.lesson, best, score_of)
 
@@ -181,57 +180,39 @@ def array(
     return read
 
 
-Choose = Callable[[int, int, np.ndarray], np.ndarray]
+Choose = Callable[[Agent, int, int, np.ndarray], np.ndarray]
 
 
-def rewards_of(
-    agent: Agent, env: Env, choose: Choose, steps: int, seed: int
-) -> np.ndarray:
-    """The rewards, array (steps,), of an agent that chooses in another way, and is never put back to its start.
+def mean_reward(choose: Choose, steps: int, seed: int) -> float:
+    """The reward a step of a robot that learns wander_1k by Q-learning, chooses in its own way, and goes on for ever.
 
-    choose(s, t, tries) -> probabilities in state s at step t; tries: array like q, how often each pair was tried
+    choose(agent, s, t, tries) -> probabilities in state s at step t; tries: array like q, how often each pair was tried
     """
-    rng, rewards, tries = (
-        np.random.default_rng(seed),
-        [],
-        np.zeros(agent.q.shape, dtype=int),
-    )
+    agent = Agent("wander_1k", "Q+SR", seed=seed)
+    env = make_env("wander_1k", seed=seed)
+    rng, rewards = np.random.default_rng(seed), []
+    tries = np.zeros(agent.q.shape, dtype=int)
     s = env.reset()[1]["state"]
-    a = draw(choose(s, 0, tries), rng.random())
+    a = draw(choose(agent, s, 0, tries), rng.random())
     for t in range(steps):
         _, r, terminated, _, info = env.step(a)
         s_next = info["state"]
-        a_next = draw(choose(s_next, t + 1, tries), rng.random())
+        a_next = draw(choose(agent, s_next, t + 1, tries), rng.random())
         tries[s, a] += 1
         agent.update(s, a, float(r), s_next, a_next, terminated)
         rewards.append(float(r))
         s, a = s_next, a_next
-    return np.array(rewards)
+    return float(np.mean(rewards))
 
 
 @cache
 def landmarks() -> dict[str, dict[str, Score]]:
     """By lesson, what known answers score; the first one does nothing or acts by chance, the last is the best known."""
     known: dict[str, dict[str, Score]] = {}
-    with LANDMARKS.open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            known.setdefault(row["lesson"], {})[row["landmark"]] = Score(
-                float(row["mean"]), float(row["half"])
-            )
+    for row in rows_of(LANDMARKS):
+        score = score_of((row["mean"], row["half"]))
+        known.setdefault(row["lesson"], {})[row["landmark"]] = score
     return known
-
-
-def challenge_of(lesson: str) -> Challenge:
-    """The challenge of a lesson."""
-    found: Challenge = importlib.import_module(
-        f"rlrobot_course.lesson_{lesson}.challenge"
-    ).challenge
-    return found
-
-
-def best_scores(folder: str | Path = ".") -> dict[str, Score]:
-    """By lesson, the learner's best score; without those that cannot be read."""
-    return entries(Path(folder, FILE), score_of)
 
 
 def score_of(entry: Any) -> Score:

@@ -1,6 +1,5 @@
 """One robot, one scoreboard: what the learner's code so far earns on the robot that walls hold, lesson by lesson."""
 
-import csv
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -8,10 +7,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_course.figures.plots import BLUE, GREY, SKY, Picture, chart, plain
+from rlrobot_course.figures.plots import (
+    BLUE,
+    GREY,
+    SKY,
+    Picture,
+    chart,
+    legend_below,
+    plain,
+)
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
 from rlrobot_course.play.challenge import Score, score_of
+from rlrobot_course.play.report import rows_of
 from rlrobot_course.worlds.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.progress import progress_bar
@@ -51,7 +59,6 @@ def scoreboard(
     lesson: str,
     learn: Callable[[ShortWorld, int], object],
     owner: str,
-    robots: int = IN_TIME,
 ) -> Picture:
     """Let sixteen robots learn for an hour by a lesson's code, and show its bar beside those of the lessons before.
 
@@ -59,8 +66,7 @@ def scoreboard(
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
     owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for
-        the later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
-        the score of fewer than sixteen is not kept
+        the later lessons, in a notebook and beside it; in a browser only four robots learn, whose score is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
@@ -69,7 +75,7 @@ def scoreboard(
         raise ValueError(
             f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(library_bars())}"
         )
-    score = Score(*mean_and_half(earned(learn, robots)))
+    score = Score(*mean_and_half(earned(learn, IN_TIME)))
     if is_notebook():
         kept = entries(FILE, score_of)
         bars |= {
@@ -79,13 +85,13 @@ def scoreboard(
         }
         if (
             owner == "your"
-            and robots == ROBOTS
+            and IN_TIME == ROBOTS
             and (told := enter(FILE, lesson, score, score_of))
         ):
             print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
-    title = f"Lesson {lesson}: {score} a step" + f" ({robots} robots)" * (
-        robots < ROBOTS
+    title = f"Lesson {lesson}: {score} a step" + f" ({IN_TIME} robots)" * (
+        IN_TIME < ROBOTS
     )
     for before in [AGAINST.get(lesson, one) for one in [*bars][-2:-1]]:
         more, clear = (
@@ -123,15 +129,10 @@ def earned(
 
 def library_bars(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
     """By lesson, the bar of the library's agents. robot: "held", by walls, or "ideal"; robots: how many of the study"""
-    with GIVEN.open(encoding="utf-8", newline="") as file:
-        rows = [
-            row
-            for row in csv.DictReader(file)
-            if (row["robot"], row["robots"]) == (robot, str(robots))
-        ]
     return {
         row["lesson"]: Bar(row["label"], score_of((row["mean"], row["half"])))
-        for row in rows
+        for row in rows_of(GIVEN)
+        if (row["robot"], row["robots"]) == (robot, str(robots))
     }
 
 
@@ -167,6 +168,6 @@ def plot_bars(bars: Mapping[str, Bar], title: str) -> Picture:
     ax.set_xticks(range(len(bars)), names)
     ax.set_xlim(-0.6, max(len(bars), 4) - 0.4)
     ax.margins(y=0.12)
-    figure.legend(loc="outside lower center", ncols=3)
+    legend_below(figure, 3)
     figure.alt = f"What {ROBOTS} robots earn a step in their first hour, means with 95 % intervals: {'; '.join(told)}."
     return figure

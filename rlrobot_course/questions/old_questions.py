@@ -13,6 +13,7 @@ import ipywidgets
 import numpy as np
 
 from rlrobot_course.questions.prediction import ASKED, Prediction, kept
+from rlrobot_edu.show.display import Displayed
 
 DISTANCES = (1, 3, 6, 2, 4, 5)  # lessons back; the first three that there are
 
@@ -113,7 +114,7 @@ class _Asked(Prediction):
         return f"✗ It is “{right}”. {escape(self.about.why)} Look again in lesson {self.about.at}."
 
 
-class OldQuestions:
+class OldQuestions(Displayed):
     """The three old questions of a lesson: buttons in a notebook, plain text on a page that is not running.
 
     lesson: the number of the lesson that asks, "05"; the answers are kept in `my_old_questions.json`
@@ -124,20 +125,14 @@ class OldQuestions:
             _Asked(question, lesson)
             for question in due(lesson, latest_answers(before=lesson))
         ]
+        self.widget = ipywidgets.VBox([one.widget for one in self.asked])
 
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.asked))
 
-    def _repr_mimebundle_(
-        self, include: object = None, exclude: object = None
-    ) -> dict[str, object]:
-        widget = ipywidgets.VBox([one.widget for one in self.asked])
-        page = "".join(one._repr_html_() for one in self.asked)
-        return {
-            **widget._repr_mimebundle_(),
-            "text/plain": repr(self),
-            "text/html": page,
-        }
+    def _as_html(self) -> str:
+        """The questions and their answers, on a page that is not running."""
+        return "".join(one._as_html() for one in self.asked)
 
 
 def latest_answers(folder: str | Path = ".", before: str = "99") -> dict[str, str]:

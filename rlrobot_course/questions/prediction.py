@@ -8,6 +8,7 @@ from pathlib import Path
 import ipywidgets
 
 from rlrobot_course.learner.learners_files import enter, entries
+from rlrobot_edu.show.display import Displayed
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_grading.answers.notebook import is_notebook
 from rlrobot_grading.exercises.verdict import CARD, Verdict
@@ -17,7 +18,7 @@ ASKED = tomllib.loads(
 )  # in all lessons
 
 
-class Prediction:
+class Prediction(Displayed):
     """A question about what comes next, with a button for each of a few answers.
 
     name: the number of the lesson and a word, "03 turn"; under it the answer is kept in `my_predictions.json`, beside
@@ -95,21 +96,13 @@ class Prediction:
         answers = "".join(f"\n  ○ {answer}" for answer in self.answers)
         return f"{self._headline().rstrip('.')}: {self.question}{answers}"
 
-    def _repr_html_(self) -> str:
+    def _as_html(self) -> str:
+        """The question and its answers, on a page that is not running."""
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
         return self._card(f"<ul>{answers}</ul>")
 
     def _card(self, more: str = "") -> str:
         return f'<div style="{CARD.format(colour=BLUE)}"><b>{self._headline()}</b> {escape(self.question)}{more}</div>'
-
-    def _repr_mimebundle_(
-        self, include: object = None, exclude: object = None
-    ) -> dict[str, object]:
-        return {
-            **self.widget._repr_mimebundle_(),
-            "text/plain": repr(self),
-            "text/html": self._repr_html_(),
-        }
 
 
 def kept(file: str, folder: str | Path = ".") -> dict[str, str]:

@@ -43,7 +43,7 @@ class Places(NamedTuple):
 
 def places_of(task: Task, gripper: Gripper = the_gripper) -> Places:
     """Every place, found from the start by every action. gripper: the function of lesson 13's exercise."""
-    commands = [task.command_for(a) for a in range(task.actions.n)]
+    commands = task.commands
     numbers, angles, after = {HOME: 0}, [HOME], []
     for here in angles:  # grows meanwhile
         row = [turned(here, command, task.step_time) for command in commands]

@@ -2,6 +2,7 @@
 
 import functools
 import inspect
+from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
@@ -18,6 +19,11 @@ Q_START = np.array(
 )
 # Of another world, with two actions, and values with many digits.
 OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+
+# Of a world with two inputs, of two and three bins; so small that it is shown in full.
+SMALL = np.array(
+    [[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]]
+)
 
 _COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
 _STEPS = (
@@ -158,15 +164,23 @@ class PatientWorld(TapeWorld):
         return s_next, reward, terminated or self.t >= 6, truncated
 
 
-class Ranked:
-    """choose(q, s) without chance: the best action, or that of another rank, 0 for the worst."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
+class Choice:
+    """choose(q, s) without chance."""
 
     def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
         return self._action(*in_order("choose", self._action, arguments, by_name))
+
+    @abstractmethod
+    def _action(self, q: np.ndarray, s: int) -> int:
+        """The action that is chosen."""
+
+
+class Ranked(Choice):
+    """Chooses the best action, or that of another rank, 0 for the worst."""
+
+    def __init__(self, rank: int) -> None:
+        self.rank = rank
 
     def _action(self, q: np.ndarray, s: int) -> int:
         return int(q[s].argsort(kind="stable")[self.rank])
@@ -190,8 +204,8 @@ class Wavering(Ranked):
         return (super()._action(q, s) + int(1000 * q.sum())) % 3
 
 
-class Fickle:
-    """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
+class Fickle(Choice):
+    """Asked twice at the same moment it answers differently, so that asking again shows.
 
     world: the TapeWorld whose clock it reads
     """
@@ -207,10 +221,6 @@ class Fickle:
         return isinstance(
             other, Fickle
         )  # how often it was asked is judged by what follows from it
-
-    def __call__(self, *arguments: Any, **by_name: Any) -> int:
-        """An action. Raises TypeError for other arguments than (q, s)."""
-        return self._action(*in_order("choose", self._action, arguments, by_name))
 
     def _action(self, q: np.ndarray, s: int) -> int:
         """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
@@ -239,7 +249,7 @@ def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
 class RobotWorld:
     """A task's robot with the short interface of the course, which leaves out what a learner need not know.
 
-    task: its name; seed: of all that is random; rewards: list, those of all steps so far
+    task: its name; seed: of all that is random
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
@@ -249,7 +259,6 @@ class RobotWorld:
         self.shape: tuple[int, ...] = robot.task.states.shape
         self.n_actions: int = robot.task.actions.n
         self.r_max: float = robot.r_max
-        self.rewards: list[float] = []
 
     def __repr__(self) -> str:
         return f"the robot of {self.task}"
@@ -263,5 +272,4 @@ class RobotWorld:
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)
-        self.rewards.append(float(reward))
         return int(info["state"]), float(reward), terminated, truncated

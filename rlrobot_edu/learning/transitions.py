@@ -1,6 +1,7 @@
 """Transitions: the one record of experience that histories, kept repetitions and recordings share."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,11 @@ class Transitions(NamedTuple):
             np.zeros(n, dtype=np.bool_),
             np.zeros(n, dtype=np.bool_),
         )
+
+    @classmethod
+    def of_rows(cls, rows: Sequence[Sequence[Any]]) -> "Transitions":
+        """The columns of rows (s, a, r, s', terminated, truncated)."""
+        return cls(*(np.array(column) for column in zip(*rows, strict=True)))
 
     def part(self, rows: slice) -> "Transitions":
         """These rows, the same numbers and not copies."""

@@ -9,7 +9,7 @@ from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.size import Env, Size, can_end, task_of
+from rlrobot_edu.learning.size import Env, task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import (
@@ -22,7 +22,6 @@ from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
-MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
 DTYPES = {
     "r": np.float64,
     "terminated": np.bool_,
@@ -161,10 +160,8 @@ class Recording:
         return cls(*read_folder(folder, None if task is None else load_task(task)))
 
 
-def record(
-    agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None
-) -> Recording:
-    """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
+def record(agent: Agent, env: Env, steps: int) -> Recording:
+    """Let `agent` learn in `env` for a number of steps, and keep every transition.
 
     Parameters
     ----------
@@ -172,10 +169,8 @@ def record(
         The agent that acts; it learns while it is recorded.
     env : gymnasium.Env
         Where the agent acts, see `make_env`.
-    steps : int, optional
+    steps : int
         How many steps to record.
-    episodes : int, optional
-        How many whole episodes to record, instead of `steps`.
 
     Returns
     -------
@@ -185,28 +180,12 @@ def record(
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, if agent and environment do not fit, and for episodes
-        that never end, which shows after ten million steps where it is not known before.
+        If `steps` is below 1, or if agent and environment do not fit.
     KeyboardInterrupt
         After Ctrl-C, in one line; what was learned is kept, the recording is not.
     """
-    if (steps is None) == (episodes is None):
-        raise ValueError("give either steps or episodes")
-    check_count("steps", steps, or_none=True)
-    check_count("episodes", episodes, or_none=True)
-    loop.check_pair_of(agent, env)
-    if episodes and not (Size.of(env).episode_steps or time_limit(env) or can_end(env)):
-        raise ValueError(
-            "this environment goes on for ever, it has no episodes; give steps"
-        )
-
-    history = loop.learn(
-        agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False
-    )
-    if not steps and len(history) == MOST_STEPS:
-        raise ValueError(
-            f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps"
-        )
+    check_count("steps", steps)
+    history = loop.learn(agent, env, steps, keep=True, progress=False)
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
     acting = {

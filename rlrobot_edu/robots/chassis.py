@@ -42,6 +42,10 @@ class Chassis(NamedTuple):
             return "cylinder", (self.radius, BODY_HEIGHT)
         return "prism", (*chain.from_iterable(self.hull), BODY_HEIGHT)
 
+    def axle_at(self, x: float, y: float, theta: float) -> tuple[float, float]:
+        """Where the middle of the axle is [m] while the body's is at x, y [m] and looks in direction theta [rad]."""
+        return x + self.axle * math.cos(theta), y + self.axle * math.sin(theta)
+
     def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
         """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
         left, right = (wheels[wheel] for wheel in WHEELS)

@@ -14,13 +14,12 @@ from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.chassis import PIONEER, Chassis, laser_beams
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import SimulatedRobot
-from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
 
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
-_ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
 class MobileBase(SimulatedRobot):
@@ -91,7 +90,7 @@ class MobileBase(SimulatedRobot):
         self._outline.filter = _NOT_ITSELF
         self._space.add(self._body, self._outline)
         x, y, theta = self.arena.start
-        self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
+        self._body.position = self.chassis.axle_at(x, y, theta)
         self._body.angle = theta
         self._former = dict.fromkeys(WHEELS, 0.0)
 
@@ -194,7 +193,7 @@ class MobileBase(SimulatedRobot):
         chassis, half = self.chassis, self.chassis.wheel_separation / 2
         tyre = "cylinder", (chassis.wheel_radius, 0.04)
         left, right = (
-            pose(chassis.axle, y, chassis.wheel_radius) @ _ON_ITS_SIDE
+            pose(chassis.axle, y, chassis.wheel_radius) @ ON_ITS_SIDE
             for y in (half, -half)
         )
         return (

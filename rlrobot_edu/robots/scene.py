@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
+
 
 class Solid(NamedTuple):
     """One rigid body.

@@ -46,10 +46,14 @@ class Displayed:
         """The picture to keep; None where there is nothing to see yet."""
         return None
 
+    def _as_html(self) -> str:
+        """What a page shows that is not running: the still picture, or the thing in words."""
+        still = self.still()
+        return still.html if still else f"<p>{escape(repr(self))}</p>"
+
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """By kind of content, what IPython asks for; with it what Colab must know of a widget, where this is Colab."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
         data, metadata = live if isinstance(live, tuple) else (live, {})
-        html = still.html if (still := self.still()) else f"<p>{escape(repr(self))}</p>"
-        data = {**data, "text/plain": repr(self), "text/html": html}
+        data = {**data, "text/plain": repr(self), "text/html": self._as_html()}
         return (data, metadata) if metadata else data

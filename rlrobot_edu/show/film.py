@@ -1,7 +1,6 @@
 """A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
-import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,7 +15,7 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import FEW_COLOURS
+from rlrobot_edu.show.picture import gif_of
 from rlrobot_edu.show.top_down import Camera
 
 if TYPE_CHECKING:
@@ -56,6 +55,28 @@ class Film(Displayed):
         if not self.frames:
             raise ValueError("a film without steps shows nothing; film at least 1 step")
 
+    @classmethod
+    def of(cls, shots: Iterable[tuple[Scene, float]]) -> "Film":
+        """The film of some scenes, each with its reward.
+
+        Parameters
+        ----------
+        shots : iterable of (Scene, float)
+            What could be seen after each step, and the step's reward.
+
+        Returns
+        -------
+        Film
+            The film.
+
+        Raises
+        ------
+        ValueError
+            If there are no frames.
+        """
+        both = list(shots)
+        return cls([scene for scene, _ in both], [reward for _, reward in both])
+
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
@@ -70,21 +91,15 @@ class Film(Displayed):
         ]
 
     def _pictures(self) -> list[Image.Image]:
-        """Each frame from above, below its caption, in few colours."""
+        """Each frame from above, below its caption."""
         camera = Camera(self.frames[0], PIXELS)
         # dots make a film half as large as lines do
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
         shots = enumerate(zip(self.frames, self._captions(), strict=True), 1)
-        pictures = [
+        return [
             Image.fromarray(camera.frame(scene, text, path[:i]))
             for i, (scene, text) in shots
-        ]
-        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = pictures[-1].quantize(COLOURS, FEW_COLOURS)
-        return [
-            picture.quantize(palette=palette, dither=Image.Dither.NONE)
-            for picture in pictures
         ]
 
     def gif(self) -> bytes:
@@ -95,19 +110,7 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        first, *rest = self._pictures()
-        buffer = io.BytesIO()
-        duration = round(1000 * self.seconds_per_frame)
-        first.save(
-            buffer,
-            "GIF",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=duration,
-            optimize=True,
-        )
-        return buffer.getvalue()
+        return gif_of(self._pictures(), COLOURS, round(1000 * self.seconds_per_frame))
 
     def save(self, path: str | Path) -> None:
         """Write the film to an animated GIF. For a page on which it can be paused, see `show3d`.
@@ -182,7 +185,6 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
     check_count("steps", steps)
-    shots = [
+    return Film.of(
         (robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)
-    ]
-    return Film([scene for scene, _ in shots], [reward for _, reward in shots])
+    )

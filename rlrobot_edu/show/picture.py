@@ -1,6 +1,7 @@
 """Figures that also say in words what they show."""
 
 import io
+from collections.abc import Sequence
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -47,9 +48,39 @@ class Picture(Displayed, Figure):
 
     def still(self) -> Still:
         """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
-        fine = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB")
+        fine = image_of(self.png(2 * DPI))
         few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
         return Still(self.alt, png_of(few), round(DPI * self.get_figwidth()))
+
+
+def image_of(png: bytes) -> Image.Image:
+    """The image in a PNG file."""
+    return Image.open(io.BytesIO(png)).convert("RGB")
+
+
+def gif_of(
+    images: Sequence[Image.Image], colours: int, times: int | list[int]
+) -> bytes:
+    """Images as an animated GIF that plays for ever, in few colours; the same images give the same bytes.
+
+    times: how long each stays [ms], or one number for all
+    """
+    # one palette for all: what did not move keeps its colour, so only the changes are stored
+    palette = images[-1].quantize(colours, FEW_COLOURS)
+    first, *rest = (
+        image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images
+    )
+    buffer = io.BytesIO()
+    first.save(
+        buffer,
+        "GIF",
+        save_all=True,
+        append_images=rest,
+        loop=0,
+        duration=times,
+        optimize=True,
+    )
+    return buffer.getvalue()
 
 
 def png_of(image: Image.Image) -> bytes:

@@ -118,6 +118,11 @@ class ActionSpace:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
         return {v.name: v.values[i] for v, i in self._values(a)}
 
+    @property
+    def labels(self) -> list[str]:
+        """Each action in words, in their order."""
+        return [self.label(a) for a in range(self.n)]
+
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
         return ", ".join(

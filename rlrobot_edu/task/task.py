@@ -132,6 +132,17 @@ class Task:
         vars(self).update(states=states, actions=actions, rewards=rewards)
         vars(self).update(inputs=states.inputs, outputs=actions.outputs)
 
+    @property
+    def commands(self) -> list[dict[str, float]]:
+        """The robot's command for each action, in their order.
+
+        Raises
+        ------
+        ValueError
+            As `command_for`.
+        """
+        return [self.command_for(a) for a in range(self.actions.n)]
+
     def command_for(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`.
 

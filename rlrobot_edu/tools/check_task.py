@@ -213,7 +213,7 @@ def _odd_rewards(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
 
 
 def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
-    commands = [task.command_for(a) for a in range(task.actions.n)]
+    commands = task.commands
     for a, command in enumerate(commands):
         label = f"action {a} ({task.actions.label(a)})"
         if command in commands[:a]:

@@ -50,9 +50,6 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
         raise FileExistsError(
             f"{path} is there already; choose another name, or move it away"
         )
-    scenes = list(card.scenes)
-    if card.size:
-        scenes.append("a Drawing (from rlrobot_edu.task.drawing import Drawing)")
     template = "".join(
         (TEMPLATES / f"{part}.txt").read_text(encoding="utf-8")
         for part in ("head", robot)

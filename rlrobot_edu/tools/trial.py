@@ -75,9 +75,7 @@ class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
         read = dict(
             zip(self._info["readings"], map(tuple, spans.tolist()), strict=True)
         )
-        return Trial(
-            Transitions(*map(np.array, zip(*self._rows, strict=True))), moved, read
-        )
+        return Trial(Transitions.of_rows(self._rows), moved, read)
 
 
 def acting(task: Task, actions: list[int], seed: Seed) -> Trial:

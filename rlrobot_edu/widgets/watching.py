@@ -87,4 +87,4 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         view.widget.tell()
     else:
         display(view)  # a saved notebook keeps how it ended
-    return Film([scene for scene, _ in seen], [reward for _, reward in seen])
+    return Film.of(seen)

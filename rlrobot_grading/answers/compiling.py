@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from rlrobot_grading.answers.values import Function
 
-def uncompiled(answer: Callable[..., Any]) -> Callable[..., Any]:
+
+def uncompiled(answer: Function) -> Function:
     """The Python function that numba.njit was put on: of that, each line can be looked at."""
     is_numbas = type(answer).__module__.partition(".")[0] == "numba"
     return getattr(answer, "py_func", answer) if is_numbas else answer

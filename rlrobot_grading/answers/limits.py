@@ -23,7 +23,7 @@ import numpy as np
 from rlrobot_grading.answers.compiling import told_of_compiling, uncompiled
 from rlrobot_grading.answers.frames import told_by
 from rlrobot_grading.answers.notebook import shell
-from rlrobot_grading.answers.values import one_line, safely
+from rlrobot_grading.answers.values import Function, one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]
@@ -72,7 +72,7 @@ class Elsewhere:
 
 
 def attempt(
-    answer: Callable[..., Any], *arguments: Any, endless: bool = False
+    answer: Function, *arguments: Any, endless: bool = False
 ) -> tuple[Any, Failure | None, str]:
     """What a learner's function returns, what it raises, and what it prints.
 
@@ -98,7 +98,7 @@ def attempt(
         )
 
 
-def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
+def ended_in_time(answer: Function, *arguments: Any) -> Any:
     """What `answer` returns. Raises TooLong in it when it has computed for SECONDS.
 
     Python itself calls `look` at every line, so this works where there are neither signals nor threads; where it would
@@ -224,7 +224,7 @@ def exits_raised() -> Iterator[None]:
         del here.ask_exit
 
 
-def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
+def _failure(error: BaseException, answer: Function) -> Failure:
     file = getattr(getattr(answer, "__code__", None), "co_filename", None)
     frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
     last = max(

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import copy
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from rlrobot_grading.answers.limits import Failure, attempt
-from rlrobot_grading.answers.values import kept, safely, same
+from rlrobot_grading.answers.values import Function, kept, safely, same
 
 Case = Mapping[str, Any]  # the arguments of one call, by name
 
@@ -43,7 +43,7 @@ class Outcome:
 
 
 def cases_of(
-    right: Callable[..., Any],
+    right: Function,
     tape: Sequence[Case],
     memory: Case,
     returns: str,
@@ -66,7 +66,7 @@ def cases_of(
 
 
 def outcome_of(
-    answer: Callable[..., Any],
+    answer: Function,
     case: Case,
     names: Sequence[str],
     memory: Sequence[str],

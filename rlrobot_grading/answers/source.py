@@ -9,12 +9,13 @@ import linecache
 import re
 import textwrap
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from types import ModuleType
 from typing import Any
 
 from rlrobot_grading.answers.limits import Elsewhere
+from rlrobot_grading.answers.values import Function
 
 COURSES_OWN = "This is the course's own solution, or a function that calls it. Write your own: only that counts."
 CHANCE = {
@@ -29,9 +30,7 @@ CHANCE = {
 }
 
 
-def edited(
-    function: Callable[..., Any], changes: Mapping[str, str]
-) -> Callable[..., Any]:
+def edited(function: Function, changes: Mapping[str, str]) -> Function:
     """`function` with other text in its body: a new function that sees the same names.
 
     changes: what is written differently, {text in the body: text instead}; each is replaced wherever it occurs, all at
@@ -53,7 +52,7 @@ def edited(
     return made[function.__name__]  # type: ignore[no-any-return]
 
 
-def edited_body(function: Callable[..., Any], changes: Mapping[str, str]) -> str:
+def edited_body(function: Function, changes: Mapping[str, str]) -> str:
     """The text of that new function's body. Raises ValueError as `edited` does."""
     body = head_and_body(function)[1]
     for text in changes:
@@ -67,7 +66,7 @@ def edited_body(function: Callable[..., Any], changes: Mapping[str, str]) -> str
 
 
 @cache
-def head_and_body(function: Callable[..., Any]) -> tuple[str, str]:
+def head_and_body(function: Function) -> tuple[str, str]:
     """The source of a function: its first lines, up to the colon, and the rest."""
     source = textwrap.dedent(inspect.getsource(function))
     definition = ast.parse(source).body[0]
@@ -77,12 +76,12 @@ def head_and_body(function: Callable[..., Any]) -> tuple[str, str]:
     return "".join(lines[:first]), "".join(lines[first:])
 
 
-def tree_of(function: Callable[..., Any]) -> ast.Module:
+def tree_of(function: Function) -> ast.Module:
     """The source of a function, read by Python."""
     return ast.parse(textwrap.dedent(inspect.getsource(function)))
 
 
-def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
+def parameters(function: Function) -> tuple[str, ...]:
     """Names of the arguments that must be given, in their order."""
     known = inspect.signature(function).parameters.values()
     return tuple(
@@ -90,7 +89,7 @@ def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
     )
 
 
-def is_unfinished(answer: Callable[..., Any]) -> bool:
+def is_unfinished(answer: Function) -> bool:
     """Whether a function still has the dots that an exercise begins with, or nothing at all in it."""
     if isinstance(answer, Elsewhere):
         return answer.is_unfinished
@@ -104,7 +103,7 @@ def is_unfinished(answer: Callable[..., Any]) -> bool:
     )
 
 
-def _has_dots(answer: Callable[..., Any]) -> bool:
+def _has_dots(answer: Function) -> bool:
     """Whether three dots stand for something that is yet to be written; in an index, as q[..., a], they are NumPy's."""
     if ... not in answer.__code__.co_consts:
         return False
@@ -127,7 +126,7 @@ def _has_dots(answer: Callable[..., Any]) -> bool:
     )
 
 
-def is_courses_own(answer: Callable[..., Any], right: Callable[..., Any]) -> bool:
+def is_courses_own(answer: Function, right: Function) -> bool:
     """Whether an answer is the course's own function, or calls it, as far as can be read off."""
     names, called = (
         getattr(answer, "__globals__", {}),
@@ -147,15 +146,13 @@ def is_courses_own(answer: Callable[..., Any], right: Callable[..., Any]) -> boo
     )
 
 
-def names_of(answer: Callable[..., Any]) -> tuple[str, ...]:
+def names_of(answer: Function) -> tuple[str, ...]:
     """Names of the arguments and variables of a function."""
     code = getattr(answer, "__code__", None)
     return () if code is None else code.co_varnames
 
 
-def unused_arguments(
-    answer: Callable[..., Any], right: Callable[..., Any]
-) -> list[str]:
+def unused_arguments(answer: Function, right: Function) -> list[str]:
     """The arguments that `answer` never reads although `right` reads the ones in their places; by its own names."""
     mine, theirs = (_arguments_read(function) for function in (answer, right))
     return [
@@ -165,9 +162,7 @@ def unused_arguments(
     ]
 
 
-def names_from_outside(
-    answer: Callable[..., Any], right: Callable[..., Any]
-) -> list[str]:
+def names_from_outside(answer: Function, right: Function) -> list[str]:
     """The arguments of `right` that `answer` takes from the notebook, where it should take what it is given."""
     code = getattr(answer, "__code__", None)
     if code is None:
@@ -184,13 +179,13 @@ def names_from_outside(
     ]
 
 
-def uses_chance(answer: Callable[..., Any]) -> bool:
+def uses_chance(answer: Function) -> bool:
     """Whether a function names something that draws random numbers."""
     code = getattr(answer, "__code__", None)
     return code is not None and not CHANCE.isdisjoint(code.co_names)
 
 
-def _arguments_read(function: Callable[..., Any]) -> list[tuple[str, bool]]:
+def _arguments_read(function: Function) -> list[tuple[str, bool]]:
     code = getattr(function, "__code__", None)
     if code is None:
         return []

@@ -27,6 +27,7 @@ MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as 
 # and dict; their subclasses count as these
 CONTAINERS = (list, tuple, set, frozenset, deque)
 
+Function = Callable[..., Any]  # a learner's answer, the right one, or a wrong one
 T = TypeVar("T")
 
 

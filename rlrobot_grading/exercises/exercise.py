@@ -23,6 +23,7 @@ from rlrobot_grading.answers.source import (
 )
 from rlrobot_grading.answers.values import (
     MOST_SHOWN,
+    Function,
     differences,
     one_line,
     safely,
@@ -39,7 +40,7 @@ MOST_PAIRED = 20
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
-Keep = Callable[["Exercise", Callable[..., Any]], str]
+Keep = Callable[["Exercise", Function], str]
 
 
 @dataclass(frozen=True)
@@ -67,13 +68,13 @@ class Exercise:
     # whether all right answers return the same, so that a wrong one tells what it does
     is_exact: ClassVar[bool] = True
 
-    right: Callable[..., Any]
+    right: Function
     tape: Sequence[Case]
     task: str = ""
     mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
-    library: Callable[..., Any] | None = None
+    library: Function | None = None
     lenders: Mapping[str, str] = field(default_factory=dict)
     hints: Sequence[str] = ()
     gained: str = ""
@@ -119,7 +120,7 @@ class Exercise:
             return self._waits()
         return self._wrong(answer, got, wrong[0], len(wrong))
 
-    def share(self, answer: Callable[..., Any]) -> float:
+    def share(self, answer: Function) -> float:
         """The part of the cases in which `answer` does what is right."""
         pairs = zip(self.outcomes(answer), self.expected, strict=False)
         return sum(right.equals(mine) for mine, right in pairs) / len(self.tape)
@@ -134,7 +135,7 @@ class Exercise:
         return parameters(self.right)
 
     @cached_property
-    def wrong_functions(self) -> tuple[Callable[..., Any], ...]:
+    def wrong_functions(self) -> tuple[Function, ...]:
         """The function of each mistake."""
         wrong = [mistake.wrong for mistake in self.mistakes]
         return tuple(
@@ -160,13 +161,11 @@ class Exercise:
         return [self.outcome(right, case, endless=True) for case in self.cases]
 
     @cached_property
-    def _tried(self) -> dict[tuple[Callable[..., Any], int], Outcome]:
+    def _tried(self) -> dict[tuple[Function, int], Outcome]:
         """What came of a mistake in a case, as far as anybody has asked."""
         return {}
 
-    def mistaken(
-        self, function: Callable[..., Any], i: int, endless: bool = False
-    ) -> Outcome:
+    def mistaken(self, function: Function, i: int, endless: bool = False) -> Outcome:
         """What comes of a mistake in case `i`; it is tried once, when first asked for."""
         if (function, i) not in self._tried:
             self._tried[function, i] = self.outcome(function, self.cases[i], endless)
@@ -196,7 +195,7 @@ class Exercise:
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
 
-    def outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
+    def outcomes(self, answer: Function) -> list[Outcome]:
         """What `answer` does in every case; a function that does not end is tried no further."""
         outcomes: list[Outcome] = []
         begun = time.perf_counter()
@@ -213,9 +212,7 @@ class Exercise:
                 break
         return outcomes
 
-    def outcome(
-        self, answer: Callable[..., Any], case: Case, endless: bool = False
-    ) -> Outcome:
+    def outcome(self, answer: Function, case: Case, endless: bool = False) -> Outcome:
         """What `answer` does in a case; endless: whether it may take as long as it likes."""
         return outcome_of(
             answer, case, self.parameters, tuple(self.memory), self.returns, endless
@@ -223,7 +220,7 @@ class Exercise:
 
     def _wrong(
         self,
-        answer: Callable[..., Any],
+        answer: Function,
         got: Sequence[Outcome],
         first: int,
         n_wrong: int,
@@ -270,11 +267,11 @@ class Exercise:
         ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
-    def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
+    def hint_on(self, answer: Function, got: Sequence[Outcome]) -> Hint:
         """The hint for a wrong answer that has done this in the cases; empty where no detector knows one."""
         return find_hint(self.evidence(answer, got))
 
-    def evidence(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Evidence:
+    def evidence(self, answer: Function, got: Sequence[Outcome]) -> Evidence:
         """What the detectors are given of a wrong answer."""
         return Evidence(
             answer=answer,

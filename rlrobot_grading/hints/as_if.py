@@ -9,14 +9,14 @@ import re
 import textwrap
 import warnings
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import islice, product
 from types import FunctionType
 from typing import Any
 
 from rlrobot_grading.answers.source import names_of, parameters, tree_of
-from rlrobot_grading.answers.values import safely
+from rlrobot_grading.answers.values import Function, safely
 from rlrobot_grading.hints.changed import become, changed, made, quoted
 from rlrobot_grading.hints.evidence import Evidence
 from rlrobot_grading.hints.further_changes import (
@@ -64,8 +64,8 @@ def one_change(seen: Evidence) -> str:
 
 @cache
 def one_change_of(
-    right: Callable[..., Any],
-) -> list[tuple[int, str, Callable[..., Any]]]:
+    right: Function,
+) -> list[tuple[int, str, Function]]:
     """Each function that differs in one thing from `right`, or from a function that it calls; its kind, in words."""
     with warnings.catch_warnings():
         # of a number that is called, as there may be one among them
@@ -74,8 +74,8 @@ def one_change_of(
 
 
 def _changed(
-    right: Callable[..., Any],
-) -> Iterator[tuple[int, str, Callable[..., Any]]]:
+    right: Function,
+) -> Iterator[tuple[int, str, Function]]:
     source, names = textwrap.dedent(inspect.getsource(right)), parameters(right)
     local, compared = (
         right.__code__.co_varnames,
@@ -97,8 +97,8 @@ def _changed(
 
 
 def _changed_inside(
-    right: Callable[..., Any],
-) -> Iterator[tuple[int, str, Callable[..., Any]]]:
+    right: Function,
+) -> Iterator[tuple[int, str, Function]]:
     for name in right.__code__.co_names:
         inner = right.__globals__.get(name)
         if isinstance(inner, FunctionType) and inner.__module__ == right.__module__:
@@ -209,9 +209,7 @@ def _put(piece: str, terms: Mapping[str, str], known: set[str]) -> str:
     return ast.unparse(tree).splitlines()[0]
 
 
-def _set_alike(
-    right: Callable[..., Any], answer: Callable[..., Any], told: set[str]
-) -> dict[str, str]:
+def _set_alike(right: Function, answer: Function, told: set[str]) -> dict[str, str]:
     """Which variable of the answer is set in the ways in which one of the right function is, if only one is."""
     theirs, mine = (_ways(function, told) for function in (right, answer))
     ways, pairs = [*theirs.values(), *mine.values()], product(theirs, mine)
@@ -222,7 +220,7 @@ def _set_alike(
     }
 
 
-def _ways(function: Callable[..., Any], told: set[str]) -> dict[str, set[Any]]:
+def _ways(function: Function, told: set[str]) -> dict[str, set[Any]]:
     """How each variable is set: by which kind of statement, and as which of several."""
     ways: dict[str, set[Any]] = defaultdict(set)
     for node in ast.walk(tree_of(function)):
@@ -239,7 +237,7 @@ def _ways(function: Callable[..., Any], told: set[str]) -> dict[str, set[Any]]:
     return ways
 
 
-def _set_once(function: Callable[..., Any]) -> dict[str, str]:
+def _set_once(function: Function) -> dict[str, str]:
     """The variables of a function that are set in one place, and to what."""
     tree = tree_of(function)
     stored = [

@@ -12,6 +12,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from rlrobot_grading.answers.values import Function
+
 Change = tuple[str, str]  # in words, and the code that stands in place of a node
 
 # what is told with the code around it
@@ -67,7 +69,7 @@ def _around(node: ast.AST, parents: Mapping[ast.AST, ast.AST]) -> ast.AST:
     return around
 
 
-def made(tree: Any, right: Callable[..., Any]) -> Callable[..., Any]:
+def made(tree: Any, right: Function) -> Function:
     """The function in a tree, which sees what `right` sees. Its loops have an end: it then raises StopIteration."""
     for node in ast.walk(tree):
         if isinstance(node, ast.While | ast.For):

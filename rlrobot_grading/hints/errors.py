@@ -7,14 +7,14 @@ import difflib
 import math
 import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from rlrobot_grading.answers.limits import Failure
 from rlrobot_grading.answers.source import names_of, parameters
+from rlrobot_grading.answers.values import Function
 
 MEANINGS = tomllib.loads(
     Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
@@ -44,8 +44,8 @@ NUMPYS |= {
 
 def error_hint(
     failure: Failure,
-    answer: Callable[..., Any],
-    right: Callable[..., Any],
+    answer: Function,
+    right: Function,
     lenders: Mapping[str, str],
 ) -> str:
     """The likely cause of a failure, for the learner.
@@ -77,8 +77,8 @@ def error_hint(
 
 def _about_a_name(
     failure: Failure,
-    answer: Callable[..., Any],
-    right: Callable[..., Any],
+    answer: Function,
+    right: Function,
     lenders: Mapping[str, str],
 ) -> str:
     name = next(iter(re.findall(r"'(\w+)'", failure.text)), "")

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ast
 import copy
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ import numpy as np
 from rlrobot_grading.answers.limits import Elsewhere, attempt
 from rlrobot_grading.answers.replay import Case
 from rlrobot_grading.answers.source import tree_of
-from rlrobot_grading.answers.values import kept, safely, same, show
+from rlrobot_grading.answers.values import Function, kept, safely, same, show
 from rlrobot_grading.hints.evidence import Evidence
 
 MOST = 500  # calls that are noted
@@ -70,9 +69,7 @@ def _is_noted(thing: Any) -> bool:
     return callable(thing) or all(hasattr(thing, name) for name in WORLD)
 
 
-def _calls(
-    function: Callable[..., Any], case: Case, names: tuple[str, ...]
-) -> list[Call]:
+def _calls(function: Function, case: Case, names: tuple[str, ...]) -> list[Call]:
     """The calls that `function` makes in a case."""
     calls: list[Call] = []
     # together, for `choose` may look at the world's clock

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from rlrobot_grading.answers.replay import Case, Outcome
+from rlrobot_grading.answers.values import Function
 
 
 class Hint(NamedTuple):
@@ -17,7 +18,7 @@ class Hint(NamedTuple):
     text: str
 
 
-Known = tuple[Hint, Callable[..., Any]]  # a wrong function, and the hint for it
+Known = tuple[Hint, Function]  # a wrong function, and the hint for it
 
 
 @dataclass(frozen=True)
@@ -33,14 +34,14 @@ class Evidence:
     is_exact: whether all right answers return the same, so that a wrong one tells what it does
     """
 
-    answer: Callable[..., Any]
-    right: Callable[..., Any]
+    answer: Function
+    right: Function
     parameters: tuple[str, ...]
     cases: Sequence[Case]
     expected: Sequence[Outcome]
     got: Sequence[Outcome]
-    outcome: Callable[[Callable[..., Any], Case], Outcome]
-    mistaken: Callable[[Callable[..., Any], int, bool], Outcome]
+    outcome: Callable[[Function, Case], Outcome]
+    mistaken: Callable[[Function, int, bool], Outcome]
     mistakes: Sequence[Known]
     pairs: Callable[[], Sequence[Known]]
     memory: Mapping[str, Any]
@@ -54,7 +55,7 @@ class Evidence:
         pairs = zip(self.expected, self.got, strict=False)
         return [i for i, (right, mine) in enumerate(pairs) if not right.equals(mine)]
 
-    def shows(self, function: Callable[..., Any], endless: bool = False) -> bool:
+    def shows(self, function: Function, endless: bool = False) -> bool:
         """Whether the answer does in every case what `function` does. One case in which it fails is excused.
 
         endless: whether `function` may take as long as it likes, since it is known to end

@@ -6,13 +6,12 @@ import json
 import shutil
 import tempfile
 import time
-from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from rlrobot_grading.answers.source import COURSES_OWN
-from rlrobot_grading.answers.values import Unkept
+from rlrobot_grading.answers.values import Function, Unkept
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.exercises.verdict import Verdict
@@ -277,7 +276,7 @@ class Marking:
             self._outcomes.shares[name, place] = min(shares)
         return verdict
 
-    def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
+    def _on_both_tapes(self, name: str, answer: Function) -> Verdict:
         """The verdict on the notebook's tape, and if it is right there, on the secret one."""
         exercise = self._exercises[name]
         twin = self._twins[name]

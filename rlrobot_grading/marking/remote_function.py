@@ -12,7 +12,7 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_grading.answers.limits import Elsewhere, Failure, TooLong
-from rlrobot_grading.answers.values import one_line
+from rlrobot_grading.answers.values import Function, one_line
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.kernel import Kernel
 from rlrobot_grading.marking.serialization import change, read
@@ -27,7 +27,7 @@ def remote_function(
     name: str,
     seconds: Callable[[], float],
     is_unfinished: bool = False,
-    substitutes: Mapping[str, Callable[..., Any]] | None = None,
+    substitutes: Mapping[str, Function] | None = None,
 ) -> Elsewhere:
     """Return the answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
 

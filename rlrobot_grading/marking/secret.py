@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_grading.answers.values import Function
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.question import Question
 
@@ -36,7 +37,7 @@ def secret_twin(exercise: Exercise | Question, seed: int) -> Exercise | None:
     return twin
 
 
-def _shows(exercise: Exercise, wrong: Callable[..., Any]) -> bool:
+def _shows(exercise: Exercise, wrong: Function) -> bool:
     """Whether a mistake does something else than what is right in some case."""
     return any(
         not right.equals(exercise.mistaken(wrong, i))

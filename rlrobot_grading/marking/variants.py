@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 import tomllib
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import FunctionType
 from typing import Any
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_grading.answers.source import edited, head_and_body
-from rlrobot_grading.answers.values import safely
+from rlrobot_grading.answers.values import Function, safely
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.mistake import Mistake
 from rlrobot_grading.exercises.question import Question
@@ -62,7 +62,7 @@ def variant_of(course: Course, lesson: str, student: str) -> Variant:
         [zlib.crc32(text.lower().encode()) for text in (lesson, student)]
     )
     variant = Variant()
-    right: dict[str, Callable[..., Any]] = {}
+    right: dict[str, Function] = {}
     file = course.path / course.folder_of(lesson) / "variants.toml"
     differs = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
     for constant in differs.get("constant", ()):
@@ -101,11 +101,11 @@ def replaced(text: str, changes: Mapping[str, str]) -> str:
 def _with_constants(
     exercise: Exercise,
     changes: Mapping[str, str],
-    right: Mapping[str, Callable[..., Any]],
+    right: Mapping[str, Function],
 ) -> Exercise:
     """Return an exercise with other constants; `right`: the functions before it, which it may call."""
 
-    def changed(function: Callable[..., Any]) -> Callable[..., Any]:
+    def changed(function: Function) -> Function:
         body = safely("", lambda: head_and_body(function)[1])
         here = {old: new for old, new in changes.items() if old in body}
         if here:

@@ -38,6 +38,16 @@ ADDRESS = re.compile(r"wss?://[^\s/:]+:\d+(/\S*)?|wss?://\[[\da-fA-F:.]+\]:\d+(/
 
 log = logging.getLogger(__name__)
 log.addHandler(logging.NullHandler())  # `lost` says what is wrong, not the screen
+# of both ends of a connection; in a local network, compression takes longer than it saves
+OPTIONS: dict[str, Any] = {
+    "compression": None,
+    "open_timeout": OPEN_TIMEOUT,
+    "close_timeout": CLOSE_TIMEOUT,
+    "ping_interval": PING_INTERVAL,
+    "ping_timeout": PING_TIMEOUT,
+    "max_size": LARGEST_MESSAGE,
+    "logger": log,
+}
 
 
 class Rosbridge:
@@ -132,18 +142,7 @@ class Rosbridge:
 
 def _opened(address: str) -> Any:
     """An open websocket."""
-    # in a local network, compression takes longer than it saves
-    opening = connect(
-        address,
-        proxy=None,
-        compression=None,
-        open_timeout=OPEN_TIMEOUT,
-        close_timeout=CLOSE_TIMEOUT,
-        ping_interval=PING_INTERVAL,
-        ping_timeout=PING_TIMEOUT,
-        max_size=LARGEST_MESSAGE,
-        logger=log,
-    )
+    opening = connect(address, proxy=None, **OPTIONS)
     # all versions of websockets can open a connection for longer than a block in this way
     opened = ExitStack().enter_context(opening)
     # a sender does not wait for ever for a robot that takes nothing any more

@@ -15,11 +15,7 @@ from typing import Any, TypeVar
 # isort: split
 from rlrobot_ros.live.rosbridge import (  # first: it says if websockets is missing
     CLOSE_TIMEOUT,
-    LARGEST_MESSAGE,
-    OPEN_TIMEOUT,
-    PING_INTERVAL,
-    PING_TIMEOUT,
-    log,
+    OPTIONS,
 )
 
 # isort: split
@@ -86,19 +82,7 @@ class RosbridgeServer(contextlib.AbstractContextManager["RosbridgeServer"]):
 
     async def _open(self, port: int) -> Server:
         # no origin: a browser would say from which web page it comes
-        return await serve(
-            self._attend,
-            HOST,
-            port,
-            origins=[None],
-            compression=None,
-            open_timeout=OPEN_TIMEOUT,
-            close_timeout=CLOSE_TIMEOUT,
-            ping_interval=PING_INTERVAL,
-            ping_timeout=PING_TIMEOUT,
-            max_size=LARGEST_MESSAGE,
-            logger=log,
-        )
+        return await serve(self._attend, HOST, port, origins=[None], **OPTIONS)
 
     async def _end(self) -> None:
         self._server.close()

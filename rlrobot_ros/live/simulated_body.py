@@ -1,6 +1,5 @@
 """The simulated body of a served robot: it drives a tenth of a second at a time, and looks around with its scanner."""
 
-import math
 from pathlib import Path
 
 import numpy as np
@@ -51,11 +50,8 @@ class SimulatedBody:
     def pose(self) -> tuple[float, float, float]:
         """Where odometry says the point midway between its wheels is: x, y [m], theta [rad]."""
         readings = self._robot.readings
-        axle = self.chassis.axle
         theta = readings["theta"]
-        x = readings["x"] + axle * math.cos(theta)
-        y = readings["y"] + axle * math.sin(theta)
-        return x, y, theta
+        return *self.chassis.axle_at(readings["x"], readings["y"], theta), theta
 
     def look(self) -> list[float]:
         """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""

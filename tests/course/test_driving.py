@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_edu.task.task_file import available_tasks
 from rlrobot_edu.widgets.driving.keys import buttons_of, keys_of
@@ -26,7 +27,9 @@ def test_who_is_taught_by_an_agents_recording_knows_what_that_agent_learned(meth
         "FrozenLake-v1", is_slippery=False
     )  # its episodes end soon, in a hole
     acting = rl.Agent(env, method, loop_evasion=False, seed=1)
-    recording = rl.record(acting, env, episodes=30)
+    history = rl.learn(acting, env, episodes=30, keep=True, progress=False)
+    source = Source.of_env(env, history.rewards)
+    recording = rl.Recording(history.transitions, source)
     assert recording.terminated[-1], (
         "what is cut off would end with a choice of the agent's own"
     )

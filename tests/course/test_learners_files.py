@@ -15,6 +15,7 @@ from rlrobot_course.learner.my_functions import FILE, is_right, keep, take
 from rlrobot_course.learner.progress import show as show_progress
 from rlrobot_course.learner.sections import HEAD
 from rlrobot_course.lesson_03 import check, exercises
+from rlrobot_course.lesson_05 import challenge as lesson_05
 from rlrobot_course.play import challenge
 from rlrobot_course.questions import prediction
 
@@ -292,7 +293,7 @@ def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(
 def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     monkeypatch.chdir(tmp_path)
     (tmp_path / challenge.FILE).write_text(text)
-    mine = challenge.challenge_of("05")
+    mine = lesson_05.challenge
     best, told = mine._keep(challenge.Score(0.5, 0.1))
     now = json.loads((tmp_path / challenge.FILE).read_text())
     if text.startswith('{"05": [1'):

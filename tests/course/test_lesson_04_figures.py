@@ -44,17 +44,15 @@ def test_other_units_are_a_largest_reward_that_the_agent_is_told_wrong_or_nothin
 ):
     """Oracle: an agent in the task's own units, which is told the largest reward `factor` times too small, or right."""
     task = rl.load_task("wander_simple")
-    (in_units,) = learn_in_units(
-        task, factor, normalised, repetitions=1, steps=200, seed=3
-    )
+    (in_units,) = learn_in_units(task, factor, normalised, repetitions=1, steps=200)
     twin = rl.Agent(
         task,
         "Q+SR",
-        seed=3,
+        seed=0,
         loop_evasion=False,
         r_max=max(task.rewards) / (1 if normalised else factor),
     )
-    rewards = rl.learn(twin, rl.make_env(task, seed=3), 200, progress=False).rewards
+    rewards = rl.learn(twin, rl.make_env(task, seed=0), 200, progress=False).rewards
     assert np.array_equal(in_units.rewards, rewards) and np.array_equal(
         in_units.q, twin.q * factor
     )

@@ -34,7 +34,7 @@ from rlrobot_edu.widgets.stepper.tape import Tape
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
     env = RandomWorld(p_end=p_end)
     agent = rl.Agent(env, method, seed=1, **settings)
-    return Tape(agent, env, StateView(Names(agent, env, None)), length)
+    return Tape(agent, env, StateView(Names(agent, env)), length)
 
 
 def stepper_of(
@@ -129,10 +129,6 @@ def test_the_page_shows_the_equation_of_the_step_with_symbols_above_the_numbers(
     (row,) = exact(view(stepper))
     assert evaluate(row)[1] == stepper._tape.q[step.s, step.a]
     (line,) = explain_update(stepper._tape.agent, stepper._tape.frame)
-    assert (
-        "".join(term.symbol for term in line)
-        == "Q(s, a)←Q(s, a)+α·(r+γ·max Q(s′, ·)−Q(s, a))"
-    )
     assert as_text(line).startswith(f"Q({step.s}, {step.a}) ← 0.00 + 0.1·(")
 
 
@@ -195,16 +191,9 @@ def test_a_world_without_a_robot_is_shown_by_its_state():
     assert stepper.picture().png()
 
 
-def test_a_sample_model_takes_its_words_from_the_task(wander_model):
-    env, task = rl.make_env(wander_model, seed=0), rl.load_task("wander_1k")
-    assert "laser_front_left" in view(
-        rl.Stepper(rl.Agent(wander_model, seed=0), env, task=task)
-    )
+def test_a_sample_model_without_words_shows_numbers(wander_model):
+    env = rl.make_env(wander_model, seed=0)
     assert "input 4" in view(rl.Stepper(rl.Agent(wander_model, seed=0), env))
-    with pytest.raises(ValueError, match="'worked_example' has states"):
-        rl.Stepper(
-            rl.Agent(wander_model, seed=0), env, task=rl.load_task("worked_example")
-        )
 
 
 def test_only_what_fits_is_shown_and_the_heading_says_so():
@@ -633,7 +622,7 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     np.testing.assert_allclose(np.array(looks)[:, :2], path_of(seen)[:, :2], atol=1e-3)
     assert all(solid.role != "wall" for solid in seen[0].solids)
     agent, env = stepper._tape.agent, rl.make_env("wander_1k", seed=0)
-    assert view_of(env, Names(agent, env, None)).heading == "The world from above"
+    assert view_of(env, Names(agent, env)).heading == "The world from above"
 
 
 def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episode():

@@ -16,14 +16,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.compiled_loop import make_run
 from rlrobot_edu.learning.memory import NOW, SETTINGS, new_memory
-from rlrobot_edu.learning.methods import SELECTIONS
+from rlrobot_edu.learning.methods import SELECTIONS, parse_method
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.models.sampling import begin, outcome
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
-from rlrobot_edu.widgets.javascript.program import program, program_of
+from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.playground.page import METHODS as IN_THE_PLAYGROUND
 from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
 
@@ -106,7 +109,19 @@ def test_the_playground_offers_only_what_these_tests_compare(method):
     assert method in METHODS
 
 
-text_of = cache(program_of)
+@cache
+def text_of(name):
+    """The kernels of a method: `select`, `learn_step`, `begin_episode`; and `run`, its loop in a sample model."""
+    method = parse_method(name)
+    step = make_step(method)
+    return program(
+        {
+            "select": step.select,
+            "learn_step": step.learn_step,
+            "begin_episode": begin_episode,
+            "run": make_run(method, begin, outcome),
+        }
+    )
 
 
 def memory_of(shape, n_actions, parameters):

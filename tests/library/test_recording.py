@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
@@ -258,30 +257,9 @@ def test_recording_an_agent_keeps_each_step_and_counts_episodes():
     assert (recording.step[recording.truncated] == 11).all()
 
 
-def test_recording_a_number_of_episodes_keeps_each_to_its_end():
-    env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
-    env.reset(seed=3)
-    recording = rl.record(rl.Agent(env, "Q+EG", seed=5), env, episodes=7)
-    assert recording.episode[-1] == 6
-    assert recording.terminated[-1] or recording.step[-1] == 11
-    env.reset(seed=3)
-    assert same(
-        rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=len(recording)), recording
-    )
-
-
-@pytest.mark.parametrize(
-    ("amount", "words"),
-    [
-        ({}, "either"),
-        ({"steps": 5, "episodes": 1}, "either"),
-        ({"steps": 0}, "at least 1"),
-        ({"episodes": 1}, "for ever"),
-    ],
-)
-def test_how_much_to_record_must_be_said_in_one_way(amount, words):
-    with pytest.raises(ValueError, match=words):
-        rl.record(rl.Agent("wander_simple"), rl.make_env("wander_simple"), **amount)
+def test_at_least_one_step_is_recorded():
+    with pytest.raises(ValueError, match="at least 1"):
+        rl.record(rl.Agent("wander_simple"), rl.make_env("wander_simple"), steps=0)
 
 
 def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
@@ -315,7 +293,6 @@ def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
     assert refusal("wander_1kk", FileNotFoundError).startswith(
         "wander_1kk: there is no such recording"
     )
-    assert "legacy=True" in refusal("file.npy", FileNotFoundError)
 
 
 @pytest.mark.parametrize(
@@ -722,143 +699,7 @@ def test_a_film_is_not_saved_as_what_its_name_does_not_say(tmp_path):
             film.save(tmp_path / f"other.{ending}")
 
 
-# --- episodes that never end ---
-
-
-def endless_worlds():
-    rows = make_recording().transitions._replace(terminated=np.zeros(6, bool))
-    model = rl.SampleModel.from_recording(
-        rl.Recording(rows, replace(SOURCE, episode_steps=None))
-    )
-    return {
-        "a task": rl.make_env("wander_simple", seed=0),
-        "a model": rl.make_env(model, seed=0),
-        "behind a wrapper": gymnasium.wrappers.OrderEnforcing(
-            rl.make_env("wander_simple", seed=0)
-        ),
-    }
-
-
-@pytest.mark.parametrize("world", endless_worlds())
-def test_episodes_that_never_end_are_refused_before_the_first_step(world):
-    env = endless_worlds()[world]
-    agent = rl.Agent(env.unwrapped.model if world == "a model" else "wander_simple")
-    with pytest.raises(ValueError, match="goes on for ever"):
-        rl.record(agent, env, episodes=1)
-    assert not agent.visits.any()
-
-
-def test_a_wrapper_that_ends_episodes_lets_them_be_recorded():
-    env = gymnasium.wrappers.TimeLimit(rl.make_env("wander_simple", seed=0), 20)
-    assert len(rl.record(rl.Agent("wander_simple"), env, episodes=3)) == 60
-
-
-def test_a_world_of_which_nobody_knew_that_it_never_ends_is_left_at_last(monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.models.recording.MOST_STEPS", 500)
-    world = RandomWorld(p_end=0.0)
-    with pytest.raises(ValueError, match="after 500 steps fewer episodes have ended"):
-        rl.record(rl.Agent(world), world, episodes=1)
-
-
-# --- the paper's own format ---
-
-
-def fortran(recording, order):
-    """The rows (s, a, s', r) of a recording in the paper's numbering, with the inputs in another order."""
-    states = recording.source.states
-    shape = [states.shape[i] for i in order]
-
-    def renumber(numbers):
-        bins = np.unravel_index(numbers, states.shape)
-        return np.ravel_multi_index([bins[i] for i in order], shape, order="F")
-
-    actions = np.unravel_index(recording.a, recording.source.actions.shape)
-    a = np.ravel_multi_index(actions, recording.source.actions.shape, order="F")
-    return np.column_stack(
-        [renumber(recording.s), a, renumber(recording.s_next), recording.r]
-    ).astype(float)
-
-
-@pytest.mark.parametrize(
-    ("inputs", "order"), [(None, [0, 1]), (["theta", "laser_front"], [1, 0])]
-)
-def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
-    recording = make_recording(200)
-    np.save(tmp_path / "old.npy", fortran(recording, order))
-    back = rl.read_recording(
-        tmp_path / "old.npy", legacy=True, task=TASK, inputs=inputs
-    )
-    assert all(
-        np.array_equal(getattr(back, name), getattr(recording, name))
-        for name in ("s", "a", "r", "s_next")
-    )
-    joins = back.s[1:] == back.s_next[:-1]
-    assert np.array_equal(np.diff(back.episode), ~joins) and not back.terminated.any()
-
-
-@pytest.mark.parametrize(
-    ("row", "column", "value", "expected"),
-    [
-        (3, 0, 6, "row 3: s is 6, expected a whole number from 0 to 5"),
-        (3, 1, 0.5, "row 3: a is 0.5, expected a whole number from 0 to 5"),
-        (3, 2, np.nan, "row 3: s_next is nan, expected a whole number from 0 to 5"),
-        (
-            3,
-            3,
-            np.nan,
-            "row 3: r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]",
-        ),
-    ],
-)
-def test_a_bad_row_of_the_papers_format_is_named(
-    tmp_path, row, column, value, expected
-):
-    table = fortran(make_recording(), [0, 1])
-    table[row, column] = value
-    np.save(tmp_path / "old.npy", table)
-    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
-    assert message.startswith(f"{tmp_path / 'old.npy'}, {expected}")
-
-
-@pytest.mark.parametrize(
-    "table",
-    [np.zeros((3, 5)), np.zeros(4), np.zeros((3, 4), complex), np.zeros((0, 4))],
-)
-def test_an_array_of_another_kind_is_refused(tmp_path, table):
-    np.save(tmp_path / "old.npy", table)
-    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
-    assert (
-        "expected one array of numbers with 4 columns (s, a, s', r)" in message
-        or "no rows" in message
-    )
-
-
-def test_a_damaged_file_and_a_pickle_are_refused_and_not_unpickled(tmp_path):
-    path = tmp_path / "old.npy"
-    np.save(path, fortran(make_recording(), [0, 1]))
-    whole = path.read_bytes()
-    for n in (0, 5, 40, len(whole) - 8):
-        path.write_bytes(whole[:n])
-        assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
-    np.save(path, np.array([[print, 1, 2, 3]], dtype=object), allow_pickle=True)
-    assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
-    np.savez(tmp_path / "old.npz", np.zeros((3, 4)))
-    assert "several arrays" in refusal(tmp_path / "old.npz", legacy=True, task=TASK)
-
-
-def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
-    np.save(tmp_path / "old.npy", fortran(make_recording(), [0, 1]))
-    assert "give task=" in refusal(tmp_path / "old.npy", legacy=True)
-    message = refusal(
-        tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"]
-    )
-    assert (
-        "inputs must be the task's in some order, ['laser_front', 'theta']" in message
-    )
-    assert "there is no such file" in refusal(
-        tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK
-    )
-    assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
+# --- the recording of the paper's authors ---
 
 
 def test_the_papers_own_recording_has_the_known_facts(vrep):

@@ -548,8 +548,8 @@ def test_whatever_json_a_client_says_the_server_serves_on():
 
 
 def test_who_does_not_read_holds_up_nobody_and_is_disconnected(monkeypatch):
-    monkeypatch.setattr(rosbridge_server, "PING_INTERVAL", 0.2)
-    monkeypatch.setattr(rosbridge_server, "PING_TIMEOUT", 0.5)
+    monkeypatch.setitem(rosbridge_server.OPTIONS, "ping_interval", 0.2)
+    monkeypatch.setitem(rosbridge_server.OPTIONS, "ping_timeout", 0.5)
     with (
         RosbridgeServer(0) as router,
         contextlib.closing(RawClient(router)) as raw,

@@ -108,6 +108,11 @@ def readings_of(
     return there | angles._asdict()
 
 
+def object_at(place: tuple[float, float, float]) -> Solid:
+    """The object, whose middle is at this place [m]."""
+    return Solid("object", "cylinder", OBJECT, pose(*place), "object")
+
+
 def scene_of(arm: Sequence[Solid]) -> Scene:
     """The table with its field, the object, and the arm, whose gripper leaves the path."""
     arm = [
@@ -117,8 +122,7 @@ def scene_of(arm: Sequence[Solid]) -> Scene:
     x_min, y_min, x_max, y_max = FIELD
     middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
     field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
-    thing = Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
-    return Scene((field, thing, *arm), np.empty((0, 2, 3)), TABLE)
+    return Scene((field, object_at(OBJECT_PLACE), *arm), np.empty((0, 2, 3)), TABLE)
 
 
 @cache

@@ -4,16 +4,15 @@ from collections.abc import Mapping, Sequence
 
 from rlrobot_edu.robots.arm.arm_body import (
     HOME,
-    OBJECT,
     OBJECT_PLACE,
     URDF,
     Angles,
+    object_at,
     readings_of,
 )
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
 PHYSICS_HZ = 60
@@ -77,9 +76,7 @@ class Arm(BulletRobot):
     def __init__(self, scene: str, step_time: float) -> None:
         simulation = BulletSimulation(PHYSICS_HZ)
         simulation.add_floor()  # the table's top
-        simulation.add(
-            Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
-        )
+        simulation.add(object_at(OBJECT_PLACE))
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
         joints = ArmJoints(simulation, body, OBJECT_PLACE, step_time)
         super().__init__(

@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from rlrobot_edu.robots.arm import bullet_arm as arm
-from rlrobot_edu.robots.arm.arm_body import OBJECT, URDF
+from rlrobot_edu.robots.arm.arm_body import URDF, object_at
 from rlrobot_edu.robots.arm.kinematic_manipulator import (
     MOUNT,
     OBJECT_PLACE,
@@ -16,7 +16,6 @@ from rlrobot_edu.robots.engines.bullet import mobile_base as bullet_base
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
-from rlrobot_edu.robots.scene import Solid, pose
 
 
 def joined_urdf() -> str:
@@ -43,9 +42,7 @@ class MobileManipulator(BulletRobot):
             KinematicBase(scene, step_time),
         )
         bullet_base.add_arena(simulation, level.arena)
-        simulation.add(
-            Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
-        )
+        simulation.add(object_at(OBJECT_PLACE))
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")

@@ -6,7 +6,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from rlrobot_edu.robots.arenas import TABLE_HEIGHT
-from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, Angles, readings_of, solids_of
+from rlrobot_edu.robots.arm.arm_body import (
+    HOME,
+    OBJECT,
+    Angles,
+    object_at,
+    readings_of,
+    solids_of,
+)
 from rlrobot_edu.robots.arm.kinematic_arm import gripper, turned
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.mobile_base import MobileBase
@@ -67,7 +74,7 @@ class KinematicManipulator(MobileBase):
         room = super().scene()
         return room._replace(
             solids=(
-                Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"),
+                object_at(OBJECT_PLACE),
                 *room.solids,
             )
         )

@@ -9,15 +9,13 @@ from itertools import pairwise
 import meshcat.geometry as g
 import numpy as np
 
-from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
 from rlrobot_edu.show.palette import ROLE
 
 Part = tuple[
     str, g.Geometry, g.Material, np.ndarray
 ]  # its name, and where it is in its solid's frame
-UPRIGHT = np.array(
-    [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]]
-)  # three.js's cylinders stand along y
+UPRIGHT = ON_ITS_SIDE  # three.js's cylinders stand along y
 DARK, METAL, RUBBER, FLOOR, GRID = "#24272c", "#a9b0b8", "#1b1c1e", "#d3cdbf", "#a39d90"
 WOOD, WHITE = "#c08b55", "#ffffff"
 FIELD, ASPECT = (

@@ -7,11 +7,12 @@ from pathlib import Path
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 OPTIONS = ("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+           "--window-size=585,378",
            "--force-device-scale-factor=2", "--force-prefers-reduced-motion")  # fmt: skip
 
 
-def photograph(page: str, width: int = 585, height: int = 378) -> bytes:
-    """A PNG of an HTML page, `width` by `height` pixels of a page, twice as fine.
+def photograph(page: str) -> bytes:
+    """A PNG of an HTML page, 585 by 378 pixels of a page, twice as fine.
 
     Raises RuntimeError where there is no Chromium, or where it makes no picture.
     """
@@ -23,11 +24,9 @@ def photograph(page: str, width: int = 585, height: int = 378) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         file, picture = Path(folder, "page.html"), Path(folder, "page.png")
         file.write_text(page, encoding="utf-8")
-        size = f"--window-size={width},{height}"
         command = [
             chromium,
             *OPTIONS,
-            size,
             f"--user-data-dir={folder}/profile",
             f"--screenshot={picture}",
         ]

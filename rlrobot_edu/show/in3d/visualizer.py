@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Sequence
 from contextlib import suppress
@@ -15,7 +14,6 @@ import meshcat as library
 import numpy as np
 from meshcat import geometry as g
 from meshcat.animation import Animation
-from PIL import Image
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.size import Env
@@ -28,7 +26,7 @@ from rlrobot_edu.show.in3d.page_widget import PageWidget
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import png_of
+from rlrobot_edu.show.picture import image_of, png_of
 from rlrobot_edu.show.top_down import plot_scene
 
 PIECE, PIECES = 20, 100  # steps in a piece of a live trail, and how many pieces stay
@@ -168,7 +166,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         """
         if os.environ.get("RLROBOT_EDU_STILLS") == "3d":
             with suppress(RuntimeError):
-                fine = Image.open(io.BytesIO(photograph(self.html))).convert("RGB")
+                fine = image_of(photograph(self.html))
                 return Still(self.text, png_of(fine.quantize(256)), fine.width // 2)
         return plot_scene(self._way).still()._replace(alt=self.text)
 

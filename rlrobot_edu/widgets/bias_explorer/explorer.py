@@ -9,6 +9,7 @@ import numpy as np
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
@@ -41,13 +42,11 @@ class BiasExplorer(Displayed):
         What is shown is the paper's bias, whatever selection such an agent has.
     state : int
         The state shown first.
-    temperature : float
-        Boltzmann temperature > 0.
 
     Raises
     ------
     ValueError
-        If task, tables and state do not fit together, or `temperature` is not above 0.
+        If task, tables and state do not fit together.
     FileNotFoundError
         If there is no such task file.
 
@@ -61,19 +60,13 @@ class BiasExplorer(Displayed):
         task: Task | str,
         tables: Mapping[str, np.ndarray | Agent],
         state: int = 0,
-        temperature: float = 1.0,
     ) -> None:
         self.task = load_task(task)
         marks_of(self.task)  # names a task that is too large
         values, self._scales = _read_tables(self.task, tables)
-        if not 0 < temperature < np.inf:
-            raise ValueError(
-                f"temperature must be a finite number above 0, got {temperature!r}"
-            )
         self.task.states.bins(state)  # names a state that does not exist
-        self.temperature = float(temperature)  # JSON knows no numbers of numpy's
         self.widget = ExplorerWidget(
-            about(self.task, values, self._scales, self.temperature), int(state)
+            about(self.task, values, self._scales, Parameters.temperature), int(state)
         )
 
     @property
@@ -97,7 +90,11 @@ class BiasExplorer(Displayed):
     def numbers(self) -> BiasNumbers:
         """Everything that is shown about the state."""
         return bias_numbers(
-            self.task, self.q, self.state, self._scales[self.table], self.temperature
+            self.task,
+            self.q,
+            self.state,
+            self._scales[self.table],
+            Parameters.temperature,
         )
 
     def save(self, path: str | Path) -> None:

@@ -26,7 +26,7 @@ def draw_bias(
     Up to the third they are those of the action that the bias favours; the fourth compares all actions.
     q: array (n_states, n_actions); marks: of each input, by name; stage: 1 to 4
     """
-    actions = [task.actions.label(a) for a in range(task.actions.n)]
+    actions = task.actions.labels
     best = int(numbers.bias.argmax())
     chosen = range(len(actions)) if stage == 4 else [best]
     block = 2.6 + sum(

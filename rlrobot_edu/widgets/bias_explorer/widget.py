@@ -65,7 +65,7 @@ def about(
     ]  # fmt: skip
     return {
         "shape": task.states.shape, "inputs": inputs, "states": states,
-        "actions": [task.actions.label(a) for a in range(task.actions.n)],
+        "actions": task.actions.labels,
         "temperature": temperature,
         "originals": [{"name": str(name), "q": q.tolist(), "scale": scales[name]} for name, q in tables.items()],
     }  # fmt: skip

@@ -40,7 +40,7 @@ def buttons_of(task: Task) -> list[Button]:
     On wheels a button stands where it takes the robot: ahead is up, left is left. The keys follow the buttons, row by
     row.
     """
-    commands = [task.command_for(a) for a in range(task.actions.n)]
+    commands = task.commands
     distinct = [a for a, command in enumerate(commands) if command not in commands[:a]]
     icons = (
         [wheel_icon(*commands[a].values()) for a in distinct]

@@ -102,9 +102,8 @@ class Pad(Displayed):
         """All that was driven. Raises ValueError before the first step."""
         if not self._rows:
             raise ValueError("nothing has been driven yet: press a button first")
-        transitions = Transitions(*map(np.array, zip(*self._rows, strict=True)))
         return Recording(
-            transitions,
+            Transitions.of_rows(self._rows),
             Source.of_task(self._task, method="by hand", **THIS_COMPUTER),
             self._task,
         )
@@ -114,7 +113,7 @@ class Pad(Displayed):
         """The last steps, at most 60, as a film. Raises ValueError before the first step."""
         if not self._driven:
             raise ValueError("nothing has been driven yet: press a button first")
-        return Film([scene for scene, _ in self._driven], [r for _, r in self._driven])
+        return Film.of(self._driven)
 
     @cached_property
     def widget(self) -> ipywidgets.HBox:

@@ -6,10 +6,6 @@ from itertools import count
 from typing import Any
 
 from rlrobot_edu.jit.dispatcher import borrowed
-from rlrobot_edu.learning.compiled_loop import make_run
-from rlrobot_edu.learning.methods import Method, parse_method
-from rlrobot_edu.learning.step import begin_episode, make_step
-from rlrobot_edu.models.sampling import begin, outcome
 from rlrobot_edu.widgets.javascript.translator import Translator
 from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 
@@ -78,16 +74,3 @@ def program(
     return "\n".join(
         ["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"]
     )
-
-
-def program_of(method: str | Method) -> str:
-    """The kernels of a method: ``select``, ``learn_step``, ``begin_episode``; and ``run``, its loop in a sample model.
-
-    Raises ValueError that lists the known methods, the nearest first; and as `program` does.
-    """
-    method = parse_method(method)
-    step = make_step(method)
-    return program({
-        "select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode,
-        "run": make_run(method, begin, outcome),
-    })  # fmt: skip

@@ -17,10 +17,10 @@ SHORTEST = -13  # sum of the rewards of the shortest way
 
 
 @cache
-def cliff_model(episode_steps: int = 500) -> SampleModel:
+def cliff_model() -> SampleModel:
     """Gymnasium's ``CliffWalking-v1``, copied from its table of outcomes into a model that learns compiled.
 
-    episode_steps: steps after which an episode is cut off; the original has no such limit
+    An episode is cut off after 500 steps; the original has no such limit.
     """
     env = gymnasium.make("CliffWalking-v1")
     pairs = [
@@ -43,7 +43,7 @@ def cliff_model(episode_steps: int = 500) -> SampleModel:
         cumulative=np.ones(len(pairs), dtype=np.int64),
         starts=np.array([START]),
         rewards=np.unique(r).astype(float),
-        episode_steps=episode_steps,
+        episode_steps=500,
     )
 
 

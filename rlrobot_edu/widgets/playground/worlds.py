@@ -28,7 +28,7 @@ def base_world(task: Task) -> World:
     chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
     twists, words = (
-        [chassis.twist(task.command_for(a)) for a in range(task.actions.n)],
+        [chassis.twist(command) for command in task.commands],
         _actions(task),
     )
     return _in_common(
@@ -43,8 +43,7 @@ def base_world(task: Task) -> World:
             {"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs
         ],
         "start": [
-            x + chassis.axle * math.cos(theta),
-            y + chassis.axle * math.sin(theta),
+            *chassis.axle_at(x, y, theta),
             theta,
         ],
         "bounds": arena.bounds,
@@ -174,7 +173,7 @@ def _in_words(one: Bin) -> str:
 
 def _actions(task: Task) -> World:
     """The actions in words, without the names of the outputs, which are above them."""
-    words = [task.actions.label(a) for a in range(task.actions.n)]
+    words = task.actions.labels
     for v in task.outputs:
         words = [label.replace(f"{v.name} ", "") for label in words]
     units = ", ".join(dict.fromkeys(v.unit for v in task.outputs if v.unit))

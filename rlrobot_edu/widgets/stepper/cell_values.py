@@ -42,7 +42,7 @@ class CellValues:
 
     def _around(self, task: Task, box: tuple[int, int]) -> list[Place]:
         """Each place in which the robot can be while the box stays where it is."""
-        commands, found = [task.command_for(a) for a in range(task.actions.n)], []
+        commands, found = task.commands, []
         for x, y in CELLS:
             for heading, (dx, dy) in AHEAD.items():
                 if (x, y) == box:

@@ -1,4 +1,4 @@
-"""The update of each algorithm as an equation, with the symbols above and the numbers of one step below."""
+"""The update of each algorithm as an equation, with the numbers of one step in place of its symbols."""
 
 from __future__ import annotations
 
@@ -21,9 +21,8 @@ GIVEN = (
 
 
 class Term(NamedTuple):
-    """A piece of an equation: its symbol, what stands below it, and the exact value where that is rounded."""
+    """A piece of an equation: a sign, or a number and its exact value."""
 
-    symbol: str
     text: str
     value: float | None = None
 
@@ -53,12 +52,12 @@ def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
         left, sign, right = re.split(" ([←=]) ", line, maxsplit=1)
         terms = _terms(right, numbers)
         result = (
-            [Term("", "="), Term("", number(results[left]), results[left])]
+            [Term("="), Term(number(results[left]), results[left])]
             if len(terms) > 1
             else []
         )
-        left_side = Term(left, left.replace("(s, a)", f"({step.s}, {step.a})"))
-        lines.append([left_side, Term(sign, sign), *terms, *result])
+        left_side = Term(left.replace("(s, a)", f"({step.s}, {step.a})"))
+        lines.append([left_side, Term(sign), *terms, *result])
         numbers[left] = results[left]  # what a line has set, the next one takes
     return lines
 
@@ -69,12 +68,12 @@ def as_text(line: list[Term]) -> str:
 
 
 def _terms(side: str, numbers: dict[str, float]) -> list[Term]:
-    """The right side of an equation: its signs, and each number in braces by its symbol."""
+    """The right side of an equation: its signs, and each number in braces for its symbol."""
     terms = []
     for signs, symbol, _, _ in Formatter().parse(side):
-        terms += [Term(sign, sign) for sign in signs.replace(" ", "")]
+        terms += [Term(sign) for sign in signs.replace(" ", "")]
         if symbol:
-            terms.append(Term(symbol, _text(symbol, numbers[symbol]), numbers[symbol]))
+            terms.append(Term(_text(symbol, numbers[symbol]), numbers[symbol]))
     return terms
 
 

@@ -16,23 +16,15 @@ from rlrobot_edu.widgets.wheel_icons import wheel_icon
 class Names:
     """Names of the states and actions of an agent's environment.
 
-    task: where the names come from; None takes the environment's own task, if it has one
+    task: where the names come from, the environment's own; None if it has none
     outputs: what an action sets, for example ``left_wheel, right_wheel``; empty where nobody says
-    inputs: name of each input. Raises ValueError if the task has other states or actions than the agent.
+    inputs: name of each input
     """
 
-    def __init__(self, agent: Agent, env: gymnasium.Env, task: Task | None) -> None:
+    def __init__(self, agent: Agent, env: gymnasium.Env) -> None:
         own = getattr(env.unwrapped, "task", None)
-        task = own if task is None and isinstance(own, Task) else task
+        task = own if isinstance(own, Task) else None
         n_actions = agent.q.shape[1]
-        if task is not None and (task.states.shape, task.actions.n) != (
-            agent.shape,
-            n_actions,
-        ):
-            raise ValueError(
-                f"task {task.name!r} has states {task.states.shape} and {task.actions.n} actions, the agent has states "
-                f"{agent.shape} and {n_actions} actions; give the Stepper the task that the agent was made for"
-            )
         self.task, self.shape, self._few = task, agent.shape, n_actions <= 4
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)

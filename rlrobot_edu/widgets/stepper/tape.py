@@ -127,10 +127,14 @@ class Tape:
         self.first_look = self._at(1).start
 
     @property
+    def _dropped(self) -> int:
+        """How many steps are no longer kept."""
+        return self.end - len(self._frames)
+
+    @property
     def first(self) -> int:
         """The earliest position that can still be shown."""
-        dropped = self.end - len(self._frames)
-        return dropped + 1 if dropped else 0
+        return self._dropped + 1 if self._dropped else 0
 
     @property
     def frame(self) -> Frame | None:
@@ -175,7 +179,7 @@ class Tape:
         if self.t == 0:
             return [self._at(1).start]
         latest_first = []
-        for t in range(self.t, max(self.t - PATH, self.end - len(self._frames)), -1):
+        for t in range(self.t, max(self.t - PATH, self._dropped), -1):
             frame = self._at(t)
             latest_first.append(frame.look)
             if frame.number == 1:
@@ -189,7 +193,7 @@ class Tape:
             return [self._at(1).step.s], []
         states: dict[int, None] = {}  # an ordered set, as is
         actions: dict[int, None] = {}
-        for t in range(self.t, self.end - len(self._frames), -1):
+        for t in range(self.t, self._dropped, -1):
             step = self._at(t).step
             states |= {step.s_next: None, step.s: None}
             actions[step.a] = None
@@ -199,13 +203,10 @@ class Tape:
 
     def since(self, t: int) -> list[Frame]:
         """The frames of the steps after position `t`, as far as they are kept."""
-        return [
-            self._at(t)
-            for t in range(max(t, self.end - len(self._frames)) + 1, self.end + 1)
-        ]
+        return [self._at(t) for t in range(max(t, self._dropped) + 1, self.end + 1)]
 
     def _at(self, t: int) -> Frame:
-        return self._frames[t - 1 - self.end + len(self._frames)]
+        return self._frames[t - 1 - self._dropped]
 
     def _standing(self) -> tuple[int, int | None]:
         """A mark by which the tape notices that agent or environment has moved on without it."""

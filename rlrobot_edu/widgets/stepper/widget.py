@@ -14,9 +14,9 @@ import traitlets
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import check_pair_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.page_file import page_html
 from rlrobot_edu.widgets.stepper.credit_kernels import selection_kernel, update_kernels
 from rlrobot_edu.widgets.stepper.environment_view import view_of
@@ -69,13 +69,11 @@ class Stepper(Displayed):
         The step to show first, at least 0.
     keep : int
         How many of the latest steps can be shown again, at least 1.
-    task : Task, optional
-        Names of states and actions for an environment that has no task itself, such as a sample model.
 
     Raises
     ------
     ValueError
-        If agent, environment and task do not fit together.
+        If agent and environment do not fit together.
 
     Notes
     -----
@@ -91,16 +89,11 @@ class Stepper(Displayed):
         at: int = 1,
         *,
         keep: int = 2000,
-        task: Task | None = None,
     ) -> None:
-        if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-            types = f"{type(agent).__name__} and {type(env).__name__}"
-            raise ValueError(
-                f"a Stepper takes an Agent and an environment (see rl.make_env), in this order; got {types}"
-            )
+        check_pair_of(agent, env)
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
-        self._names = Names(agent, env, task)
+        self._names = Names(agent, env)
         self._replay_start = ReplayStart(agent, env)
         self._tape = Tape(agent, env, view_of(env, self._names), keep)
         self._tape.go(at)

@@ -64,11 +64,7 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
     """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
     x, y, theta = arena.start
-    place = (
-        x + PIONEER.axle * math.cos(theta),
-        y + PIONEER.axle * math.sin(theta),
-        PIONEER.wheel_radius,
-    )
+    place = (*PIONEER.axle_at(x, y, theta), PIONEER.wheel_radius)
     return simulation.load(urdf, place, theta)
 
 

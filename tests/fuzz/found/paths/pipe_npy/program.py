@@ -1,1 +1,0 @@
-rl.read_recording(pipe('pipe.npy'), legacy=True, task=task)
