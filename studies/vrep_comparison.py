@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 from joblib import Parallel, delayed
-from papers_recording import read_papers_recording
 from vrep_worlds import (
     FOUND,
     NOW,
@@ -47,7 +46,9 @@ SPINS = (2, 6)  # one wheel forward, the other backward
 
 def vrep_recording() -> rl.Recording:
     """The paper's own recording."""
-    return read_papers_recording(VREP, rl.load_task(TASK), VREP_INPUTS)
+    return rl.read_recording(
+        VREP, legacy=True, task=rl.load_task(TASK), inputs=VREP_INPUTS
+    )
 
 
 def outcomes(

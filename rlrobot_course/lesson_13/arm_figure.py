@@ -25,11 +25,9 @@ from rlrobot_edu.robots.arm.arm_body import (
     solids_of,
 )
 from rlrobot_edu.show.top_down import footprint
+from rlrobot_edu.task.task import Task
 
 CONTACT = 0.05  # [m]
-
-
-k
 
 
 def plot_arm(task: Task) -> Picture:

@@ -32,6 +32,7 @@ def check_rows(
     columns: Mapping[str, NDArray[Any]],
     source: Source,
     where: Callable[[int], str],
+    remedy: str = REMEDY,
 ) -> None:
     """Raises ValueError for the first row of `columns`, arrays (n,) by name, that `source` does not allow.
 
@@ -59,7 +60,7 @@ def check_rows(
             row = int(np.argmin(good))
             found = repr(column[row].item()).removesuffix(".0")
             raise ValueError(
-                f"{where(row)}: {name} is {found}, expected {expected}; {REMEDY}"
+                f"{where(row)}: {name} is {found}, expected {expected}; {remedy}"
             )
 
 

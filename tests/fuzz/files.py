@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 from typing import Any
 
+import numpy as np
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
@@ -15,6 +17,7 @@ from fuzz.strategies import (
     Draw,
     bomb,
     damaged_archive,
+    damaged_array,
     damaged_bytes,
     damaged_json,
     damaged_rows,
@@ -131,8 +134,15 @@ def archives(kind: str, share: int, read: Any, use: Any) -> Target:
     return reader(kind, in_file(name, rare), share, read, use)
 
 
+legacy = st.deferred(
+    lambda: damaged_array(np.load(io.BytesIO(seeds.files()["legacy"]["legacy.npy"])))
+)
+legacy_bytes = st.deferred(lambda: damaged_bytes(seeds.files()["legacy"]["legacy.npy"]))
+
 TARGETS = [
     reader("recording", recordings(), 12, lambda: rl.read_recording("."), things.usable_recording),
+    reader("legacy", in_file("legacy.npy", legacy | legacy | legacy_bytes), 8,
+           lambda: rl.read_recording("legacy.npy", legacy=True, task=seeds.TASK), things.usable_recording),
     archives("model", 14, lambda: rl.SampleModel.load("model.npz"), things.usable_model),
     archives("agent", 14, lambda: rl.Agent.load("agent.npz"), things.usable_agent),
     archives("history", 8, lambda: History.load("history.npz"), things.usable_history),

@@ -6,6 +6,8 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 import rlrobot_edu as rl
 from rlrobot_edu.learning.history import History
 
@@ -57,6 +59,9 @@ def files() -> dict[str, dict[str, bytes]]:
         ):
             thing.save(folder / kind / f"{kind}.npz")
         rl.compare(model(), store=folder / "store", **STORE)
+        rows = [recording().s, recording().a, recording().s_next, recording().r]
+        (folder / "legacy").mkdir()
+        np.save(folder / "legacy" / "legacy.npy", np.column_stack(rows))
         return {
             kind.name: {
                 path.relative_to(kind).as_posix(): path.read_bytes()

@@ -33,10 +33,12 @@ out = value(
         "[]",
     ],
 )
+inputs = value("None", "['X', 'Y', 'theta', 'd']")
 paths = program(
     "paths", 5,
     some(
         *(call(f"rl.{read}", path) for read in ("load_task", "read_recording", "SampleModel.load", "Agent.load")),
+        call("rl.read_recording", path, "legacy=True", task=value("task", "'wander_simple'"), inputs=inputs),
         call("rl.read_recording", value("'wander_simple'"), task=value("task")),
         *(call(f"{thing}.save", out) for thing in ("learned", "model", "recording")),
     ),

@@ -293,6 +293,7 @@ def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
     assert refusal("wander_1kk", FileNotFoundError).startswith(
         "wander_1kk: there is no such recording"
     )
+    assert "legacy=True" in refusal("file.npy", FileNotFoundError)
 
 
 @pytest.mark.parametrize(
@@ -699,7 +700,105 @@ def test_a_film_is_not_saved_as_what_its_name_does_not_say(tmp_path):
             film.save(tmp_path / f"other.{ending}")
 
 
-# --- the recording of the paper's authors ---
+# --- the paper's own format ---
+
+
+def fortran(recording, order):
+    """The rows (s, a, s', r) of a recording in the paper's numbering, with the inputs in another order."""
+    states = recording.source.states
+    shape = [states.shape[i] for i in order]
+
+    def renumber(numbers):
+        bins = np.unravel_index(numbers, states.shape)
+        return np.ravel_multi_index([bins[i] for i in order], shape, order="F")
+
+    actions = np.unravel_index(recording.a, recording.source.actions.shape)
+    a = np.ravel_multi_index(actions, recording.source.actions.shape, order="F")
+    return np.column_stack(
+        [renumber(recording.s), a, renumber(recording.s_next), recording.r]
+    ).astype(float)
+
+
+@pytest.mark.parametrize(
+    ("inputs", "order"), [(None, [0, 1]), (["theta", "laser_front"], [1, 0])]
+)
+def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
+    recording = make_recording(200)
+    np.save(tmp_path / "old.npy", fortran(recording, order))
+    back = rl.read_recording(
+        tmp_path / "old.npy", legacy=True, task=TASK, inputs=inputs
+    )
+    assert all(
+        np.array_equal(getattr(back, name), getattr(recording, name))
+        for name in ("s", "a", "r", "s_next")
+    )
+    joins = back.s[1:] == back.s_next[:-1]
+    assert np.array_equal(np.diff(back.episode), ~joins) and not back.terminated.any()
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value", "expected"),
+    [
+        (3, 0, 6, "row 3: s is 6, expected a whole number from 0 to 5"),
+        (3, 1, 0.5, "row 3: a is 0.5, expected a whole number from 0 to 5"),
+        (3, 2, np.nan, "row 3: s_next is nan, expected a whole number from 0 to 5"),
+        (
+            3,
+            3,
+            np.nan,
+            "row 3: r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]",
+        ),
+    ],
+)
+def test_a_bad_row_of_the_papers_format_is_named(
+    tmp_path, row, column, value, expected
+):
+    table = fortran(make_recording(), [0, 1])
+    table[row, column] = value
+    np.save(tmp_path / "old.npy", table)
+    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
+    assert message.startswith(f"{tmp_path / 'old.npy'}, {expected}")
+
+
+@pytest.mark.parametrize(
+    "table",
+    [np.zeros((3, 5)), np.zeros(4), np.zeros((3, 4), complex), np.zeros((0, 4))],
+)
+def test_an_array_of_another_kind_is_refused(tmp_path, table):
+    np.save(tmp_path / "old.npy", table)
+    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
+    assert (
+        "expected one array of numbers with 4 columns (s, a, s', r)" in message
+        or "no rows" in message
+    )
+
+
+def test_a_damaged_file_and_a_pickle_are_refused_and_not_unpickled(tmp_path):
+    path = tmp_path / "old.npy"
+    np.save(path, fortran(make_recording(), [0, 1]))
+    whole = path.read_bytes()
+    for n in (0, 5, 40, len(whole) - 8):
+        path.write_bytes(whole[:n])
+        assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
+    np.save(path, np.array([[print, 1, 2, 3]], dtype=object), allow_pickle=True)
+    assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
+    np.savez(tmp_path / "old.npz", np.zeros((3, 4)))
+    assert "several arrays" in refusal(tmp_path / "old.npz", legacy=True, task=TASK)
+
+
+def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
+    np.save(tmp_path / "old.npy", fortran(make_recording(), [0, 1]))
+    assert "give task=" in refusal(tmp_path / "old.npy", legacy=True)
+    message = refusal(
+        tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"]
+    )
+    assert (
+        "inputs must be the task's in some order, ['laser_front', 'theta']" in message
+    )
+    assert "there is no such file" in refusal(
+        tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK
+    )
+    assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
 
 
 def test_the_papers_own_recording_has_the_known_facts(vrep):

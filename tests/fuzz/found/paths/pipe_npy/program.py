@@ -1,0 +1,1 @@
+rl.read_recording(pipe('pipe.npy'), legacy=True, task=task)
