@@ -4,6 +4,5 @@ They work in a checkout of the project, where the notebooks and the tests are. R
 
 - `lists`: the one list of lessons, which is the folder `notebooks/`, and the places that repeat it;
 - `commands`: what follows ``course`` on the command line;
-- `one_lesson`: pytest's option ``--lesson 06``, for the tests of one lesson;
 - `new_lesson`: a lesson is written from `template/`, and its notebook is run.
 """

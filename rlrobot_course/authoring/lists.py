@@ -1,7 +1,6 @@
 """The lessons are the notebooks in `notebooks/`; what lists say of them stands in the metadata of each."""
 
 import json
-import os
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -35,12 +34,6 @@ def checkout() -> Path:
             f"lessons are written in a clone of the project, with notebooks/ and tests/, not in {root}"
         )
     return root
-
-
-def surroundings(root: Path) -> dict[str, str]:
-    """The environment of a process that we start: it imports this checkout before any other one."""
-    paths = [str(root), *filter(None, [os.environ.get("PYTHONPATH")])]
-    return os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
 
 
 def lessons(root: Path) -> dict[str, Path]:

@@ -36,9 +36,7 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     write_together(files_for(root, number, title, name, before))
 
     command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
-    done = subprocess.run(
-        command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True
-    )
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
     if done.returncode:
         raise ValueError(
             f"the lesson is written, but its notebook has failed: {done.stderr.strip()[-300:]}"

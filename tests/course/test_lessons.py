@@ -14,7 +14,6 @@ import pytest
 
 from rlrobot_course.authoring import lists
 from rlrobot_course.authoring.new_lesson import new_lesson, slug
-from rlrobot_course.authoring.one_lesson import belongs
 
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
@@ -96,20 +95,6 @@ def test_what_names_some_lessons_names_none_that_is_not_there(file):
     assert not named - set(NOTEBOOKS), (
         f"{file} names {sorted(named - set(NOTEBOOKS))}: no such notebook in notebooks/"
     )
-
-
-@pytest.mark.parametrize(("file", "parameters", "is_of_06"), [
-    ("test_checks.py", ["lesson_06", "sarsa_update"], True), ("test_checks.py", ["lesson_07", "x"], False),
-    ("test_predictions.py", ["06"], True), ("test_checks.py", ["lesson_11", "x", 4], False),
-    ("test_notebooks.py", ["notebooks/06_sarsa_at_a_cliff.ipynb"], True),
-    ("test_notebooks.py", ["notebooks/homework/4_x.ipynb"], False),
-    ("test_lesson_06_figures.py", [], True), ("test_lesson_07_figures.py", [], False),
-    ("06_sarsa_at_a_cliff.ipynb", [], True), ("07_eligibility_traces.ipynb", [], False), ("test_stepper.py", [], False),
-])  # fmt: skip
-def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(
-    file, parameters, is_of_06
-):
-    assert belongs(Path(file), parameters, "06") == is_of_06
 
 
 def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():

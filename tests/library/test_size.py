@@ -13,11 +13,11 @@ SOURCES = size.sources(*size.PACKAGES)
 MOST_LINES_OF_A_FILE = 260
 # How often each kind still occurs. Lower a number when you have rewritten a place; a new place is written without.
 LEFT = {
-    "walrus": 40,
+    "walrus": 39,
     "writing through vars()": 19,
     "text or list times a truth value": 13,
     "conditional within a conditional": 19,
-    "unpacked generator or map": 51,
+    "unpacked generator or map": 50,
     "call of a conditional": 1,
 }
 

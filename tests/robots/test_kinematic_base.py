@@ -333,11 +333,10 @@ def test_a_task_can_be_learned_without_an_engine(task):
     assert_learned(task, STEPS[task], repetitions=10, engine="kinematic")
 
 
-def test_it_looks_around_and_is_drawn_as_the_base_in_pymunk():
+def test_it_reads_and_is_drawn_as_the_base_in_pymunk():
     one, other = (kind("maze_4x4_goal", 1.0) for kind in (MobileBase, KinematicBase))
     for robot in (one, other):
         robot.act(wheels(0.5, 1))
-    assert one.look_around(90) == pytest.approx(other.look_around(90), abs=1e-6)
     assert one.readings == pytest.approx(other.readings, abs=1e-6)
     for its, mine in zip(one.scene().solids, other.scene().solids, strict=True):
         assert (its.name, its.shape, its.size) == (mine.name, mine.shape, mine.size)

@@ -144,18 +144,3 @@ class KinematicBase(KinematicRobot, MobileBase):
     def command_array(self, command: Mapping[str, float]) -> Array:
         """Speed ahead [m/s] and turning to the left [rad/s], array (2,)."""
         return np.array(self.chassis.twist(command))
-
-    def look_around(self, rays: int) -> list[float]:
-        """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
-        others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
-        angles, axle, reach = (
-            2 * math.pi / rays * np.arange(rays),
-            np.zeros(rays),
-            2 * LASER_RANGE,
-        )
-        lengths, around = (
-            np.empty(rays),
-            np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1),
-        )
-        look(self.parts.place, around, reach, self.parts.walls, lengths)
-        return [length if length < reach else math.inf for length in lengths.tolist()]
