@@ -112,7 +112,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(
             task.actions.n
         )
-        self._commands = task.commands()  # looked up in every step
+        self._commands = task.commands  # looked up in every step
         self.np_random = generator(seed, ENVIRONMENT)
 
     @cached_property
