@@ -325,7 +325,7 @@ def test_on_the_front_page_a_robot_learns(address, browser):
         )
         until(
             page.frames[1],
-            "yours.life.t > 100 && yours.life.m.q.some((row) => row.some(Boolean))",
+            "yours.simulation.t > 100 && yours.simulation.m.q.some((row) => row.some(Boolean))",
         )
         link = page.frame_locator("iframe.playground").get_by_role(
             "link", name="Open on its own page"
