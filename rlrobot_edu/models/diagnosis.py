@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 
 class Loop(NamedTuple):
@@ -68,6 +67,8 @@ def find_loops(suspects: Suspects, n_states: int, n_actions: int) -> tuple[Loop,
     A pair is a loop by itself if it leads back to its own state. Several are one if they lead from each of their
     states to every other (a strongly connected component).
     """
+    from scipy import sparse  # here, because a browser may do without it
+
     pair, s, s_next, samples, reward = suspects
     graph = sparse.csr_array((np.ones(len(s)), (s, s_next)), shape=(n_states, n_states))
     _, group = sparse.csgraph.connected_components(

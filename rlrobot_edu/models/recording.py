@@ -160,8 +160,10 @@ class Recording:
         return cls(*read_folder(folder, None if task is None else load_task(task)))
 
 
-def record(agent: Agent, env: Env, steps: int) -> Recording:
-    """Let `agent` learn in `env` for a number of steps, and keep every transition.
+def record(
+    agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None
+) -> Recording:
+    """Let `agent` learn in `env` for a number of steps or episodes, and keep every transition.
 
     Parameters
     ----------
@@ -169,8 +171,8 @@ def record(agent: Agent, env: Env, steps: int) -> Recording:
         The agent that acts; it learns while it is recorded.
     env : gymnasium.Env
         Where the agent acts, see `make_env`.
-    steps : int
-        How many steps to record.
+    steps, episodes : int, optional
+        How many steps or whole episodes to record, as in `learn`.
 
     Returns
     -------
@@ -180,12 +182,14 @@ def record(agent: Agent, env: Env, steps: int) -> Recording:
     Raises
     ------
     ValueError
-        If `steps` is below 1, or if agent and environment do not fit.
+        If `steps` is below 1, if neither is given, or if agent and environment do not fit.
     KeyboardInterrupt
         After Ctrl-C, in one line; what was learned is kept, the recording is not.
     """
-    check_count("steps", steps)
-    history = loop.learn(agent, env, steps, keep=True, progress=False)
+    check_count("steps", steps, or_none=True)
+    history = loop.learn(
+        agent, env, steps, episodes=episodes, keep=True, progress=False
+    )
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
     acting = {

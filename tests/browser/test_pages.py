@@ -144,29 +144,6 @@ def shows(page, number: int, of: int = 30) -> None:
     until(page, f"{said} && location.hash === '#{number}'")
 
 
-def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
-    page = opened(FILM)
-    stands(page, 1, 20)
-    page.select_option("#speed", "30")
-    page.click("#play")
-    until(page, "at > 2")
-    page.keyboard.press("ArrowLeft")
-    until(page, "!player && play.textContent === '▶▶ Play'")
-    page.select_option(
-        "#speed", "2"
-    )  # so that a busy machine, too, looks while it plays
-    page.evaluate("document.activeElement.blur()")
-    page.keyboard.press(" ")
-    until(page, "!!player && play.textContent === '‖ Pause'")
-    page.select_option("#speed", "30")
-    shows(page, 20, 20)
-    until(page, "!player")
-    page.select_option("#speed", "2")
-    page.evaluate("document.activeElement.blur()")
-    page.keyboard.press(" ")
-    until(page, "at > 1 && at < 20")
-
-
 def explored(page, numbers, link: str) -> None:
     """Wait until the explorer's page shows all columns of a state, says them aloud and links to them."""
     until(page, f"location.hash === '#{link}'")

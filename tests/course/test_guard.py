@@ -49,8 +49,8 @@ for place in glob.glob("/proc/[0-9]*/cmdline"):
         except OSError:  # another grading, or none that it may look into
             pass""",
     "marking": """
-from rlrobot_grading.marking import marking
-open(marking.__file__, "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
+from rlrobot_grading.marking import one_notebook
+open(one_notebook.__file__, "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
     "memory": """
 import mmap
 much = mmap.mmap(-1, 3 << 30)

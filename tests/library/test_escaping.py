@@ -155,23 +155,6 @@ def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
     same_page(*map(view, steppers(tasks, "Q+EG")))
 
 
-def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
-    recordings = [
-        rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=60)
-        for task in long_words
-    ]
-    views = []
-    for recording, task in zip(recordings, long_words, strict=True):
-        model = rl.SampleModel.from_recording(recording)
-        views.append(
-            rl.Stepper(
-                rl.Agent(model, seed=0), rl.make_env(model, seed=0), at=2, task=task
-            )
-        )
-    same_page(*map(view, views), NASTY)
-    says(views[0].picture(), NASTY)
-
-
 def test_a_bias_explorer_shows_names_and_words_as_they_stand(tasks, long_words):
     for few, texts in ((tasks, SHORT), (long_words, [NASTY])):
         q = np.random.default_rng(0).normal(size=(24, 3))

@@ -373,7 +373,8 @@ def test_a_store_sees_an_edit_in_a_file_that_the_tasks_file_imports(module, tmp_
 
 FACTS = """
 import sys
-from test_identity import available_tasks, facts_of, rl
+from test_identity import facts_of, rl
+from rlrobot_edu.task.task_file import available_tasks
 print(*(facts_of(rl.load_task(name)) for name in available_tasks()), sep="; ")
 """
 

@@ -27,7 +27,7 @@ STEPS = {
     "wander_1k": 1500,
     "wander_4k": 1500,
     "wander_12k": 1500,
-    "navigation_1k": 2700,
+    "navigation_1k": 3600,
     "giraff_wander_simple": 1000,
     "giraff_wander_1k": 2500,
     "giraff_wander_4k": 4500,
