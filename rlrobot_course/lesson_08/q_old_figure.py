@@ -1,4 +1,4 @@
-"""The figure of what Q_old is: how one value changes while the robot stands, and what the two terms with it do."""
+"""The figure of Q_old: what is noted of a pair on arrival, and which change each pair needs one step later."""
 
 import numpy as np
 from matplotlib.axes import Axes
