@@ -42,11 +42,7 @@ def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
 
     def read(x: Any) -> Any:
         """What `x` is made of, as text in tuples; a thing that was read before goes by its number."""
-        if getattr(x, "targetoptions", {}).get("fastmath"):
-            return "fastmath", read(x.py_func)
-        x = getattr(
-            x, "py_func", getattr(x, "_defn", x)
-        )  # what numba compiled, or is to generate
+        x = getattr(x, "py_func", x)  # what numba compiles
         if isinstance(x, bytes):
             return sha256(x)  # a table may be large
         if type(x) in ATOMS or isinstance(x, np.dtype):

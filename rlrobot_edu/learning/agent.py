@@ -16,6 +16,7 @@ from rlrobot_edu.checks import (
     first_difference,
 )
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.jit.building import for_python
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
@@ -25,11 +26,16 @@ from rlrobot_edu.learning.planning.experience import (
     new_experience,
     with_room,
 )
-from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.resolve import sized_world
 from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
-from rlrobot_edu.learning.step import begin_episode, make_step, no_update
+from rlrobot_edu.learning.step import (
+    begin_episode,
+    make_plan,
+    make_planned_step,
+    make_step,
+    no_update,
+)
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 
@@ -205,7 +211,7 @@ class Agent:
             If the agent has no such state.
         """
         s, _ = check_pair(self.memory.q.shape, s)
-        begin_episode(self.memory)
+        for_python(begin_episode)(self.memory)
         return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
     def learn_step(
@@ -267,7 +273,7 @@ class Agent:
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
             self.experience = with_room(self.experience, 1)
-            make_plan(self.method.planner)(
+            make_plan(self.method)(
                 self.memory, self.experience, *real, self.rng
             )
         return delta

@@ -6,101 +6,51 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.jit.dispatcher import borrowed, compiled
+from rlrobot_edu.jit.building import build
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.kernel_world import KernelEnv, KernelWorld
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.planning.experience import with_room
-from rlrobot_edu.learning.planning.planned_step import make_planned_step
 from rlrobot_edu.learning.resume import ResumePoint, place_of
-from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.learning.step import make_planned_step, make_step
+from rlrobot_edu.learning.templates import loop
 from rlrobot_edu.learning.transitions import Transitions
 
 SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
-NEVER = 2**53  # steps after which an episode is cut off
 
 
 @cache
 def make_run(
     method: Method, begin: Callable[..., Any], outcome: Callable[..., Any]
 ) -> Callable[..., Any]:
-    """The whole loop of learning in a world, compiled for this method and this kind of world alone.
-
-    begin: (world, rng) -> state in which an episode begins
-    outcome: (world, s, a, rng) -> (s', r, terminated)
-    A state below 0: the world cannot tell, and is as if it had not been asked.
-    """
-    select, learn_step = make_step(method)[1:]
-    planned_step = make_planned_step(method) if method.planner else None
-
-    @compiled
-    def run(world, m, x, world_rng, agent_rng, at, log):
-        """Let the agent with memory `m` learn until the log is full, or until there are no episodes left.
-
-        `x` is its experience, None without a planner.
-
-        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps
-        done; and the episodes left, where 0 is no limit.
-        The same loop, step for step and draw for draw, as `learning.loop.steps` over the world's environment. It ends
-        sooner where the world cannot tell.
-        """
-        world, m, log = borrowed(world), borrowed(m), borrowed(log)
-        limit, s, a, episode_step = world.episode_steps, at[0], at[1], at[2]
-        for t in range(log.r.shape[0]):
-            if a < 0:
-                s = begin(world, world_rng)
-                if s < 0:
-                    return
-                begin_episode(m)
-                a = select(m, s, agent_rng.random())
-                episode_step = 0
-                at[0], at[1], at[2] = s, a, episode_step
-            s_next, r, end = outcome(world, s, a, world_rng)
-            if s_next < 0:
-                return
-            if planned_step is None:
-                a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
-            else:
-                a_next, _ = planned_step(
-                    m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng
-                )
-            episode_step += 1
-            cut = episode_step >= limit and not end
-            log.s[t] = s
-            log.a[t] = a
-            log.r[t] = r
-            log.s_next[t] = s_next
-            log.terminated[t] = end
-            log.truncated[t] = cut
-            s, a = s_next, a_next
-            if cut:
-                a = -1
-            at[0], at[1], at[2], at[3] = s, a, episode_step, t + 1
-            if end or cut:
-                at[4] -= 1
-                if at[4] == 0:
-                    return
-
-    return run
+    """The whole loop of learning in a world of these kernels, see templates/loop.py."""
+    step = make_step(method)
+    return build(
+        loop,
+        begin=begin,
+        outcome=outcome,
+        select=step.select,
+        learn_step=step.learn_step,
+        planned_step=make_planned_step(method) if method.planner else None,
+    ).run
 
 
 def run_slices(
-    env: Any,
-    run: Callable[..., Any],
-    world: Any,
+    env: KernelEnv,
+    world: KernelWorld,
     agent: Agent,
     log: Transitions,
     episodes: int | None,
 ) -> Iterator[int]:
-    """Let `run` fill `log`, in slices: each yields its number of steps. It ends sooner where the world cannot tell.
+    """Fill `log`, in slices: each yields its number of steps. It ends sooner where the world cannot tell.
 
-    After each, `agent` is where it can go on, and the method ``arrive`` of `env` has been given the state there.
+    After each, `agent` is where it can go on, and `env` is told the state there.
     """
+    run = make_run(agent.method, world.begin, world.outcome)
     at = np.array([*(agent.pending or (0, -1)), env.episode_step, 0, episodes or 0])
-    size = (
-        SLICE // (1 + agent.parameters.planning_steps) + 1
-        if agent.method.planner
-        else SLICE
-    )
+    size = SLICE
+    if agent.method.planner:
+        size = SLICE // (1 + agent.parameters.planning_steps) + 1
     for first in range(0, len(log.r), size):
         part = log.part(slice(first, first + size))
         left = agent.resume_point or ResumePoint()
@@ -110,7 +60,7 @@ def run_slices(
         agent.resume_point = None
         at[3] = 0
         try:
-            run(world, agent.memory, x, env.np_random, agent.rng, at, part)
+            run(world.arrays, agent.memory, x, env.np_random, agent.rng, at, part)
         finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
             s, a, env.episode_step, n, episodes_left = at.tolist()
             env.arrive(s)

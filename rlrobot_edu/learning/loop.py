@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.compiled_loop import run_slices
 from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.kernel_world import KernelEnv
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
@@ -281,12 +283,13 @@ def _learn(
 ) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
-    Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
-    this faster has a method ``learn_compiled(agent, log, episodes)``; where it ends sooner, the loop goes on here.
+    Yields now and then how many steps have come since; the agent may be looked at meanwhile. A world of kernels runs
+    compiled; where it ends sooner, the loop goes on here.
     """
     n, columns = 0, log._asdict()
-    if run := getattr(env, "learn_compiled", None):
-        for done in run(agent, log, episodes):
+    world = env.kernel_world(len(log.r)) if isinstance(env, KernelEnv) else None
+    if world is not None:
+        for done in run_slices(env, world, agent, log, episodes):
             n += done
             yield done
     ended = np.count_nonzero(log.terminated[:n] | log.truncated[:n])

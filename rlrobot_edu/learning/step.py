@@ -1,19 +1,17 @@
-"""One step of learning, made for a method: the transition goes in, the next action comes out.
-
-The numbers in `u` are drawn by the caller of the loop, one uniform number in [0, 1) for each selection.
-"""
+"""The kernels of one method: its step, with what it is made of in the places of the templates' parts."""
 
 import math
 from collections.abc import Callable
 from functools import cache
+from types import ModuleType
 from typing import Any, NamedTuple
 
+from rlrobot_edu.jit.building import build, for_python
 from rlrobot_edu.jit.dispatcher import compiled
-from rlrobot_edu.learning.loop_evasion import forget_loops, watch_for_loops
+from rlrobot_edu.learning.loop_evasion import forget_loops
 from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.templates import planned_step, step
 from rlrobot_edu.learning.traces import forget
-
-NO_ACTION = -1  # after a terminal state there is nothing to choose
 
 
 class StepKernels(NamedTuple):
@@ -44,39 +42,36 @@ def no_update(m, s, a, r, s_next, a_next, terminated):
 
 @cache
 def make_step(method: Method) -> StepKernels:
-    """The kernels of `method`, put together from its algorithm and its selection, and compiled for these two alone."""
-    update, weigh = compiled(method.algorithm.update), compiled(method.selection.weigh)
-    on_policy = method.algorithm.on_policy
+    """The kernels of `method`, put together from its algorithm and its selection."""
+    update = compiled(method.algorithm.update)
+    built = build(
+        step,
+        update=update,
+        weigh=compiled(method.selection.weigh),
+        ON_POLICY=method.algorithm.on_policy,
+    )
+    return StepKernels(for_python(update), built.select, built.learn_step)
 
-    @compiled
-    def select(m, s, u):
-        """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
-        weigh(m, s)
-        below, possible = 0.0, 0
-        for a in range(m.probabilities.shape[0]):
-            below += m.probabilities[a]
-            if u < below:
-                return a
-            if m.probabilities[a] > 0.0:
-                possible = a
-        return possible  # u reached the sum, which rounding left a hair below 1
 
-    @compiled
-    def learn_step(m, s, a, r, s_next, terminated, u):
-        """Learn from (s, a, r, s') and select a'; returns (a', TD error).
+@cache
+def make_plan(method: Method) -> Callable[..., Any]:
+    """The kernel that keeps in mind what happened, and imagines steps as the planner of `method` does."""
+    return for_python(_planning(method).plan)
 
-        SARSA and its relatives learn from the action they will take, so they select it first. Q-learning learns first.
-        """
-        m.visits[s, a] += 1
-        if not terminated:
-            watch_for_loops(m, s_next, r)
 
-        a_next = NO_ACTION
-        if not terminated and on_policy:
-            a_next = select(m, s_next, u)
-        delta = update(m, s, a, r, s_next, a_next, terminated)
-        if not terminated and not on_policy:
-            a_next = select(m, s_next, u)
-        return a_next, delta
+@cache
+def make_planned_step(method: Method) -> Callable[..., Any]:
+    """`learn_step` of `method`, with planning between its update and what Q-learning selects."""
+    return _planning(method).planned_step
 
-    return StepKernels(update, select, learn_step)
+
+def _planning(method: Method) -> ModuleType:
+    assert method.planner is not None
+    built = make_step(method)
+    return build(
+        planned_step,
+        imagine=compiled(method.planner.plan),
+        select=built.select,
+        learn_step=built.learn_step,
+        ON_POLICY=method.algorithm.on_policy,
+    )

@@ -1,6 +1,5 @@
 """A sample model as a Gymnasium environment."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import gymnasium
@@ -8,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.checks import check_index
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.compiled_loop import NEVER, make_run, run_slices
-from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.jit.building import for_python
+from rlrobot_edu.learning.kernel_world import NEVER, KernelWorld
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, begin, draw_outcome, draw_start, outcome
 from rlrobot_edu.seeds import ENVIRONMENT, generator
@@ -88,7 +86,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
-        return self.arrive(draw_start(self._tables, self.np_random.random()))
+        return self.arrive(for_python(draw_start)(self._tables, self.np_random.random()))
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.
@@ -114,7 +112,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
         s = check_index("state", self.state, self.model.n_states)
         a = check_index("action", action, self.model.n_actions)
-        s_next, r, terminated = draw_outcome(
+        s_next, r, terminated = for_python(draw_outcome)(
             self._tables, s, a, *self.np_random.random(2)
         )
         self.episode_step += 1
@@ -122,39 +120,29 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         observation, info = self.arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
-    def learn_compiled(
-        self, agent: Agent, log: Transitions, episodes: int | None
-    ) -> Iterator[int]:
-        """Run the whole loop of learning compiled, in slices; `learn` calls it.
+    def kernel_world(self, steps: int) -> KernelWorld | None:
+        """The model as a world of kernels, see `KernelEnv`; `learn` asks for it.
 
         Parameters
         ----------
-        agent : Agent
-            What learns.
-        log : Transitions
-            The columns that it fills, a row a step.
-        episodes : int, optional
-            Stop sooner, once so many episodes have ended.
+        steps : int
+            How many steps are to come.
 
-        Yields
-        ------
-        int
-            The number of steps of a slice.
-
-        Raises
-        ------
-        ValueError
-            If a planner has observed more outcomes than it can keep.
+        Returns
+        -------
+        KernelWorld or None
+            None for a class of your own, which may step in another way.
         """
-        run = make_run(agent.method, begin, outcome)
-        return run_slices(self, run, self._tables, agent, log, episodes)
+        if type(self) is not SampleModelEnv:
+            return None
+        return KernelWorld(begin, outcome, self._tables)
 
-    def arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
-        """Be in `state`, as after a loop that ran elsewhere.
+    def arrive(self, s: int) -> tuple[NDArray[np.int64], Info]:
+        """Be in state `s`, as after a loop that ran elsewhere.
 
         Parameters
         ----------
-        state : int
+        s : int
             Number of the state.
 
         Returns
@@ -162,7 +150,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         tuple
             The observation and the info there.
         """
-        self.state = int(state)
+        self.state = int(s)
         return np.array(
             np.unravel_index(self.state, self.model.shape), dtype=np.int64
         ), {"state": self.state}

@@ -2,7 +2,7 @@
 
 import importlib
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache, cached_property, partial
 from inspect import signature
 from typing import Any, Literal
@@ -11,10 +11,8 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.checks import check_index, check_name
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.compiled_loop import make_run, run_slices
-from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.engines.kinematic.robot import kernels_of, world_of
+from rlrobot_edu.learning.kernel_world import KernelWorld
+from rlrobot_edu.robots.engines.kinematic.robot import world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator
@@ -208,50 +206,39 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         )
         return observation, reward, terminated, is_last and not terminated, info
 
-    def learn_compiled(
-        self, agent: Agent, log: Transitions, episodes: int | None
-    ) -> Iterator[int]:
-        """Run the loop of learning as one kernel, as far as the robot and its task allow; `learn` does the rest.
+    def kernel_world(self, steps: int) -> KernelWorld | None:
+        """The robot and its task as a world of kernels, see `KernelEnv`; `learn` asks for it.
 
         Parameters
         ----------
-        agent : Agent
-            What learns.
-        log : Transitions
-            What is filled in.
-        episodes : int, optional
-            It ends sooner, once so many episodes have ended.
+        steps : int
+            How many steps are to come.
 
-        Yields
-        ------
-        int
-            Number of steps that have come since.
+        Returns
+        -------
+        KernelWorld or None
+            None where the robot or its task has no kernels, for few steps, and for a class of your own, which may step
+            in another way.
         """
-        robot: Any = self.robot
-        is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
-        if is_worth_it and (
-            world := world_of(self.task, robot, self._commands, self._at_goal)
-        ):
-            self._counter, run = (
-                world.at_goal,
-                make_run(agent.method, *kernels_of(*robot.kernels)),
-            )
-            yield from run_slices(self, run, world, agent, log, episodes)
+        if steps < WORTH_COMPILING or type(self) is not RobotEnv:
+            return None
+        world = world_of(self.task, self.robot, self._commands, self._at_goal)
+        if world is not None:
+            self._kernel_arrays = world.arrays
+        return world
 
-    def arrive(self, state: int) -> None:
-        """Be where the compiled loop has led to.
+    def arrive(self, s: int) -> None:
+        """Be where the kernels have led to.
 
         Parameters
         ----------
-        state : int
+        s : int
             Number of the state.
         """
         robot: Any = self.robot
-        self.state, self._at_goal, self._readings = (
-            state,
-            int(self._counter[0]),
-            robot.look(),
-        )
+        self.state = s
+        self._at_goal = int(self._kernel_arrays.at_goal[0])
+        self._readings = robot.look()
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.

@@ -5,14 +5,12 @@ from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
 
-from rlrobot_edu.jit.dispatcher import borrowed
 from rlrobot_edu.widgets.javascript.translator import Translator
 from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 
 # What Python has and JavaScript lacks. The remainder has the sign of the divisor; the first of several largest counts.
 PRELUDE = """
 const remainder = (a, b) => a - b * Math.floor(a / b);
-const borrowed = (arrays) => arrays;
 const to_even = (x) => Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x);
 function max_of(array) {
 let most = array[0];
@@ -53,8 +51,6 @@ def program(
         """The JavaScript for what a kernel calls or reads: a function's name, after its text; a number; null."""
         if thing is None or isinstance(thing, int | float):
             return literal(thing)
-        if thing is borrowed:
-            return "borrowed"
         if getattr(thing, "__module__", "") == "math":
             return OF_MATH.get(thing.__name__)
         function = getattr(thing, "py_func", thing)

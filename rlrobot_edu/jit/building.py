@@ -1,0 +1,113 @@
+"""Put kernels together: the text of a template, and after it the parts that take the place of its own.
+
+A template is an ordinary module whose kernels call a few parts by name. Its text is written to a small module in the
+user's cache, followed by a line for each part, such as ``from rlrobot_edu.learning.algorithms.sarsa import update``.
+From then on it is a module like any other, and numba keeps on disk what it compiles there. numba looks for a change
+in that one file alone, so its name holds a hash of the sources of all packages that it imports from.
+
+A part that no module can import, such as a function of a notebook's cell, is put in its place in memory. Then nothing
+is kept, and the next process compiles again.
+"""
+
+import importlib.util
+import linecache
+import sys
+from collections.abc import Callable
+from functools import cache
+from itertools import count
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from rlrobot_edu.files import remove_old, sha256, write_whole
+from rlrobot_edu.jit import call
+from rlrobot_edu.jit.dispatcher import FOLDER, IS_PLAIN, is_ours
+
+UNUSED = 30 * 24 * 3600  # age at which built modules go [s]
+_numbers = count()  # of the modules that are in memory alone
+
+
+@cache
+def build(template: ModuleType, **parts: Any) -> ModuleType:
+    """The kernels of a template with other parts.
+
+    template: the module
+    parts: kernels, or values such as True, by their names in the template
+    """
+    text = Path(str(template.__file__)).read_text(encoding="utf-8")
+    if FOLDER is not None and all(map(can_be_imported, parts.values())):
+        lines = [line_of(name, part) for name, part in parts.items()]
+        try:
+            return _on_disk(template, "\n".join([text, *lines, ""]), parts)
+        except OSError:
+            pass  # no room, say: it is compiled again by the next process
+    return in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
+
+
+@cache
+def for_python(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """The kernel as Python calls it: kept on disk."""
+    if IS_PLAIN:
+        return kernel
+    return build(call, kernel=kernel).call
+
+
+def can_be_imported(part: Any) -> bool:
+    """Whether a line of Python stands for this part: a value, or one of the toolkit's kernels by its name."""
+    if not callable(part):
+        return True
+    module = sys.modules.get(part.__module__)
+    return is_ours(part) and getattr(module, part.__name__, None) is part
+
+
+def line_of(name: str, part: Any) -> str:
+    """The line of Python after which `name` stands for this part."""
+    if not callable(part):
+        return f"{name} = {part!r}"
+    return f"from {part.__module__} import {part.__name__} as {name}"
+
+
+def _on_disk(
+    template: ModuleType, text: str, parts: dict[str, Any]
+) -> ModuleType:
+    """The module of this text in the user's cache."""
+    assert FOLDER is not None
+    packages = {template.__name__.partition(".")[0]}
+    packages |= {
+        part.__module__.partition(".")[0] for part in parts.values() if callable(part)
+    }
+    versions = [sources_of(package) for package in sorted(packages)]
+    digest = sha256("\n".join([text, *versions]).encode())[:16]
+    # its package's name comes first, so it counts as the toolkit's
+    name = f"{template.__name__}_{digest}"
+    path = FOLDER / f"{name}.py"
+    if name in sys.modules:
+        return sys.modules[name]
+    if not path.exists():
+        remove_old(FOLDER.rglob("*.*"), UNUSED)
+        write_whole(path, text)
+    spec = importlib.util.spec_from_file_location(name, path)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@cache
+def sources_of(package: str) -> str:
+    """Hash of the sources of a package, as they are now."""
+    folder = Path(str(sys.modules[package].__file__)).parent
+    texts = [path.read_bytes() for path in sorted(folder.rglob("*.py"))]
+    return sha256(b"\0".join(texts))
+
+
+def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
+    """The module of this text, with these parts in their places."""
+    module = ModuleType(name)
+    file = f"<{name}>"
+    # where Python, and those who read a function's source, look for its lines
+    linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
+    exec(compile(text, file, "exec"), vars(module))
+    vars(module).update(parts)
+    return module
