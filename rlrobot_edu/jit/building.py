@@ -21,8 +21,9 @@ from typing import Any
 
 from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.jit import call
-from rlrobot_edu.jit.dispatcher import FOLDER, IS_PLAIN, is_ours
+from rlrobot_edu.jit.dispatcher import FOLDER, is_ours
 
+Build = Callable[..., ModuleType]  # (template, **parts) -> its kernels, as `build`
 UNUSED = 30 * 24 * 3600  # age at which built modules go [s]
 _numbers = count()  # of the modules that are in memory alone
 
@@ -46,8 +47,8 @@ def build(template: ModuleType, **parts: Any) -> ModuleType:
 
 @cache
 def for_python(kernel: Callable[..., Any]) -> Callable[..., Any]:
-    """The kernel as Python calls it: kept on disk."""
-    if IS_PLAIN:
+    """The kernel as Python calls it: kept on disk. What is not compiled stays as it is."""
+    if not hasattr(kernel, "py_func"):
         return kernel
     return build(call, kernel=kernel).call
 
@@ -67,9 +68,7 @@ def line_of(name: str, part: Any) -> str:
     return f"from {part.__module__} import {part.__name__} as {name}"
 
 
-def _on_disk(
-    template: ModuleType, text: str, parts: dict[str, Any]
-) -> ModuleType:
+def _on_disk(template: ModuleType, text: str, parts: dict[str, Any]) -> ModuleType:
     """The module of this text in the user's cache."""
     assert FOLDER is not None
     packages = {template.__name__.partition(".")[0]}
@@ -110,4 +109,13 @@ def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
     linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
     exec(compile(text, file, "exec"), vars(module))
     vars(module).update(parts)
+    return module
+
+
+def in_python(template: ModuleType, **parts: Any) -> ModuleType:
+    """As `build`, but nothing is compiled: slow, and Python says in which line an error arose."""
+    text = Path(str(template.__file__)).read_text(encoding="utf-8")
+    module = in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
+    for name, thing in [*vars(module).items()]:
+        setattr(module, name, getattr(thing, "py_func", thing))
     return module

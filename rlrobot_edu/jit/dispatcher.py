@@ -7,7 +7,10 @@ import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+from types import CellType, FunctionType
 from typing import Any, TypeVar
+
+from rlrobot_edu.jit.fingerprint import goes_by_name
 
 numba: Any
 try:
@@ -41,21 +44,48 @@ def is_ours(kernel: Callable[..., Any]) -> bool:
 def compiled(kernel: Kernel) -> Kernel:
     """The kernel, to be compiled when it is first called; as it is where kernels stay plain.
 
-    The toolkit's own kernels are tested to stay within their arrays and to divide by no zero. Others are compiled so
-    that they stop with an error there, as Python does. A kernel in the folder of built ones is kept on disk.
+    Outside an array, and where a divisor is zero, it stops with an error, as Python does. What somebody has compiled
+    in another way is compiled anew. A kernel in the folder of built ones is kept on disk.
     """
     if IS_PLAIN:
         return kernel
     function = getattr(kernel, "py_func", kernel)
     if not is_ours(function):
-        return numba.njit(nogil=True, error_model="python", boundscheck=True)(function)
-    if function is not kernel:
+        function = _with_helpers(function, compiled)
+    elif function is not kernel:
         return kernel
-    file = Path(function.__code__.co_filename)
     return numba.njit(
         nogil=True,
-        error_model="numpy",
-        # one function in the end, however many it is written in: that alone more than halves a step
+        boundscheck=True,
+        error_model="python",
+        # one function in the end, however many it is written in: that alone halves a step
         forceinline=True,
-        cache=FOLDER is not None and FOLDER in file.parents,
+        cache=FOLDER in Path(function.__code__.co_filename).parents,
     )(function)
+
+
+def uncompiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """The kernel as plain Python; of somebody's own also the functions of theirs that it calls."""
+    function = getattr(kernel, "py_func", kernel)
+    return function if is_ours(function) else _with_helpers(function, uncompiled)
+
+
+def _with_helpers(function: Any, make: Callable[..., Any]) -> Any:
+    """A copy of somebody's function, in which `make` has made those of theirs that it calls by name."""
+
+    def made(thing: Any) -> Any:
+        called = getattr(thing, "py_func", thing)
+        is_theirs = isinstance(called, FunctionType) and called is not function
+        if not is_theirs or goes_by_name(called.__module__):
+            return thing
+        return make(called)
+
+    code = function.__code__
+    around = dict(function.__globals__)
+    for name in set(code.co_names).intersection(around):
+        around[name] = made(around[name])
+    cells = [CellType(made(cell.cell_contents)) for cell in function.__closure__ or ()]
+    defaults = function.__defaults__
+    copy = FunctionType(code, around, function.__name__, defaults, tuple(cells))
+    copy.__kwdefaults__ = function.__kwdefaults__
+    return copy

@@ -20,6 +20,7 @@ from rlrobot_edu.jit.building import for_python
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
+from rlrobot_edu.learning.own_code import guarded
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import (
     Experience,
@@ -29,13 +30,7 @@ from rlrobot_edu.learning.planning.experience import (
 from rlrobot_edu.learning.resolve import sized_world
 from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
-from rlrobot_edu.learning.step import (
-    begin_episode,
-    make_plan,
-    make_planned_step,
-    make_step,
-    no_update,
-)
+from rlrobot_edu.learning.step import StepKernels, begin_episode, no_update
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 
@@ -211,8 +206,12 @@ class Agent:
             If the agent has no such state.
         """
         s, _ = check_pair(self.memory.q.shape, s)
-        for_python(begin_episode)(self.memory)
-        return int(make_step(self.method).select(self.memory, s, self.rng.random()))
+
+        def first(kernels: StepKernels) -> int:
+            for_python(begin_episode)(self.memory)
+            return int(kernels.select(self.memory, s, self.rng.random()))
+
+        return guarded(self, first)
 
     def learn_step(
         self, s: int, a: int, r: float, s_next: int, terminated: bool
@@ -235,14 +234,15 @@ class Agent:
             If there is no such state or action, or if the reward is not finite.
         """
         s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
-        real = (s, a, r, s_next, bool(terminated), self.rng.random())
-        if self.experience is None:
-            a_next, delta = make_step(self.method).learn_step(self.memory, *real)
-        else:
-            self.experience = with_room(self.experience, 1)
-            a_next, delta = make_planned_step(self.method)(
-                self.memory, self.experience, *real, self.rng
-            )
+        x = self.experience = self.experience and with_room(self.experience, 1)
+
+        def one_step(kernels: StepKernels) -> Any:
+            real = (s, a, r, s_next, bool(terminated), self.rng.random())
+            if kernels.planned_step is None:
+                return kernels.learn_step(self.memory, *real)
+            return kernels.planned_step(self.memory, x, *real, self.rng)
+
+        a_next, delta = guarded(self, one_step)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(
@@ -270,13 +270,15 @@ class Agent:
             a_next = 0  # after the end nothing is chosen
         _, a_next = check_pair(self.memory.q.shape, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
-        delta = float(make_step(self.method).update(self.memory, *real))
-        if self.experience is not None:
-            self.experience = with_room(self.experience, 1)
-            make_plan(self.method)(
-                self.memory, self.experience, *real, self.rng
-            )
-        return delta
+        x = self.experience = self.experience and with_room(self.experience, 1)
+
+        def one_update(kernels: StepKernels) -> float:
+            delta = float(kernels.update(self.memory, *real))
+            if kernels.plan is not None:
+                kernels.plan(self.memory, x, *real, self.rng)
+            return delta
+
+        return guarded(self, one_update)
 
     def frozen(self) -> "Agent":
         """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.

@@ -34,7 +34,7 @@ class Selection(NamedTuple):
     ----------
     name : str
         Its part of a method's name, such as ``SR``.
-    weigh : function
+    compute_probabilities : function
         ``(m, s)``, which writes the probability of each action in `s` to ``m.probabilities``; ``m`` is the agent's
         memory, see `Algorithm`.
     is_softmax, is_biased : bool
@@ -42,7 +42,7 @@ class Selection(NamedTuple):
     """
 
     name: str
-    weigh: Callable[..., Any]
+    compute_probabilities: Callable[..., Any]
     is_softmax: bool = False
     is_biased: bool = False
 

@@ -10,9 +10,10 @@ from rlrobot_edu.jit.building import build
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.kernel_world import KernelEnv, KernelWorld
 from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.own_code import Before
 from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.resume import ResumePoint, place_of
-from rlrobot_edu.learning.step import make_planned_step, make_step
+from rlrobot_edu.learning.step import make_step, own_parts
 from rlrobot_edu.learning.templates import loop
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -31,7 +32,7 @@ def make_run(
         outcome=outcome,
         select=step.select,
         learn_step=step.learn_step,
-        planned_step=make_planned_step(method) if method.planner else None,
+        planned_step=step.planned_step,
     ).run
 
 
@@ -54,13 +55,11 @@ def run_slices(
     for first in range(0, len(log.r), size):
         part = log.part(slice(first, first + size))
         left = agent.resume_point or ResumePoint()
-        agent.experience = x = agent.experience and with_room(
-            agent.experience, len(part.r)
-        )
+        agent.experience = agent.experience and with_room(agent.experience, len(part.r))
         agent.resume_point = None
         at[3] = 0
         try:
-            run(world.arrays, agent.memory, x, env.np_random, agent.rng, at, part)
+            _run(run, env, world, agent, at, part)
         finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
             s, a, env.episode_step, n, episodes_left = at.tolist()
             env.arrive(s)
@@ -73,3 +72,34 @@ def run_slices(
         yield n
         if n < len(part.r) or (episodes and not episodes_left):
             return
+
+
+def _run(
+    run: Callable[..., Any],
+    env: KernelEnv,
+    world: KernelWorld,
+    agent: Agent,
+    at: np.ndarray,
+    log: Transitions,
+) -> None:
+    """Run the loop. If a kernel of somebody's own fails, all is left as it was before that step.
+
+    The plain loop takes it then, and says what is wrong.
+    """
+    kernels = world.arrays, agent.memory, agent.experience, env.np_random, agent.rng, at
+    if not own_parts(agent.method):
+        run(*kernels, log)
+        return
+    before = Before(agent)
+    place = [array.copy() for array in (*world.state, at)]
+    world_rng = env.np_random.bit_generator.state
+    try:
+        run(*kernels, log)
+    except Exception:
+        n = at[3]
+        before.put_back()
+        env.np_random.bit_generator.state = world_rng
+        for array, old in zip((*world.state, at), place, strict=True):
+            array[...] = old
+        if n > 0:  # the whole steps before it once more
+            run(*kernels, log.part(slice(n)))

@@ -1,6 +1,7 @@
 """Everything a learning agent remembers, as arrays that compiled and plain kernels can share."""
 
 import math
+from copy import deepcopy
 from dataclasses import fields
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -109,3 +110,23 @@ def new_record(dtype: np.dtype) -> Any:
             **{name: dtype[name].type(0) for name in dtype.names or ()}
         )
     return np.zeros(1, dtype).view(np.recarray)[0]
+
+
+def copies(arrays: tuple[Any, ...]) -> list[Any]:
+    """Copies of what is in a named tuple of arrays, records and such tuples."""
+    return [
+        copies(each) if isinstance(each, tuple) else deepcopy(each) for each in arrays
+    ]
+
+
+def put_back(arrays: tuple[Any, ...], saved: list[Any]) -> None:
+    """Give the arrays the values of their copies again."""
+    for each, old in zip(arrays, saved, strict=True):
+        if isinstance(each, tuple):
+            put_back(each, old)
+        elif isinstance(each, np.ndarray):
+            each[...] = old
+        else:
+            is_plain = isinstance(each, SimpleNamespace)
+            for name in vars(each) if is_plain else each.dtype.names:
+                setattr(each, name, getattr(old, name))

@@ -3,14 +3,13 @@
 import math
 from collections.abc import Callable
 from functools import cache
-from types import ModuleType
 from typing import Any, NamedTuple
 
-from rlrobot_edu.jit.building import build, for_python
-from rlrobot_edu.jit.dispatcher import compiled
+from rlrobot_edu.jit.building import Build, build, for_python, in_python
+from rlrobot_edu.jit.dispatcher import compiled, is_ours
 from rlrobot_edu.learning.loop_evasion import forget_loops
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.templates import planned_step, step
+from rlrobot_edu.learning.templates import checked, planned_step, step
 from rlrobot_edu.learning.traces import forget
 
 
@@ -20,11 +19,18 @@ class StepKernels(NamedTuple):
     update: (memory, s, a, r, s', a', terminated) -> TD error, the algorithm's own
     select: (memory, s, u) -> action
     learn_step: (memory, s, a, r, s', terminated, u) -> (a', TD error)
+    plan: (memory, experience, s, a, r, s', a', terminated, rng), keeps in mind what happened, and imagines steps
+    planned_step: (memory, experience, s, a, r, s', terminated, u, rng) -> (a', TD error), `learn_step` with planning
+        between its update and what Q-learning selects
+
+    Without a planner, the last two are None.
     """
 
     update: Callable[..., Any]
     select: Callable[..., Any]
     learn_step: Callable[..., Any]
+    plan: Callable[..., Any] | None = None
+    planned_step: Callable[..., Any] | None = None
 
 
 @compiled
@@ -42,36 +48,56 @@ def no_update(m, s, a, r, s_next, a_next, terminated):
 
 @cache
 def make_step(method: Method) -> StepKernels:
-    """The kernels of `method`, put together from its algorithm and its selection."""
+    """The kernels of `method`, put together from its algorithm, its selection and its planner."""
+    return _step_of(method, build, compiled)
+
+
+def _step_of(method: Method, build: Build, compiled: Callable[..., Any]) -> StepKernels:
     update = compiled(method.algorithm.update)
-    built = build(
+    compute_probabilities = compiled(method.selection.compute_probabilities)
+    if not is_ours(update):
+        update = build(checked, update=update).checked_update
+    if not is_ours(compute_probabilities):
+        parts = {"compute_probabilities": compute_probabilities}
+        compute_probabilities = build(checked, **parts).checked_probabilities
+    on_policy = method.algorithm.on_policy
+    one = build(
         step,
         update=update,
-        weigh=compiled(method.selection.weigh),
-        ON_POLICY=method.algorithm.on_policy,
+        compute_probabilities=compute_probabilities,
+        ON_POLICY=on_policy,
     )
-    return StepKernels(for_python(update), built.select, built.learn_step)
-
-
-@cache
-def make_plan(method: Method) -> Callable[..., Any]:
-    """The kernel that keeps in mind what happened, and imagines steps as the planner of `method` does."""
-    return for_python(_planning(method).plan)
-
-
-@cache
-def make_planned_step(method: Method) -> Callable[..., Any]:
-    """`learn_step` of `method`, with planning between its update and what Q-learning selects."""
-    return _planning(method).planned_step
-
-
-def _planning(method: Method) -> ModuleType:
-    assert method.planner is not None
-    built = make_step(method)
-    return build(
+    plain = for_python(update), one.select, one.learn_step
+    if method.planner is None:
+        return StepKernels(*plain)
+    planned = build(
         planned_step,
         imagine=compiled(method.planner.plan),
-        select=built.select,
-        learn_step=built.learn_step,
-        ON_POLICY=method.algorithm.on_policy,
+        select=one.select,
+        learn_step=one.learn_step,
+        ON_POLICY=on_policy,
     )
+    return StepKernels(*plain, for_python(planned.plan), planned.planned_step)
+
+
+def plain_step(method: Method) -> StepKernels:
+    """The kernels of `method` as plain Python."""
+    return _step_of(
+        method, in_python, lambda kernel: getattr(kernel, "py_func", kernel)
+    )
+
+
+def own_parts(method: Method) -> dict[str, Any]:
+    """Those functions of a method that are not the toolkit's, by what they are called in an error."""
+    algorithm, selection, planner = method.algorithm, method.selection, method.planner
+    functions = {
+        f"the update of {algorithm.name}": algorithm.update,
+        f"the selection {selection.name}": selection.compute_probabilities,
+    }
+    if planner is not None:
+        functions[f"the planner {planner.name}"] = planner.plan
+    return {
+        what: getattr(function, "py_func", function)
+        for what, function in functions.items()
+        if not is_ours(function)
+    }

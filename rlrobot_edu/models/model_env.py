@@ -86,7 +86,9 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
-        return self.arrive(for_python(draw_start)(self._tables, self.np_random.random()))
+        return self.arrive(
+            for_python(draw_start)(self._tables, self.np_random.random())
+        )
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.

@@ -24,12 +24,13 @@ def draw_start(tables, u):
 @compiled
 def draw_from(tables, pair, number):
     """The outcome of `pair` with this number, counting each as often as it was seen: (s', r, terminated)."""
-    low, high = tables.offsets[pair], tables.offsets[pair + 1] - 1
+    offsets, cumulative = tables.offsets, tables.cumulative
+    low, high = offsets[pair], offsets[pair + 1] - 1
     while (
         low < high
     ):  # bisection: the first outcome whose cumulative count exceeds the number
         middle = (low + high) // 2
-        if number < tables.cumulative[middle]:
+        if number < cumulative[middle]:
             high = middle
         else:
             low = middle + 1
@@ -39,9 +40,10 @@ def draw_from(tables, pair, number):
 @compiled
 def times_seen(tables, pair):
     """How often `pair` was tried."""
-    if tables.offsets[pair] == tables.offsets[pair + 1]:
+    offsets = tables.offsets
+    if offsets[pair] == offsets[pair + 1]:
         return 0
-    return tables.cumulative[tables.offsets[pair + 1] - 1]
+    return tables.cumulative[offsets[pair + 1] - 1]
 
 
 @compiled

@@ -22,8 +22,9 @@ def add_share(p, values, best, share):
 @compiled
 def epsilon_greedy(m, s, epsilon):
     """With probability `epsilon` any action, else the best one. GREEDY is ε = 0, RANDOM is ε = 1."""
-    m.probabilities[:] = epsilon / m.q.shape[1]
-    add_share(m.probabilities, m.q[s], m.q[s].max(), 1.0 - epsilon)
+    p, values = m.probabilities, m.q[s]
+    p[:] = epsilon / p.shape[0]
+    add_share(p, values, values.max(), 1.0 - epsilon)
 
 
 @compiled
@@ -44,6 +45,6 @@ def any_action(m, s):
     epsilon_greedy(m, s, 1.0)
 
 
-EG = Selection(name="EG", weigh=best_or_any)
-GREEDY = Selection(name="GREEDY", weigh=best)
-RANDOM = Selection(name="RANDOM", weigh=any_action)
+EG = Selection(name="EG", compute_probabilities=best_or_any)
+GREEDY = Selection(name="GREEDY", compute_probabilities=best)
+RANDOM = Selection(name="RANDOM", compute_probabilities=any_action)

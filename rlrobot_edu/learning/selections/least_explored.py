@@ -17,4 +17,4 @@ def epsilon_greedy_least_explored(m, s):
     add_share(m.probabilities, m.q[s], m.q[s].max(), 1.0 - epsilon)
 
 
-EGLE = Selection(name="EGLE", weigh=epsilon_greedy_least_explored)
+EGLE = Selection(name="EGLE", compute_probabilities=epsilon_greedy_least_explored)

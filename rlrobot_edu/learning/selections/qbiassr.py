@@ -34,12 +34,16 @@ def biased_softmax_regression(m, s):
 
     `m` is the agent's memory, see memory.py. Source: paper equations 9 to 11 and algorithm 2.
     """
-    compute_bias(m.q, m.shape, s, m.bias)
-    for a in range(m.q.shape[1]):
-        m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
-    softmax(m.probabilities, m.now.temperature, m.probabilities)
+    q, bias, p = m.q, m.bias, m.probabilities
+    compute_bias(q, m.shape, s, bias)
+    for a in range(q.shape[1]):
+        p[a] = (q[s, a] + bias[a]) * m.parameters.q_scale
+    softmax(p, m.now.temperature, p)
 
 
 QBIASSR = Selection(
-    name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True
+    name="QBIASSR",
+    compute_probabilities=biased_softmax_regression,
+    is_softmax=True,
+    is_biased=True,
 )

@@ -31,9 +31,10 @@ def softmax_regression(m, s):
 
     `m` is the agent's memory, see memory.py. Source: paper equations 5, 10 and 11.
     """
-    for a in range(m.q.shape[1]):
-        m.probabilities[a] = m.q[s, a] * m.parameters.q_scale
-    softmax(m.probabilities, m.now.temperature, m.probabilities)
+    q, p = m.q, m.probabilities
+    for a in range(q.shape[1]):
+        p[a] = q[s, a] * m.parameters.q_scale
+    softmax(p, m.now.temperature, p)
 
 
-SR = Selection(name="SR", weigh=softmax_regression, is_softmax=True)
+SR = Selection(name="SR", compute_probabilities=softmax_regression, is_softmax=True)

@@ -6,7 +6,9 @@ The numbers `u` are drawn by the caller of the loop, one uniform number in [0, 1
 from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithms.q_learning import update
 from rlrobot_edu.learning.loop_evasion import watch_for_loops
-from rlrobot_edu.learning.selections.softmax import softmax_regression as weigh
+from rlrobot_edu.learning.selections.softmax import (
+    softmax_regression as compute_probabilities,
+)
 
 ON_POLICY = False
 NO_ACTION = -1  # after a terminal state there is nothing to choose
@@ -15,7 +17,7 @@ NO_ACTION = -1  # after a terminal state there is nothing to choose
 @compiled
 def select(m, s, u):
     """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
-    weigh(m, s)
+    compute_probabilities(m, s)
     probabilities = m.probabilities
     below, possible = 0.0, 0
     for a in range(probabilities.shape[0]):

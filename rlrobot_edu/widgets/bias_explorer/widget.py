@@ -35,7 +35,11 @@ SCRIPTS = (
 def script() -> str:
     """The program, with the library's kernels."""
     kernels = program(
-        {"sr": SR.weigh, "qbiassr": QBIASSR.weigh, "compute_bias": compute_bias}
+        {
+            "sr": SR.compute_probabilities,
+            "qbiassr": QBIASSR.compute_probabilities,
+            "compute_bias": compute_bias,
+        }
     )
     return "\n".join([*map(read_text, SCRIPTS), f"const kernels = {kernels};"])
 

@@ -50,6 +50,6 @@ def selection_kernel(agent: Agent) -> str:
     if not selection.is_biased:
         return "null"
     try:
-        return f"{program({'weigh': selection.weigh})}.weigh"
+        return f"{program({'compute_probabilities': selection.compute_probabilities})}.compute_probabilities"
     except ValueError:  # a selection of one's own may hold anything
         return "null"

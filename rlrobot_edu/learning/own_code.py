@@ -1,0 +1,119 @@
+"""An error in somebody's own kernel: one sentence with its line, and the agent is as it was before the step."""
+
+import re
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from rlrobot_edu.checks import describe_error
+from rlrobot_edu.learning.memory import copies, put_back
+from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.step import StepKernels, make_step, own_parts, plain_step
+
+if TYPE_CHECKING:
+    from rlrobot_edu.learning.agent import Agent
+
+T = TypeVar("T")
+
+
+class Before:
+    """An agent's memory, experience and random numbers as they are now."""
+
+    def __init__(self, agent: "Agent") -> None:
+        self.agent = agent
+        self.memory = copies(agent.memory)
+        self.experience = agent.experience
+        self.outcomes = copies(agent.experience or ())
+        self.rng = agent.rng.bit_generator.state
+
+    def put_back(self) -> None:
+        """The agent is again as it was."""
+        put_back(self.agent.memory, self.memory)
+        self.agent.experience = self.experience
+        put_back(self.experience or (), self.outcomes)
+        self.agent.rng.bit_generator.state = self.rng
+
+
+def guarded(agent: "Agent", one_step: Callable[[StepKernels], T]) -> T:
+    """What `one_step` answers with the kernels of the agent's method.
+
+    Raises ValueError in one sentence if a part that is not the toolkit's fails; then the agent is as it was before.
+    """
+    if not own_parts(agent.method):
+        return one_step(make_step(agent.method))
+    before = Before(agent)
+    try:
+        return one_step(make_step(agent.method))
+    except Exception as error:
+        before.put_back()
+        fault = error
+    try:
+        one_step(plain_step(agent.method))  # Python knows the line
+    except Exception as error:
+        what, line = _failed(agent.method, error)
+        raise ValueError(f"{line}: {what} failed: {describe_error(error)}") from error
+    finally:
+        before.put_back()
+    what, line = _refused(agent.method, str(fault))
+    raise ValueError(
+        f"{line}: numba cannot compile {what}: {_reason(str(fault))}. Write it with numbers, arrays and loops; with "
+        "NUMBA_DISABLE_JIT=1 it runs as plain Python"
+    )
+
+
+def _failed(method: Method, error: Exception) -> tuple[str, str]:
+    """What failed, and in which line, as an error of plain Python tells."""
+    frames = traceback.extract_tb(error.__traceback__)
+    parts = own_parts(method)
+    for what, function in parts.items():
+        code = function.__code__
+        its_own = [
+            i
+            for i, frame in enumerate(frames)
+            if (frame.filename, frame.name) == (code.co_filename, code.co_name)
+        ]
+        if its_own:
+            last = next(
+                frame for frame in reversed(frames) if _is_theirs(frame.filename, parts)
+            )
+            return what, f"{last.filename}, line {last.lineno}"
+    # it has returned: what it left is wrong
+    looks_at_probabilities = frames[-1].name == "checked_probabilities"
+    what = next(
+        what
+        for what in parts
+        if what.startswith("the selection") == looks_at_probabilities
+    )
+    return what, _first_line(parts[what])
+
+
+def _is_theirs(file: str, parts: dict[str, Any]) -> bool:
+    package = str(Path(__file__).parents[1])
+    return not file.startswith((package, "<rlrobot_edu"))
+
+
+def _first_line(function: Any) -> str:
+    code = function.__code__
+    return f"{code.co_filename}, line {code.co_firstlineno}"
+
+
+def _refused(method: Method, message: str) -> tuple[str, str]:
+    """What numba does not understand, and in which line, as its message tells."""
+    parts = own_parts(method)
+    for what, function in parts.items():
+        file = function.__code__.co_filename
+        lines = re.findall(
+            rf'File "[^"]*{re.escape(Path(file).name)}", line (\d+)', message
+        )
+        if lines:
+            return what, f"{file}, line {lines[-1]}"
+    what, function = next(iter(parts.items()))
+    return what, _first_line(function)
+
+
+def _reason(message: str) -> str:
+    """The line of numba's long message that says why."""
+    lines = [line.strip() for line in message.splitlines()]
+    said = [line for line in lines if line and not line.startswith("Failed in ")]
+    return said[0].rstrip(".:") if said else "it says no more"
