@@ -6,7 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+import numpy as np
+
 from rlrobot_edu.checks import describe_error
+from rlrobot_edu.jit.fingerprint import INSTALLED
 from rlrobot_edu.learning.memory import copies, put_back
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import StepKernels, make_step, own_parts, plain_step
@@ -49,13 +52,16 @@ def guarded(agent: "Agent", one_step: Callable[[StepKernels], T]) -> T:
         before.put_back()
         fault = error
     try:
-        one_step(plain_step(agent.method))  # Python knows the line
+        with np.errstate(all="ignore"):
+            one_step(plain_step(agent.method))  # Python knows the line
     except Exception as error:
         what, line = _failed(agent.method, error)
         raise ValueError(f"{line}: {what} failed: {describe_error(error)}") from error
     finally:
         before.put_back()
     what, line = _refused(agent.method, str(fault))
+    if not type(fault).__module__.startswith("numba"):
+        raise ValueError(f"{line}: {what} failed: {describe_error(fault)}") from fault
     raise ValueError(
         f"{line}: numba cannot compile {what}: {_reason(str(fault))}. Write it with numbers, arrays and loops; with "
         "NUMBA_DISABLE_JIT=1 it runs as plain Python"
@@ -75,7 +81,7 @@ def _failed(method: Method, error: Exception) -> tuple[str, str]:
         ]
         if its_own:
             last = next(
-                frame for frame in reversed(frames) if _is_theirs(frame.filename, parts)
+                frame for frame in reversed(frames) if _is_theirs(frame.filename)
             )
             return what, f"{last.filename}, line {last.lineno}"
     # it has returned: what it left is wrong
@@ -88,9 +94,9 @@ def _failed(method: Method, error: Exception) -> tuple[str, str]:
     return what, _first_line(parts[what])
 
 
-def _is_theirs(file: str, parts: dict[str, Any]) -> bool:
-    package = str(Path(__file__).parents[1])
-    return not file.startswith((package, "<rlrobot_edu"))
+def _is_theirs(file: str) -> bool:
+    is_ours = file.startswith((str(Path(__file__).parents[1]), "<rlrobot_edu"))
+    return not is_ours and not any(place in file for place in INSTALLED)
 
 
 def _first_line(function: Any) -> str:

@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from rlrobot_edu.jit.building import Build, build, for_python, in_python
-from rlrobot_edu.jit.dispatcher import compiled, is_ours
+from rlrobot_edu.jit.dispatcher import compiled, is_ours, uncompiled
 from rlrobot_edu.learning.loop_evasion import forget_loops
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.templates import checked, planned_step, step
@@ -82,9 +82,7 @@ def _step_of(method: Method, build: Build, compiled: Callable[..., Any]) -> Step
 
 def plain_step(method: Method) -> StepKernels:
     """The kernels of `method` as plain Python."""
-    return _step_of(
-        method, in_python, lambda kernel: getattr(kernel, "py_func", kernel)
-    )
+    return _step_of(method, in_python, uncompiled)
 
 
 def own_parts(method: Method) -> dict[str, Any]:
