@@ -8,18 +8,14 @@ from __future__ import annotations
 
 import math
 from collections import namedtuple
-from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any
 
 import gymnasium
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.jit.dispatcher import borrowed, compiled
-from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.step import begin_episode, make_step
-from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.jit.dispatcher import compiled
+from rlrobot_edu.learning.kernel_world import NEVER, KernelWorld
 from rlrobot_edu.robots.arenas import Arena
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
@@ -35,10 +31,13 @@ X, Y, THETA = (
 
 # walls, hull, radius, moment, rays: as kinematic/base.py has them; inset, axle: of the chassis [m]; start: of the axle
 # twists: array (actions, 2), v and omega; sensors, cuts, bins: of the inputs, lasers; front: which lasers touch
-# cell, memory: of new ground
+# cell, memory: of new ground; episode_steps: none end
+# place, near, touch: what the kernels change, as kinematic/motion.py has them; seen: array (11,), the readings
+# clock: array (1,), steps so far; last: array (64, 64), when the robot was in a cell
 Fast = namedtuple(
     "Fast",
-    "walls hull radius moment rays inset axle start twists sensors cuts bins front step_time cell memory",
+    "walls hull radius moment rays inset axle start twists sensors cuts bins front step_time cell memory"
+    " episode_steps place near touch seen clock last",
 )
 
 
@@ -81,41 +80,26 @@ def reward(w, seen, now, last):
     return -10.0 if touching > 1 else -2.0 if touching == 1 else 10.0 if pays else -0.02
 
 
-@cache
-def make_run(method: Method) -> Callable[..., Any]:
-    """The loop for this method."""
-    select, learn_step = make_step(method)[1:]
+@compiled
+def begin(w, rng):
+    """Put the robot at its start, on a floor where it has not been; the state there."""
+    w.place[:] = w.start
+    w.clock[0] = 0
+    w.last[:] = -w.memory - 1
+    s = sense(w, w.place, w.seen)
+    is_new(w, w.seen[X], w.seen[Y], 0, w.last)
+    return s
 
-    @compiled
-    def run(w, m, place, near, touch, seen, last, u, log):
-        """Learn until the log is full. u: the agent's uniform numbers, one a step and one for the first."""
-        w, m, log = borrowed(w), borrowed(m), borrowed(log)
-        place[:] = w.start
-        s = sense(w, place, seen)
-        is_new(w, seen[X], seen[Y], 0, last)
-        begin_episode(m)
-        a = select(m, s, u[0])
-        for t in range(log.r.shape[0]):
-            v, omega = w.twists[a, 0], w.twists[a, 1]
-            drive(
-                place,
-                v,
-                omega,
-                w.step_time,
-                w.hull,
-                w.radius,
-                w.moment,
-                w.walls,
-                near,
-                touch,
-            )
-            s_next = sense(w, place, seen)
-            r = reward(w, seen, t + 1, last)
-            a_next, _ = learn_step(m, s, a, r, s_next, False, u[t + 1])
-            log.s[t], log.a[t], log.r[t], log.s_next[t] = s, a, r, s_next
-            s, a = s_next, a_next
 
-    return run
+@compiled
+def outcome(w, s, a, rng):
+    """What happens after (s, a): (s', r, terminated)."""
+    body = w.hull, w.radius, w.moment
+    v, omega = w.twists[a, 0], w.twists[a, 1]
+    drive(w.place, v, omega, w.step_time, *body, w.walls, w.near, w.touch)
+    w.clock[0] += 1
+    s_next = sense(w, w.place, w.seen)
+    return s_next, reward(w, w.seen, w.clock[0], w.last), False
 
 
 class FastBase(gymnasium.Env[Any, Any]):
@@ -144,24 +128,19 @@ class FastBase(gymnasium.Env[Any, Any]):
         twists = [PIONEER.twist(task.command_for(a)) for a in range(task.actions.n)]
         sensors = [LASERS.index(variable.name) for variable in task.inputs]
         front = [LASERS.index(name) for name in FRONT_LASERS]
+        self.episode_step, self.np_random = 0, np.random.default_rng(0)
+        walls = walls_of(arena)
         self._w = Fast(
-            walls_of(arena), *Body.of(PIONEER), PIONEER.inset, PIONEER.axle, np.array(start), np.array(twists),
+            walls, *Body.of(PIONEER), PIONEER.inset, PIONEER.axle, np.array(start), np.array(twists),
             np.array(sensors), cuts, bins, np.array(front), task.step_time, cell, memory,
+            NEVER, np.empty(3), np.empty(len(walls), np.int64), np.empty(7), np.empty(len(LASERS) + 3),
+            np.zeros(1, np.int64), np.zeros((64, 64), np.int64),
         )  # fmt: skip
 
-    def learn_compiled(
-        self, agent: rl.Agent, log: Transitions, episodes: int | None
-    ) -> Iterator[int]:
-        """Run the loop compiled."""
-        n, w = len(log.r), self._w
-        room = (
-            np.empty(3),
-            np.empty(len(w.walls), np.int64),
-            np.empty(7),
-            np.empty(len(LASERS) + 3),
-        )
-        last = np.full((64, 64), -w.memory - 1)
-        make_run(agent.method)(
-            w, agent.memory, *room, last, agent.rng.random(n + 1), log
-        )
-        yield n
+    def kernel_world(self, steps: int) -> KernelWorld:
+        """This world as kernels."""
+        w = self._w
+        return KernelWorld(begin, outcome, w, (w.place, w.seen, w.clock, w.last))
+
+    def arrive(self, s: int) -> None:
+        """Be in state `s`: the arrays are there already."""

@@ -147,7 +147,8 @@ def size_of(paths: Iterable[Path]) -> Size:
 
 def sources(*folders: str) -> list[Path]:
     """All Python files below folders of the project."""
-    return sorted(path for name in folders for path in (ROOT / name).rglob("*.py"))
+    paths = [path for name in folders for path in (ROOT / name).rglob("*.py")]
+    return sorted(path for path in paths if "__pycache__" not in path.parts)
 
 
 def reading_path() -> list[Path]:

@@ -53,5 +53,8 @@ def softmax_biased_by_visits(m, s):
 
 
 VBIASSR = Selection(
-    name="VBIASSR", compute_probabilities=softmax_biased_by_visits, is_softmax=True, is_biased=True
+    name="VBIASSR",
+    compute_probabilities=softmax_biased_by_visits,
+    is_softmax=True,
+    is_biased=True,
 )

@@ -1,7 +1,7 @@
 """Put kernels together: the text of a template, and after it the parts that take the place of its own.
 
-A template is an ordinary module whose kernels call a few parts by name. Its text is written to a small module in the
-user's cache, followed by a line for each part, such as ``from rlrobot_edu.learning.algorithms.sarsa import update``.
+A template is an ordinary module whose kernels call a few parts by name. Its text is written to a small module in a
+cache folder, followed by a line for each part, such as ``from rlrobot_edu.learning.algorithms.sarsa import update``.
 From then on it is a module like any other, and numba keeps on disk what it compiles there. numba looks for a change
 in that one file alone, so its name holds a hash of the sources of all packages that it imports from.
 
@@ -12,6 +12,7 @@ is kept, and the next process compiles again.
 import importlib.util
 import linecache
 import sys
+import tempfile
 from collections.abc import Callable
 from functools import cache
 from itertools import count
@@ -24,6 +25,7 @@ from rlrobot_edu.jit import call
 from rlrobot_edu.jit.dispatcher import FOLDER, is_ours
 
 Build = Callable[..., ModuleType]  # (template, **parts) -> its kernels, as `build`
+ROOM = 2**22  # for what numba keeps of one module [bytes]
 UNUSED = 30 * 24 * 3600  # age at which built modules go [s]
 _numbers = count()  # of the modules that are in memory alone
 
@@ -69,7 +71,7 @@ def line_of(name: str, part: Any) -> str:
 
 
 def _on_disk(template: ModuleType, text: str, parts: dict[str, Any]) -> ModuleType:
-    """The module of this text in the user's cache."""
+    """The module of this text in the cache folder."""
     assert FOLDER is not None
     packages = {template.__name__.partition(".")[0]}
     packages |= {
@@ -84,6 +86,8 @@ def _on_disk(template: ModuleType, text: str, parts: dict[str, Any]) -> ModuleTy
         return sys.modules[name]
     if not path.exists():
         remove_old(FOLDER.rglob("*.*"), UNUSED)
+        with tempfile.TemporaryFile(dir=FOLDER) as file:
+            file.write(bytes(ROOM))  # numba must not run into a full disk
         write_whole(path, text)
     spec = importlib.util.spec_from_file_location(name, path)
     assert spec is not None and spec.loader is not None
@@ -97,7 +101,11 @@ def _on_disk(template: ModuleType, text: str, parts: dict[str, Any]) -> ModuleTy
 def sources_of(package: str) -> str:
     """Hash of the sources of a package, as they are now."""
     folder = Path(str(sys.modules[package].__file__)).parent
-    texts = [path.read_bytes() for path in sorted(folder.rglob("*.py"))]
+    texts = [
+        path.read_bytes()
+        for path in sorted(folder.rglob("*.py"))
+        if "__pycache__" not in path.parts
+    ]
     return sha256(b"\0".join(texts))
 
 

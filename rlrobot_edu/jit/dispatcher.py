@@ -18,18 +18,21 @@ try:
 except ImportError:
     numba = None
 
+PACKAGE = Path(__file__).parents[1]
 IS_PLAIN = numba is None or bool(numba.config.DISABLE_JIT)
 OURS = ("rlrobot_edu", "rlrobot_course")  # packages whose kernels are tested
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
 def cache_folder() -> Path | None:
-    """Folder of this user's compiled kernels; None if it cannot be written."""
-    with suppress(OSError, RuntimeError):  # RuntimeError: this user has no home
-        folder = Path("~/.cache/rlrobot_edu/kernels").expanduser()
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
+    """Folder of the compiled kernels; None if no place is writable."""
+    # the second is for a package that was installed where this user cannot write
+    for parent in (PACKAGE / "__pycache__", Path("~/.cache/rlrobot_edu")):
+        with suppress(OSError, RuntimeError):  # RuntimeError: this user has no home
+            folder = parent.expanduser() / "kernels"
+            folder.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                return folder
     return None
 
 

@@ -148,7 +148,7 @@ def _kernels() -> Finding:
             "compiled anew by every process: no place to keep them is writable",
             to_do,
         )
-    if any(folder.glob("*.nbc")):
+    if any(folder.rglob("*.nbc")):
         return Finding("kernels", f"compiled, kept in {folder}")
     return Finding(
         "kernels",

@@ -74,7 +74,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
 ):
     monkeypatch.setattr(compiled_loop, "SLICE", 100)
     agent, env = fresh(wander_model, settings)
-    run, slices = model_env.make_run(agent.method, begin, outcome), []
+    run, slices = compiled_loop.make_run(agent.method, begin, outcome), []
 
     def run_and_press(*arguments):
         slices.append(run(*arguments))
@@ -84,7 +84,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
             )  # the interpreter hears of it when it is back from the kernel
         return slices[-1]
 
-    monkeypatch.setattr(model_env, "make_run", lambda *of: run_and_press)
+    monkeypatch.setattr(compiled_loop, "make_run", lambda *of: run_and_press)
     with pytest.raises(
         KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps"
     ) as stopped:

@@ -1,24 +1,22 @@
-"""Compiled kernels are kept where there is a place, and where there is none, or a damaged file, they are made anew."""
+"""Compiled kernels are kept where there is a place, and where there is none they are made anew."""
 
 import hashlib
-import importlib.util
 import os
-import pickle
 import shutil
 import subprocess
 import sys
-import warnings
 from pathlib import Path
 
 import pytest
-from faults import full_disk, needs_limits
+from faults import needs_limits
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import shipped
-from rlrobot_edu.jit import dispatcher
+from rlrobot_edu.jit import building, dispatcher
+from rlrobot_edu.learning.algorithms import sarsa
+from rlrobot_edu.learning.templates import step
 
 numba = pytest.importorskip("numba")
-kernel_cache = pytest.importorskip("rlrobot_edu.jit.caching")
 pytestmark = pytest.mark.skipif(
     numba.config.DISABLE_JIT, reason="needs kernels that are compiled"
 )
@@ -26,127 +24,67 @@ pytestmark = pytest.mark.skipif(
 PACKAGE = Path(rl.__file__).parent
 
 
-RULE = """
-from rlrobot_edu.jit import dispatcher
+def test_a_built_module_is_its_template_with_other_imports():
+    built = building.build(step, update=sarsa.update, ON_POLICY=True)
+    text = Path(built.__file__).read_text(encoding="utf-8")
+    assert text.startswith(Path(step.__file__).read_text(encoding="utf-8"))
+    assert built.update is sarsa.update and built.ON_POLICY and not step.ON_POLICY
+    assert building.build(step, update=sarsa.update, ON_POLICY=True) is built
 
-FACTOR = 2
 
-@dispatcher.compiled
-def times(x):
-    return FACTOR * x
+def test_its_name_holds_the_sources_of_the_packages_so_an_edit_anywhere_is_seen(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setattr(building, "FOLDER", tmp_path)
+    build = building.build.__wrapped__
+    before = build(step, update=sarsa.update)
+    assert build(step, update=sarsa.update) is before
+    edited = {"rlrobot_edu": "other sources"}
+    monkeypatch.setattr(building, "sources_of", edited.__getitem__)
+    after = build(step, update=sarsa.update)
+    assert after.__file__ != before.__file__ and after is not before
 
-def twice(x):
-    return times(x)
+
+def test_what_no_module_can_import_is_in_memory_alone(tmp_path, monkeypatch):
+    def update(m, s, a, r, s_next, a_next, terminated):
+        return 0.0
+
+    monkeypatch.setattr(building, "FOLDER", tmp_path)
+    own = dispatcher.compiled(update)
+    built = building.build.__wrapped__(step, update=own)
+    assert built.update is own and not [*tmp_path.iterdir()]
+
+
+def test_modules_that_nobody_has_built_in_a_month_go(tmp_path, monkeypatch):
+    monkeypatch.setattr(building, "FOLDER", tmp_path)
+    old, young = tmp_path / "old.py", tmp_path / "young.py"
+    old.touch()
+    young.touch()
+    os.utime(old, (0, 0))
+    monkeypatch.setattr(building, "sources_of", lambda package: "of a month later")
+    building.build.__wrapped__(step, update=sarsa.update)
+    assert young.exists() and not old.exists()
+
+
+HITS = """
+import rlrobot_edu as rl
+from rlrobot_edu.learning import compiled_loop
+runs = []
+make_run = compiled_loop.make_run
+compiled_loop.make_run = lambda *kind: runs.append(make_run(*kind)) or runs[-1]
+model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
+rl.learn(rl.Agent(model, "Q+SR", seed=0), rl.make_env(model, seed=0), 10, progress=False)
+print(sum(runs[0].stats.cache_hits.values()))
 """
 
 
-@pytest.fixture
-def load(tmp_path, monkeypatch):
-    """A function that gives a small kernel as a new process finds it: with its cache, and yet to be compiled."""
-    (tmp_path / "package").mkdir()
-    (tmp_path / "rule.py").write_text(RULE, encoding="utf-8")
-    monkeypatch.setattr(dispatcher, "PACKAGE", tmp_path / "package")
-    monkeypatch.setenv("HOME", str(tmp_path / "home"))
-    monkeypatch.setattr(dispatcher, "FOLDER", dispatcher.cache_folder())
-
-    monkeypatch.setattr(
-        sys, "dont_write_bytecode", True
-    )  # a full disk would cut it off
-
-    def load_kernel(old="", new=""):
-        """The kernel, after `old` in its file has been replaced with `new`."""
-        if old:
-            rule = (tmp_path / "rule.py").read_text(encoding="utf-8")
-            (tmp_path / "rule.py").write_text(rule.replace(old, new), encoding="utf-8")
-        spec = importlib.util.spec_from_file_location("rule", tmp_path / "rule.py")
-        module = importlib.util.module_from_spec(spec)
-        monkeypatch.setitem(sys.modules, "rule", module)  # where numba looks for it
-        spec.loader.exec_module(module)
-        kernel_cache._warn_once.cache_clear()
-        return dispatcher.compiled(module.twice)
-
-    return load_kernel
-
-
-def kept(folder):
-    """The files of the kernel in the cache."""
-    return sorted(Path(folder).rglob("rule.twice-*"))
-
-
-def is_kept(kernel, factor=2):
-    """Whether the kernel, which is right, came from the cache."""
-    assert kernel(21) == 21 * factor
-    return sum(kernel.stats.cache_hits.values()) == 1
-
-
-def test_a_kernel_is_compiled_once(load, tmp_path):
-    assert not is_kept(load())
-    assert is_kept(load())
-    assert len(kept(tmp_path)) == 1
-
-
-def test_an_edit_runs_wherever_it_is_and_what_no_kernel_is_made_of_costs_nothing(
-    load, tmp_path
-):
-    assert not is_kept(load())
-    assert not is_kept(
-        load("FACTOR = 2", "FACTOR = 3"), factor=3
-    )  # what the kernel calls reaches it
-    assert not is_kept(load("FACTOR * x", "(FACTOR + 1) * x"), factor=4)
-    assert is_kept(
-        load("(FACTOR + 1) * x", "FACTOR * x"), factor=3
-    )  # the versions stand side by side
-    assert is_kept(load("FACTOR = 3", "# an edit\n\nOTHER = 1\nFACTOR = 2"))
-    assert len(kept(tmp_path)) == 3
-
-
-def test_a_kernel_that_no_process_has_asked_for_in_a_month_goes(load, tmp_path):
-    is_kept(load())
-    (used,), unused = (
-        kept(tmp_path),
-        [path for path in tmp_path.rglob("*.nbc") if "times" in path.name],
-    )
-    for path in (used, *unused):
-        os.utime(path, (0, 0))
-    assert is_kept(load())  # which asks for it
-    is_kept(load("FACTOR = 2", "FACTOR = 3"), factor=3)
-    assert used.exists() and unused and not any(path.exists() for path in unused)
-
-
-DAMAGE = {
-    "cut": lambda data: data[: len(data) // 2],
-    "cut at its end": lambda data: data[:-1],
-    "emptied": lambda _: b"",
-    "garbage": lambda data: bytes(255 - byte for byte in data),
-    "another pickle": lambda _: pickle.dumps((1, 2, 3)),
-}
-
-
-@pytest.mark.parametrize("damage", DAMAGE)
-def test_a_damaged_cache_is_made_anew_without_a_word(load, tmp_path, damage, capsys):
-    assert not is_kept(load())
-    (path,) = kept(tmp_path)
-    path.write_bytes(DAMAGE[damage](path.read_bytes()))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert not is_kept(load())
-        assert is_kept(load())
-    assert capsys.readouterr() == ("", "")
-
-
-@needs_limits
-def test_on_a_full_disk_kernels_run_and_are_kept_when_there_is_room(load, tmp_path):
+def test_the_next_process_finds_what_this_one_has_compiled():
     for _ in range(2):
-        with (
-            full_disk(20),
-            pytest.warns(
-                UserWarning, match="compiled kernels cannot be kept .*File too large"
-            ),
-        ):
-            assert not is_kept(load())
-        assert not [*tmp_path.rglob("*.nbc")]
-    assert not is_kept(load())
-    assert is_kept(load())
+        ran = subprocess.run(
+            [sys.executable, "-c", HITS], capture_output=True, text=True
+        )
+        assert not ran.returncode, ran.stderr
+    assert ran.stdout.strip() == "1"
 
 
 LEARN = """
@@ -157,7 +95,7 @@ if sys.argv[1] == "no home":
     pwd.getpwuid = {}.__getitem__  # nobody is known here
 else:
     import resource
-    resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
 import rlrobot_edu as rl
 from rlrobot_edu.jit import dispatcher
@@ -198,6 +136,5 @@ def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
         hashlib.sha256(agent.q.tobytes()).hexdigest(),
         str(fault == "no home"),
     ]
-    said = run.stderr.splitlines()
-    assert len(said) < 4, run.stderr
+    assert len(run.stderr.splitlines()) < 4, run.stderr
     assert not [*tmp_path.rglob("*.nbc")]

@@ -133,7 +133,7 @@ def test_ctrl_c_is_heard_between_two_slices_and_learning_goes_on_bit_for_bit(
 
         return run_and_press
 
-    monkeypatch.setattr(robot_env, "make_run", make_and_press)
+    monkeypatch.setattr(compiled_loop, "make_run", make_and_press)
     agent, env = fresh("wander_1k")
     try:
         with pytest.raises(KeyboardInterrupt):
