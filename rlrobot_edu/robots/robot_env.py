@@ -84,6 +84,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.task = task
         self.render_mode = render_mode
         self._link = link
+        self.stops_at_once = link is not None  # on Ctrl-C, see `learn`
         self._realism = realism
         if link is not None:
             for name, value in {
