@@ -1,15 +1,19 @@
 """Ctrl-C that waits until a step is whole, so that learning can go on after it."""
 
 import signal
+from contextlib import suppress
 from types import FrameType, TracebackType
 from typing import Any
 
 
 class DelayedInterrupt:
-    """Within it Ctrl-C waits, until `raise_if_pressed` or the end; pressed a second time, it is heard at once.
+    """While it is in force, Ctrl-C waits for `raise_if_pressed` or for the end. A second one is heard at once.
 
-    So it is where Python's own handler is in force, which raises KeyboardInterrupt; elsewhere nothing changes, nor in
-    threads, which hear no signals.
+    It replaces only Python's own handler, which raises KeyboardInterrupt. Any other stays in force, and so do all where
+    Python hears no signals: in threads and in subinterpreters.
+
+    To put it in force and to end it takes 20 µs with Python 3.11 and 7 µs with 3.13. So `steps` takes this longer for
+    each step, of some 200 µs on wander_1k, and `learn` for the whole call.
 
     waits: whether it does anything at all
     """
@@ -20,10 +24,9 @@ class DelayedInterrupt:
 
     def __enter__(self) -> "DelayedInterrupt":
         if self._waits and _handler() is signal.default_int_handler:
-            try:
+            # ValueError: not in the main thread of the main interpreter
+            with suppress(ValueError):
                 signal.signal(signal.SIGINT, self._note)
-            except ValueError:
-                pass  # not the main thread of the main interpreter
         return self
 
     def __exit__(

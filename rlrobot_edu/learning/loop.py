@@ -88,6 +88,8 @@ def steps(
     ------
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
+    KeyboardInterrupt
+        After Ctrl-C: at once between two steps, else when the step is done, as in `learn`.
     """
     check_count("steps", steps, least=0)
     _prepare(agent, env, resume)
@@ -95,7 +97,7 @@ def steps(
 
 
 def _whole_steps(agent: Agent, env: Env, walk: Iterator[Step]) -> Iterator[Step]:
-    """The steps of `walk`. Ctrl-C waits until a step is whole, and between two steps is heard as ever."""
+    """The steps of `walk`, each of which Ctrl-C lets end. Between two steps it is heard at once."""
     while True:
         with _delayed_interrupt(env):
             step = next(walk, None)
@@ -105,7 +107,7 @@ def _whole_steps(agent: Agent, env: Env, walk: Iterator[Step]) -> Iterator[Step]
 
 
 def _delayed_interrupt(env: Env) -> DelayedInterrupt:
-    """A real robot has to stop at once, even if nothing can be resumed then."""
+    """What lets the steps in `env` end. A real robot must stop at once, even if nothing can be resumed then."""
     return DelayedInterrupt(not getattr(env.unwrapped, "stops_at_once", False))
 
 
@@ -215,10 +217,19 @@ def learn(
 
     Notes
     -----
-    A resumed call gives the numbers of one undisturbed call, or is refused: if Ctrl-C came within a step, when the
-    robot may have moved without the agent knowing; and if something else has reset or stepped the environment, or it
-    is another one. The state and the step of its episode show this, if they are attributes of the environment, as in
-    the toolkit's, Gymnasium's own and its ``TimeLimit``.
+    Ctrl-C lets the step end, so that a resumed call gives the numbers of one undisturbed call. Pressed a second time,
+    it interrupts the step, for example one that hangs. An environment whose attribute ``stops_at_once`` is true is
+    interrupted by the first Ctrl-C; one with a robot behind a link is such, because the robot has to stop.
+
+    To resume is refused if it could give other numbers:
+
+    - after a step that was interrupted or failed, for the robot may have moved without the agent knowing;
+    - in another environment, or after another agent has learned in this one;
+    - after anything else has reset or stepped it. This is seen by its state and the steps of its episode, if they are
+      attributes of the environment, as in the toolkit's, Gymnasium's own and its ``TimeLimit``.
+
+    A copy of the environment (`copy.deepcopy`, `pickle`) is as good, if it counts the steps of its episode. An agent's
+    copy can resume instead of the agent: where one of them has gone on, the other is refused.
     """
     check_count("steps", steps, least=0, or_none=True)
     check_count("episodes", episodes, or_none=True)

@@ -478,9 +478,7 @@ COPIES = {
 }
 # those that count the steps of their episode; of another one, a copy is refused
 COUNTING = {
-    name: make
-    for name, make in WORLDS.items()
-    if make not in (WORLDS["a cliff"], Lane)
+    name: make for name, make in WORLDS.items() if make not in (WORLDS["a cliff"], Lane)
 }
 
 
