@@ -93,13 +93,13 @@ def steps(
     """
     check_count("steps", steps, least=0)
     _prepare(agent, env, resume)
-    return _whole_steps(agent, env, _walk(agent, env, steps))
+    return _whole_steps(_walk(agent, env, steps), _delayed_interrupt(env))
 
 
-def _whole_steps(agent: Agent, env: Env, walk: Iterator[Step]) -> Iterator[Step]:
+def _whole_steps(walk: Iterator[Step], interrupt: DelayedInterrupt) -> Iterator[Step]:
     """The steps of `walk`, each of which Ctrl-C lets end. Between two steps it is heard at once."""
     while True:
-        with _delayed_interrupt(env):
+        with interrupt:
             step = next(walk, None)
         if step is None:
             return

@@ -74,9 +74,9 @@ def is_at(env: Env, place: Place | None) -> bool:
 
     A copy of the environment is as good, if it counts the steps of its episode.
     """
-    here = place_of(env)
     if place is None:
         return False
+    here = place_of(env)
     if here.walk is None and not here.numbers.keys().isdisjoint(COUNTS):
         return here.numbers == place.numbers
     return here == place
