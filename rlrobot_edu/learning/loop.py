@@ -4,7 +4,6 @@ import time
 from collections.abc import Iterator
 from copy import copy
 from typing import Any, NamedTuple
-from uuid import uuid4
 
 import gymnasium
 import numpy as np
@@ -14,11 +13,12 @@ from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import run_slices
 from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.interrupts import DelayedInterrupt
 from rlrobot_edu.learning.kernel_world import KernelEnv
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
-from rlrobot_edu.learning.resume import WALK, ResumePoint, place_of
+from rlrobot_edu.learning.resume import ResumePoint, begin_walk, is_at, place_of
 from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -90,18 +90,36 @@ def steps(
     ------
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
+    KeyboardInterrupt
+        After Ctrl-C: at once between two steps, else when the step is done, as in `learn`.
     """
     check_count("steps", steps, least=0)
     _prepare(agent, env, resume)
-    return _walk(agent, env, steps)
+    return _whole_steps(_walk(agent, env, steps), _delayed_interrupt(env))
+
+
+def _whole_steps(walk: Iterator[Step], interrupt: DelayedInterrupt) -> Iterator[Step]:
+    """The steps of `walk`, each of which Ctrl-C lets end. Between two steps it is heard at once."""
+    while True:
+        with interrupt:
+            step = next(walk, None)
+        if step is None:
+            return
+        yield step
+
+
+def _delayed_interrupt(env: Env) -> DelayedInterrupt:
+    """What lets the steps in `env` end. A real robot must stop at once, even if nothing can be resumed then."""
+    return DelayedInterrupt(not getattr(env.unwrapped, "stops_at_once", False))
 
 
 def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
     """The loop itself, which `steps` and `learn` share. looks: whether a step tells how its action was chosen."""
     state_number = state_numbers(env)
     for t in range(n_steps):
-        left = (agent.pending and agent.resume_point) or ResumePoint()
-        agent.resume_point = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
+        before = _episode_so_far(agent)
+        # until the step is whole: a fault, or Ctrl-C that does not wait, may come anywhere within it
+        agent.resume_point = None
         if agent.pending is None:
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
@@ -133,9 +151,16 @@ def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[
         )
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
         agent.resume_point = ResumePoint(
-            left.steps + 1, left.reward + step.r, place_of(env)
+            before.steps + 1, before.reward + step.r, place_of(env)
         )
         yield step
+
+
+def _episode_so_far(agent: Agent) -> ResumePoint:
+    """Steps and rewards of the episode that still runs; none if there is no such."""
+    if agent.pending is None or agent.resume_point is None:
+        return ResumePoint()
+    return agent.resume_point
 
 
 def _answer(asked: str, answer: Any, n: int) -> Any:
@@ -194,10 +219,19 @@ def learn(
 
     Notes
     -----
-    A resumed call gives the numbers of one undisturbed call, or is refused: if Ctrl-C came within a step, when the
-    robot may have moved without the agent knowing; and if something else has reset or stepped the environment, or it
-    is another one. The state and the step of its episode show this, if they are attributes of the environment, as in
-    the toolkit's, Gymnasium's own and its ``TimeLimit``.
+    Ctrl-C lets the step end, so that a resumed call gives the numbers of one undisturbed call. Pressed a second time,
+    it interrupts the step, for example one that hangs. An environment whose attribute ``stops_at_once`` is true is
+    interrupted by the first Ctrl-C; one with a robot behind a link is such, because the robot has to stop.
+
+    To resume is refused if it could give other numbers:
+
+    - after a step that was interrupted or failed, for the robot may have moved without the agent knowing;
+    - in another environment, or after another agent has learned in this one;
+    - after anything else has reset or stepped it. This is seen by its state and the steps of its episode, if they are
+      attributes of the environment, as in the toolkit's, Gymnasium's own and its ``TimeLimit``.
+
+    A copy of the environment (`copy.deepcopy`, `pickle`) is as good, if it counts the steps of its episode. An agent's
+    copy can resume instead of the agent: where one of them has gone on, the other is refused.
     """
     check_count("steps", steps, least=0, or_none=True)
     check_count("episodes", episodes, or_none=True)
@@ -209,14 +243,18 @@ def learn(
             f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True"
         )
     size = _prepare(agent, env, resume)
-    before = (agent.pending and agent.resume_point) or ResumePoint()
+    before = _episode_so_far(agent)._replace(place=None)  # of no use in a history
     log = Transitions.empty(int(steps))
     n = 0
     start = time.perf_counter()
     try:
-        with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
+        with (
+            progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar,
+            _delayed_interrupt(env) as interrupt,
+        ):
             for done in _learn(agent, env, log, episodes):
                 n += done
+                interrupt.raise_if_pressed()
                 bar.update(done)
     except KeyboardInterrupt:
         raise Interrupted(
@@ -317,27 +355,32 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> Size:
         raise ValueError(
             f"the agent was made for {made_for}, this world has {found}; make both of one task"
         )
-    if not resume:
-        agent.resume_point = None  # first, for Ctrl-C may come between these lines
+    if resume:
+        _check_resumable(agent, env)
+    left = agent.resume_point
+    agent.resume_point = None  # first, for Ctrl-C may come between these lines
+    if left is None or not resume:
         agent.pending = None
-        agent.resume_point = ResumePoint()
-    elif agent.resume_point is None or (
-        agent.pending and agent.resume_point.place != place_of(env)
-    ):
-        gone = "its environment was reset or stepped by somebody else since then, or this is another one"
-        why = (
-            gone
-            if agent.resume_point
-            else "it has begun no episode, or was interrupted within a step"
-        )
-        raise ValueError(
-            f"the agent has nothing to resume: {why}; call without resume=True to begin anew"
-        )
-    if agent.pending is None:
-        # by this an agent knows whether others have acted here since
-        vars(env.unwrapped)[WALK] = uuid4().int
+        left = ResumePoint()
+    agent.resume_point = left._replace(place=begin_walk(env))
     agent.method = parse_method(agent.method)  # as its code is now
     return size
+
+
+def _check_resumable(agent: Agent, env: Env) -> None:
+    """Raises ValueError unless `agent` can go on in `env` where it left off."""
+    if agent.resume_point is None:
+        reason = "it has begun no episode, or was interrupted within a step"
+    elif agent.pending is not None and not is_at(env, agent.resume_point.place):
+        reason = (
+            "its environment was reset or stepped by somebody else since then, "
+            "or this is another one"
+        )
+    else:
+        return
+    raise ValueError(
+        f"the agent has nothing to resume: {reason}; call without resume=True to begin anew"
+    )
 
 
 def check_pair_of(agent: object, env: object) -> None:

@@ -1,34 +1,82 @@
 """Where an agent left its environment, so that it can go on there."""
 
+import weakref
 from typing import NamedTuple
+from uuid import uuid4
 
 import gymnasium
 
 from rlrobot_edu.checks import WHOLE
 from rlrobot_edu.learning.size import Env
 
-# Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
-WALK = "_walk_of_an_agent"
-PLACE = ("state", "s", "episode_step", "_elapsed_steps", WALK)
+# Attributes by which environments and their wrappers say where they stand
+COUNTS = ("episode_step", "_elapsed_steps")
+PLACE = ("state", "s", *COUNTS)
+
+# Which call of `learn` or `steps` came last to the environment with this id. Some environments say nothing of where
+# they stand: only this shows that another agent has acted there. It is kept here and not in the environment, which
+# belongs to somebody else.
+_last_walk: dict[int, int] = {}
+
+
+class Place(NamedTuple):
+    """Where an environment stands, as far as this can be seen from outside.
+
+    walk: number of the call of `learn` or `steps` that came to it last; None without any, as of a copy
+    numbers: its state and the steps of its episode, where it and its wrappers say them
+    """
+
+    walk: int | None
+    numbers: dict[str, int]
 
 
 class ResumePoint(NamedTuple):
     """Where an agent left its episode, so that it can go on there.
 
+    It holds no environment: an agent can be copied and sent away without it.
+
     steps, reward: number of steps of the episode so far, and the sum of their rewards
-    place: what the environment said of where it stood, see `place_of`
+    place: where the environment stood then
     """
 
     steps: int = 0
     reward: float = 0.0
-    place: dict[str, int] | None = None
+    place: Place | None = None
 
 
-def place_of(env: Env) -> dict[str, int]:
-    """The whole numbers by which `env` and its wrappers tell where they stand."""
-    place = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
+def place_of(env: Env) -> Place:
+    """Where `env` stands now."""
+    return Place(_last_walk.get(id(env.unwrapped)), _numbers_of(env))
+
+
+def _numbers_of(env: Env) -> dict[str, int]:
+    numbers = _numbers_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
+    attributes = vars(env)
     for name in PLACE:
-        number = vars(env).get(name)
+        number = attributes.get(name)
         if isinstance(number, WHOLE):
-            place[name] = int(number)
-    return place
+            numbers[name] = int(number)
+    return numbers
+
+
+def begin_walk(env: Env) -> Place:
+    """Note that an agent begins to act in `env`. Returns where it stands: no other agent can resume there now."""
+    inner = env.unwrapped
+    key = id(inner)
+    if key not in _last_walk:
+        weakref.finalize(inner, _last_walk.pop, key, None)  # another one may get its id
+    _last_walk[key] = uuid4().int  # no number of another process either
+    return place_of(env)
+
+
+def is_at(env: Env, place: Place | None) -> bool:
+    """Whether `env` stands where it was left, and nobody has come to it since, as far as this can be seen.
+
+    A copy of the environment is as good, if it counts the steps of its episode.
+    """
+    if place is None:
+        return False
+    here = place_of(env)
+    if here.walk is None and not here.numbers.keys().isdisjoint(COUNTS):
+        return here.numbers == place.numbers
+    return here == place

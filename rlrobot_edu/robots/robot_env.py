@@ -54,6 +54,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     Notes
     -----
     - `engine`: who simulates the robot, where it is simulated
+    - `stops_at_once`: whether Ctrl-C interrupts a step, see `learn`; true for a robot behind a link
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
@@ -82,6 +83,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.task = task
         self.render_mode = render_mode
         self._link = link
+        self.stops_at_once = link is not None
         self._realism = realism
         if link is not None:
             for name, value in {

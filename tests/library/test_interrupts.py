@@ -9,7 +9,6 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning import compiled_loop, progress
-from rlrobot_edu.models import model_env
 from rlrobot_edu.models.sampling import begin, outcome
 
 SETTINGS = [

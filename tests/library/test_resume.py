@@ -1,7 +1,12 @@
 """Stop and go on: the parts of a learning process say what the whole says, or the rest is refused in one sentence."""
 
 import copy
+import gc
+import pickle
+import signal
 import sys
+import threading
+import weakref
 from pathlib import Path
 
 import gymnasium
@@ -13,6 +18,7 @@ from hypothesis import strategies as st
 from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning import resume
 from rlrobot_edu.learning.history import History
 
 PACKAGE = Path(rl.__file__).parent
@@ -52,10 +58,13 @@ def walk_model():
     )
 
 
-def turned(env):
-    """The same world whose states have other numbers."""
-    n = env.observation_space.n
-    return TransformObservation(env, lambda s: n - 1 - s, env.observation_space)
+def last_first(s):
+    return 15 - s
+
+
+def turned(lake):
+    """The same lake whose states have other numbers."""
+    return TransformObservation(lake, last_first, lake.observation_space)
 
 
 WORLDS = {
@@ -237,12 +246,13 @@ def lines_of_ours(call, press):
             raise KeyboardInterrupt
         return trace
 
-    before = sys.gettrace()
+    before, handler = sys.gettrace(), signal.getsignal(signal.SIGINT)
     sys.settrace(trace)
     try:
         call()
     finally:
         sys.settrace(before)
+        signal.signal(signal.SIGINT, handler)  # no handler has seen this Ctrl-C
     return count
 
 
@@ -284,26 +294,244 @@ def test_ctrl_c_before_any_line_then_resume_gives_the_numbers_of_the_whole_or_is
     assert same_state(agent, env, other, twin)
 
 
-def test_ctrl_c_when_the_kernel_has_returned_is_refused_and_a_new_episode_may_begin():
-    agent, env = fresh(WORLDS["a task"])
-    learn_step = agent.learn_step
+@pytest.fixture
+def ctrl_c():
+    """Python's own handler, which is in force again when a test has ended."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    signal.signal(signal.SIGINT, before)
 
-    def interrupted(*transition):
-        learned = learn_step(*transition)
-        if agent.visits.sum() == 20:
-            raise KeyboardInterrupt
-        return learned
 
-    agent.learn_step = interrupted
+class Pressed(gymnasium.Wrapper):
+    """Somebody presses Ctrl-C within one of its steps: before or after the robot has moved, or both."""
+
+    def __init__(self, env, step, moments):
+        super().__init__(env)
+        self.steps_to_go, self.moments = step, moments
+
+    def step(self, action):
+        self.steps_to_go -= 1
+        self.press("before")
+        answer = self.env.step(action)
+        self.press("after")
+        return answer
+
+    def press(self, moment):
+        if self.steps_to_go == 0 and moment in self.moments:
+            signal.raise_signal(signal.SIGINT)
+
+
+def interrupted(agent, env, n, go_on=rl.learn):
+    """Act until Ctrl-C is heard."""
+    more = {"progress": False} if go_on is rl.learn else {}
     with pytest.raises(KeyboardInterrupt):
-        rl.learn(agent, env, 50, progress=False)
-    agent.learn_step = learn_step
-    for go_on in (rl.learn, rl.steps):
+        list(go_on(agent, env, n, **more))
+    return agent, env
+
+
+@pytest.mark.parametrize("moment", ["before", "after"])
+@pytest.mark.parametrize("go_on", [rl.learn, rl.steps])
+def test_ctrl_c_within_a_step_of_a_robot_waits_for_its_end_and_learning_goes_on_bit_for_bit(
+    go_on, moment, ctrl_c
+):
+    def new():
+        return rl.Agent("wander_1k", seed=1), rl.make_env("wander_1k", seed=2)
+
+    whole = rl.learn(*new(), 60, progress=False)
+    for step in (1, 2, 17, 59, 60):
+        agent, env = new()
+        interrupted(agent, Pressed(env, step, moment), 60, go_on)
+        assert agent.visits.sum() == step, "the step was done, and no other"
+        rl.learn(agent, env, 60 - step, progress=False, resume=True)
+        assert agent.q.tobytes() == whole.q.tobytes()
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+@given(step=st.integers(1, STEPS), moment=st.sampled_from(["before", "after"]))
+@settings(max_examples=10)
+def test_ctrl_c_within_a_step_is_never_refused(make, step, moment):
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        agent, env = fresh(make)
+        interrupted(agent, Pressed(env, step, moment), STEPS)
+    finally:
+        signal.signal(signal.SIGINT, handler)
+    rl.learn(agent, env, STEPS - step, progress=False, resume=True)
+    other, twin = fresh(make)
+    rl.learn(other, twin, STEPS, progress=False)
+    assert same_state(agent, env, other, twin)
+
+
+@pytest.mark.parametrize("go_on", [rl.learn, rl.steps])
+def test_a_second_ctrl_c_is_heard_within_the_step_and_then_nothing_can_be_resumed(
+    go_on, ctrl_c
+):
+    agent, env = fresh(WORLDS["a task"])
+    interrupted(agent, Pressed(env, 20, ["before", "after"]), 50, go_on)
+    assert agent.visits.sum() == 19
+    for again in (rl.learn, rl.steps):
         with pytest.raises(
             ValueError, match="was interrupted within a step; call without resume=True"
         ):
-            go_on(agent, env, 5, resume=True)
+            again(agent, env, 5, resume=True)
     assert len(rl.learn(agent, env, 5, progress=False)) == 5
+
+
+@pytest.mark.parametrize("go_on", [rl.learn, rl.steps])
+def test_a_world_that_stops_at_once_hears_ctrl_c_within_the_step(go_on, ctrl_c):
+    agent, env = fresh(WORLDS["a task"])
+    env.unwrapped.stops_at_once = True
+    interrupted(agent, Pressed(env, 20, "before"), 50, go_on)
+    assert agent.visits.sum() == 19
+    with pytest.raises(ValueError, match="was interrupted within a step"):
+        rl.learn(agent, env, 5, progress=False, resume=True)
+
+
+def test_between_two_steps_ctrl_c_is_heard_at_once(ctrl_c):
+    agent, env = fresh(WORLDS["a task"])
+    walk = rl.steps(agent, env, 50)
+    for step in walk:
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if step.t == 9:
+            with pytest.raises(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGINT)
+            break
+    walk.close()
+    rl.learn(agent, env, 40, progress=False, resume=True)
+    other, twin = fresh(WORLDS["a task"])
+    rl.learn(other, twin, 50, progress=False)
+    assert agent.q.tobytes() == other.q.tobytes()
+
+
+class Broken(gymnasium.Wrapper):
+    """An environment with a fault, in which Ctrl-C is pressed, too."""
+
+    def step(self, action):
+        signal.raise_signal(signal.SIGINT)
+        raise ZeroDivisionError
+
+
+@pytest.mark.parametrize("go_on", [rl.learn, rl.steps])
+def test_a_fault_within_a_step_is_told_and_puts_the_handler_back(go_on, ctrl_c):
+    agent, env = fresh(Lane)
+    with pytest.raises(ZeroDivisionError):
+        list(go_on(agent, Broken(env), 5))
+    with pytest.raises(ValueError, match="was interrupted within a step"):
+        go_on(agent, env, 5, resume=True)
+
+
+def test_a_handler_of_somebody_else_stays_in_force():
+    heard = []
+
+    def own(number, frame):
+        heard.append(number)
+
+    before = signal.signal(signal.SIGINT, own)
+    try:
+        agent, env = fresh(Lane)
+        pressed = Pressed(env, 3, ["before", "after"])
+        assert len(rl.learn(agent, pressed, 5, progress=False)) == 5
+        assert signal.getsignal(signal.SIGINT) is own and len(heard) == 2
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+class Handling(Lane):
+    """A robot whose code brings a handler of its own."""
+
+    def step(self, a):
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        return super().step(a)
+
+
+def test_a_handler_that_a_step_has_set_stays_in_force(ctrl_c):
+    rl.learn(*fresh(Handling), 3, progress=False)
+    assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def test_threads_learn_too():
+    agent, env = fresh(Lane)
+    threads = [
+        threading.Thread(target=lambda: rl.learn(agent, env, 5, progress=False)),
+        threading.Thread(target=lambda: list(rl.steps(agent, env, 5, resume=True))),
+    ]
+    for thread in threads:
+        thread.start()
+        thread.join()
+    assert agent.visits.sum() == 10
+
+
+def in_an_episode(make):
+    """An agent and its world, in the middle of an episode."""
+    agent, env = fresh(make)
+    rl.learn(agent, env, 5, progress=False)
+    while agent.pending is None:
+        rl.learn(agent, env, 1, progress=False, resume=True)
+    return agent, env
+
+
+COPIES = {
+    "copied": copy.deepcopy,
+    "pickled": lambda things: pickle.loads(pickle.dumps(things)),
+}
+# those that count the steps of their episode; of another one, a copy is refused
+COUNTING = {
+    name: make for name, make in WORLDS.items() if make not in (WORLDS["a cliff"], Lane)
+}
+
+
+@pytest.mark.parametrize("make", COUNTING.values(), ids=COUNTING)
+@pytest.mark.parametrize("way", COPIES.values(), ids=COPIES)
+@pytest.mark.parametrize("what", ["agent", "world", "both"])
+def test_copies_of_agent_and_world_go_on_where_these_were(make, way, what):
+    agent, env = in_an_episode(make)
+    twin, world = agent, env
+    if what == "both":
+        twin, world = way((agent, env))
+    elif what == "agent":
+        twin = way(agent)
+        env = copy.deepcopy(env)
+    else:
+        world = way(env)
+        agent = copy.deepcopy(agent)
+    assert same_state(agent, env, twin, world)
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+@pytest.mark.parametrize("way", COPIES.values(), ids=COPIES)
+def test_of_an_agent_and_its_copy_only_one_goes_on_in_their_world(make, way):
+    agent, env = in_an_episode(make)
+    twin = way(agent)
+    rl.learn(twin, env, 1, progress=False, resume=True)
+    with pytest.raises(ValueError, match="was reset or stepped by somebody else"):
+        rl.learn(agent, env, 5, progress=False, resume=True)
+
+
+def test_a_copy_of_a_world_that_counts_no_steps_is_refused():
+    agent, env = in_an_episode(Lane)
+    with pytest.raises(ValueError, match="or this is another one"):
+        rl.learn(agent, copy.deepcopy(env), 5, progress=False, resume=True)
+    rl.learn(agent, env, 5, progress=False, resume=True)
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+def test_nothing_is_written_into_a_world_and_an_agent_does_not_keep_it(make):
+    stepped, env = make(), make()
+    for world in (stepped, env):
+        world.reset(seed=1)
+        world.step(0)
+    agent = rl.Agent(env, seed=0)
+    rl.learn(agent, env, 5, progress=False)
+    assert vars(env.unwrapped).keys() == vars(stepped.unwrapped).keys()
+    inner = weakref.ref(env.unwrapped)
+    number = id(env.unwrapped)
+    assert number in resume._last_walk
+    del env, world
+    gc.collect()
+    assert inner() is None and number not in resume._last_walk
+    assert pickle.loads(pickle.dumps(agent)).pending == agent.pending
 
 
 def test_a_refused_call_leaves_the_episode_as_it_is():

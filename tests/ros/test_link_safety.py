@@ -113,6 +113,27 @@ def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
     thread.join()
 
 
+def test_ctrl_c_within_a_step_of_learning_stops_the_robot_at_once(env, robot):
+    agent = rl.Agent(env, "Q+GREEDY", seed=0)
+    agent.q[:, AHEAD] = 1.0
+    rl.learn(agent, env, 1, progress=False)
+    robot.told.clear()
+
+    def press():
+        eventually(lambda: (V, 0.0) in robot.motions())
+        signal.raise_signal(signal.SIGINT)
+
+    thread = threading.Thread(target=press)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        rl.learn(agent, env, 60, progress=False, resume=True)
+    thread.join()
+    assert robot.motions()[-1] == (0.0, 0.0)
+    assert agent.visits.sum() == 1, "it did not wait for the end of the step"
+    with pytest.raises(ValueError, match="was interrupted within a step"):
+        rl.learn(agent, env, 60, progress=False, resume=True)
+
+
 def test_nothing_moves_before_a_person_has_said_yes(robot, monkeypatch):
     env = rl.make_env("giraff_wander_simple", link=RobotLink())
     asked = []
