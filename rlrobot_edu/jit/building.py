@@ -18,7 +18,7 @@ from functools import cache
 from itertools import count
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, cast
 
 from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.jit import call
@@ -52,7 +52,7 @@ def for_python(kernel: Callable[..., Any]) -> Callable[..., Any]:
     """The kernel as Python calls it: kept on disk. What is not compiled stays as it is."""
     if not hasattr(kernel, "py_func"):
         return kernel
-    return build(call, kernel=kernel).call
+    return cast(Callable[..., Any], build(call, kernel=kernel).call)
 
 
 def can_be_imported(part: Any) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from types import CellType, FunctionType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from rlrobot_edu.jit.fingerprint import goes_by_name
 
@@ -57,7 +57,7 @@ def compiled(kernel: Kernel) -> Kernel:
         function = _with_helpers(function, compiled)
     elif function is not kernel:
         return kernel
-    return numba.njit(
+    dispatcher = numba.njit(
         nogil=True,
         boundscheck=True,
         error_model="python",
@@ -65,6 +65,7 @@ def compiled(kernel: Kernel) -> Kernel:
         forceinline=True,
         cache=FOLDER in Path(function.__code__.co_filename).parents,
     )(function)
+    return cast(Kernel, dispatcher)
 
 
 def uncompiled(kernel: Callable[..., Any]) -> Callable[..., Any]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.own_code import Before
 from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.resume import ResumePoint, place_of
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.step import make_step, own_parts
 from rlrobot_edu.learning.templates import loop
 from rlrobot_edu.learning.transitions import Transitions
@@ -26,14 +27,15 @@ def make_run(
 ) -> Callable[..., Any]:
     """The whole loop of learning in a world of these kernels, see templates/loop.py."""
     step = make_step(method)
-    return build(
+    built = build(
         loop,
         begin=begin,
         outcome=outcome,
         select=step.select,
         learn_step=step.learn_step,
         planned_step=step.planned_step,
-    ).run
+    )
+    return cast(Callable[..., Any], built.run)
 
 
 def run_slices(
@@ -67,7 +69,9 @@ def run_slices(
             earlier = left.reward if env.episode_step > n else 0.0
             rewards = np.append(earlier, part.r[max(n - env.episode_step, 0) : n])
             agent.resume_point = ResumePoint(
-                env.episode_step, float(rewards.cumsum()[-1]), place_of(env)
+                env.episode_step,
+                float(rewards.cumsum()[-1]),
+                place_of(cast(Env, env)),
             )
         yield n
         if n < len(part.r) or (episodes and not episodes_left):

@@ -3,7 +3,17 @@
 import signal
 from contextlib import suppress
 from types import FrameType, TracebackType
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
+
+
+@runtime_checkable
+class StopsAtOnce(Protocol):
+    """An environment in which Ctrl-C may have to be heard at once, as in one with a real robot.
+
+    stops_at_once: whether it must be
+    """
+
+    stops_at_once: bool
 
 
 class DelayedInterrupt:

@@ -13,7 +13,7 @@ from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import run_slices
 from rlrobot_edu.learning.history import History, Learned
-from rlrobot_edu.learning.interrupts import DelayedInterrupt
+from rlrobot_edu.learning.interrupts import DelayedInterrupt, StopsAtOnce
 from rlrobot_edu.learning.kernel_world import KernelEnv
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
@@ -110,7 +110,9 @@ def _whole_steps(walk: Iterator[Step], interrupt: DelayedInterrupt) -> Iterator[
 
 def _delayed_interrupt(env: Env) -> DelayedInterrupt:
     """What lets the steps in `env` end. A real robot must stop at once, even if nothing can be resumed then."""
-    return DelayedInterrupt(not getattr(env.unwrapped, "stops_at_once", False))
+    inner = env.unwrapped
+    must_stop = isinstance(inner, StopsAtOnce) and inner.stops_at_once
+    return DelayedInterrupt(waits=not must_stop)
 
 
 def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
@@ -325,9 +327,10 @@ def _learn(
     compiled; where it ends sooner, the loop goes on here.
     """
     n, columns = 0, log._asdict()
-    world = env.kernel_world(len(log.r)) if isinstance(env, KernelEnv) else None
-    if world is not None:
-        for done in run_slices(env, world, agent, log, episodes):
+    if isinstance(env, KernelEnv):
+        world = env.kernel_world(len(log.r))
+        slices = run_slices(env, world, agent, log, episodes) if world else ()
+        for done in slices:
             n += done
             yield done
     ended = np.count_nonzero(log.terminated[:n] | log.truncated[:n])
