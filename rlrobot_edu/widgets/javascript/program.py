@@ -1,4 +1,4 @@
-"""A kernel with all that it calls, as one self-contained JavaScript expression."""
+"""A kernel with all that it calls, as one self-contained JavaScript expression; and rewards and goals as kernels."""
 
 import ast
 from collections.abc import Callable, Mapping
@@ -6,6 +6,9 @@ from itertools import count
 from typing import Any
 
 from rlrobot_edu.jit.dispatcher import borrowed
+from rlrobot_edu.task.plain import functions_of, plain_text
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.javascript.translator import Translator
 from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 
@@ -13,7 +16,6 @@ from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 PRELUDE = """
 const remainder = (a, b) => a - b * Math.floor(a / b);
 const borrowed = (arrays) => arrays;
-const to_even = (x) => Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x);
 function max_of(array) {
 let most = array[0];
 for (const x of array) if (x > most) most = x;
@@ -74,3 +76,18 @@ def program(
     return "\n".join(
         ["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"]
     )
+
+
+def rewards_of(task: Task, suffix: str = "") -> dict[str, Callable[..., Any]]:
+    """A task's reward and goal as `program` takes them: ``reward`` and, if there is one, ``goal``, with this suffix.
+
+    Raises
+    ------
+    NotPlainError
+        If one of them is not plain, see `rlrobot_edu.task.plain`; it tells file and line.
+    """
+    goals = {} if task.goal is None else {f"goal{suffix}": task.goal}
+    rewards = {f"reward{suffix}": task.reward}
+    text = plain_text(rewards, goals, ROBOTS[task.robot].sensors)
+    functions = functions_of(text)
+    return {name: functions[name] for name in (*rewards, *goals)}
