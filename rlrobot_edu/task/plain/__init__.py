@@ -7,13 +7,17 @@ others work too, in the plain loop; a message then names the line that is why. P
 | what | how it is written |
 |---|---|
 | a reading | `after["laser_front"]`, or `after[name]` where `name` stands for a text |
-| a number | `0.5`, `10`, `True`; a name for one: `LIMIT`, `math.pi`, a default as in `def near(readings, limit=0.3)` |
-| arithmetic | `a + b`, `a - b`, `a * b`, `a / b`, `-a`, up to 2⁵³; whole numbers are floats |
-| comparisons | `a < b`, `<=`, `>`, `>=`, `==`, `!=`, `low <= a < high`; as a number, true is 1 and false is 0 |
-| conditions | `and`, `or`, `not`, `a if condition else b` |
-| functions | `abs(a)`, `min(a, b)`, `max(a, b)` of two or more numbers, `sqrt(a)` or `math.sqrt(a)`, `round(a)` to a whole number (of two equally near ones the even one) |
-| statements | `name = a`, `name += a` (also `-=`, `*=`, `/=`), `a, b = x, y`, `if`, `elif`, `else`, `return`, `pass`, a docstring |
-| helpers | functions of your own that are plain; they take readings, numbers and texts, by place or by name |
+| a number | `0.5`, `10`, `True` |
+| a name for a number | `LIMIT`, `math.pi`, a default as in `def near(readings, limit=0.3)` |
+| arithmetic | `a + b`, `a - b`, `a * b`, `a / b`, `-a`; whole numbers are floats, so all is below 2⁵³ |
+| a comparison | `<`, `<=`, `>`, `>=`, `==`, `!=`, `low <= a < high`; as a number, true is 1 and false is 0 |
+| a choice | `and`, `or`, `not`, `a if condition else b` |
+| a limit | `abs(a)`, `min(a, b)`, `max(a, b)`, of more than two numbers, too |
+| a root | `sqrt(a)` or `math.sqrt(a)` |
+| rounding | `round(a)`, to a whole number; of two equally near ones it is the even one |
+| a variable | `name = a`, `name += a` (also `-=`, `*=`, `/=`), `a, b = x, y` |
+| other statements | `if`, `elif`, `else`, `return`, `pass`, a docstring |
+| a helper | a plain function of your own; it takes readings, numbers and texts, by place or by name |
 
 A division by 0 and a root of a number below 0 stop with Python's own error in each of the three. Nothing else is plain:
 no power, shift or remainder, no other function, no list or array, no loop, no name that may have no value yet, no way

@@ -113,9 +113,8 @@ class Expressions:
             case ast.UnaryOp(ast.Not(), x):
                 return ast.UnaryOp(ast.Not(), self.condition(x))
             case ast.Compare(left, operators, others):
-                for operator in operators:
-                    if not isinstance(operator, COMPARISONS):
-                        self.refuse(node)
+                if not all(isinstance(by, COMPARISONS) for by in operators):
+                    self.refuse(node)
                 numbers = [self.number(other) for other in others]
                 return ast.Compare(self.number(left), operators, numbers)
         return is_true(self.number(node))

@@ -34,7 +34,7 @@ def definition_of(function: FunctionType) -> Definition:
     found = _definitions(function.__code__)
     if not found:
         raise NotPlainError(
-            f"{place(function)}: {function.__name__} is not plain: its text is not there, or has changed since it was run"
+            f"{place(function)}: {function.__name__} is not plain: its text is not there, or has changed"
         )
     if len(found) > 1:
         raise NotPlainError(
@@ -75,5 +75,6 @@ def _begins_as(node: Definition, code: CodeType) -> bool:
     """Whether a definition has the name and the first line of this code."""
     if isinstance(node, ast.Lambda):
         return code.co_name == "<lambda>" and node.lineno == code.co_firstlineno
-    first = [*node.decorator_list, node][0]
-    return node.name == code.co_name and first.lineno == code.co_firstlineno
+    decorators = [decorator.lineno for decorator in node.decorator_list]
+    first = min([node.lineno, *decorators])
+    return node.name == code.co_name and first == code.co_firstlineno

@@ -88,8 +88,9 @@ def judge_text(task: Task, readings: Sequence[str]) -> str:
 
 def _defined(text: str) -> list[str]:
     """The names that a text of `plain_text` imports and defines."""
-    imported = re.findall("import (.*)$", text, re.MULTILINE)[0].split(", ")
-    return imported + re.findall(r"^def (\w+)", text, re.MULTILINE)
+    imported = re.findall("import (.*)$", text, re.MULTILINE)[0]
+    defined = re.findall(r"^def (\w+)", text, re.MULTILINE)
+    return [*imported.split(", "), *defined]
 
 
 def _compiled_judge(text: str, readings: Sequence[str]) -> Any:
