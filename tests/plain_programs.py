@@ -18,8 +18,11 @@ from itertools import count
 
 import numpy as np
 
+from rlrobot_edu.jit.dispatcher import numba
 from rlrobot_edu.robots.engines.kinematic.compiled_task import judge_of
 from rlrobot_edu.task.plain import functions_of, plain_text
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.javascript.program import program
 
@@ -62,7 +65,16 @@ LITERALS = (
     *("9007199254740991", "4503599627370497", "1e300"),
 )
 NUMBERS = (
-    *("(A + B)", "(A - B)", "(A * B)", "(A / B)", "(-A)", "(+A)", "abs(A)", "min(A, B)"),
+    *(
+        "(A + B)",
+        "(A - B)",
+        "(A * B)",
+        "(A / B)",
+        "(-A)",
+        "(+A)",
+        "abs(A)",
+        "min(A, B)",
+    ),
     *("max(A, B, C)", "round(A)", "round(A / 0.3)", "sqrt(abs(A))", "math.sqrt(A)"),
     *("wurzel(A)", "(A if P else B)", "(A or B)", "(A and B)", "(P)", "sign(A)"),
     "length(A, y=B)",
@@ -70,7 +82,16 @@ NUMBERS = (
 OF_HELPER = ("helper(before, after, A)", "helper(after, before, q=A, p=B)")
 OF_WAY = ("way(before, after, NAME)", 'way(before, after, name="y")')
 CONDITIONS = (
-    *("A < B", "A <= B", "A > B", "A >= B", "A == B", "A != B", "A < B <= C", "(not P)"),
+    *(
+        "A < B",
+        "A <= B",
+        "A > B",
+        "A >= B",
+        "A == B",
+        "A != B",
+        "A < B <= C",
+        "(not P)",
+    ),
     *("(P and Q)", "(P or Q)", "A", "near(R)", "near(R, A, name='y')", "high(R)"),
 )
 EDGES = (
@@ -203,14 +224,14 @@ class Drawn:
         return round(self.rng.uniform(-3, 3), self.rng.choice([1, 2, 17]))
 
 
-numbers, around = count(), {"__name__": "drawn_program"}
+numbers = count()
 
 
-def module_of(text):
-    """What a text defines, with its lines where Python looks for them."""
+def module_of(text, around):
+    """What a text defines amid these names, with its lines where Python looks for them."""
     file = f"<drawn program {next(numbers)}>"
     linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
-    space = dict(around)
+    space = {"__name__": "drawn_program", **around}
     exec(compile(text, file, "exec", dont_inherit=True), space)
     return space
 
@@ -218,13 +239,12 @@ def module_of(text):
 def answer(function, *readings):
     """What a reward or goal says, as text that tells all bits; GIVEN_BACK where it raises."""
     try:
-        said = function(*readings)
+        return repr(float(function(*readings)) + 0.0)
     except (ArithmeticError, ValueError):
         return GIVEN_BACK
-    return repr(float(said) + 0.0)
 
 
-around = module_of(AROUND)
+SURROUNDINGS = module_of(AROUND, {})
 GIVEN_BACK = "given back"
 NODE = """
 require("readline").createInterface({ input: process.stdin }).on("line", (line) => {
@@ -276,32 +296,33 @@ def in_javascript(x):
     return repr(x).replace("inf", "Infinity").replace("nan", "NaN")
 
 
-class Judged:
-    """Numba's answers."""
+def task_of(reward, goal):
+    """A task with these functions, whose robot does not matter."""
+    like = load_task("wander_1k")
+    return Task(
+        like.robot, like.scene, like.inputs, like.outputs, reward, [1], goal=goal
+    )
 
-    def __init__(self, reward, goal):
-        like = load_task("wander_1k")
-        task = type(like)(
-            like.robot, like.scene, like.inputs, like.outputs, reward, like.rewards,
-            command=like.command, goal=goal,
-        )  # fmt: skip
-        self.judge = judge_of(task, NAMES)
-        self.kind = np.dtype([(name, float) for name in NAMES])
+
+class Judged:
+    """Numba's answers. names: of the readings; None for those of the task's robot."""
+
+    def __init__(self, task, names=None):
+        names = tuple(names or ROBOTS[task.robot].sensors)
+        self.judge = judge_of(task, names)
+        self.kind = np.dtype([(name, float) for name in names])
+        self.ask = numba.njit(lambda judge, pair: judge(pair[0], pair[1]))
 
     def answer(self, before, after):
-        """Reward and goal as texts; NaN stands for what was given back, too."""
-        from numba import njit
-
+        """Reward and goal as texts; the reward is NaN where one of them was given back."""
         pair = np.array([tuple(before.values()), tuple(after.values())], self.kind)
-        if not hasattr(Judged, "ask"):
-            Judged.ask = staticmethod(njit(lambda judge, a: judge(a[0], a[1])))
-        r, is_there = Judged.ask(self.judge, pair)
-        return repr(r), repr(float(is_there))
+        reward, is_there = self.ask(self.judge, pair)
+        return repr(reward), repr(float(is_there))
 
 
 def compare(text, pairs, node=None, is_compiled=False):
     """The answers of a program's ways must be equal; returns how many were given back, and how many there were."""
-    space = module_of(text)
+    space = module_of(text, SURROUNDINGS)
     written = functions_of(
         plain_text({"reward": space["reward"]}, {"goal": space["goal"]}, NAMES)
     )
@@ -326,7 +347,7 @@ def compare(text, pairs, node=None, is_compiled=False):
         elif own != GIVEN_BACK:
             needless += 1
     if is_compiled:
-        judged = Judged(space["reward"], space["goal"])
+        judged = Judged(task_of(space["reward"], space["goal"]), NAMES)
         for pair, r, is_there in zip(
             pairs, plain[: len(pairs)], plain[len(pairs) :], strict=True
         ):

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from plain_programs import module_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.jit.dispatcher import IS_PLAIN
 from rlrobot_edu.learning import compiled_loop
 from rlrobot_edu.robots import robot_env
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.engines.kinematic import compiled_task
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import available_tasks, load_task
@@ -168,7 +168,7 @@ def task_with(reward, goal=None, rewards=(10.0, -1.0), around=None, **more):
         "LIMIT": 0.3,
         **(around or {}),
     }
-    exec(
+    space = module_of(
         f"def reward(before, after):\n    return {reward}\ndef goal(readings):\n    return {goal}",
         space,
     )
@@ -191,7 +191,7 @@ REFUSED = (
 
 
 @pytest.mark.parametrize("condition", REFUSED)
-def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(
+def test_a_reward_that_is_not_plain_runs_as_python_and_says_so_once(
     condition, compiling, plain_steps, capsys
 ):
     task = task_with(f"10.0 if {condition} else -1.0", around={"random": random})
@@ -201,22 +201,9 @@ def test_a_reward_that_cannot_be_compiled_runs_as_python_and_says_so_once(
     compiled = learned(compiling, 1, task, 60)
     assert len(plain_steps) == 120
     said = [line for line in capsys.readouterr().err.splitlines() if line]
-    assert len(said) == 1 and "learning is slower" in said[0], said
+    assert len(said) == 1 and "is not plain" in said[0], said
     random.seed(1)
     assert told(*compiled) == told(*learned(compiling, NEVER, task, 60))
-
-
-def test_a_reward_that_says_something_else_when_compiled_runs_as_python(
-    compiling, plain_steps, monkeypatch
-):
-    monkeypatch.setattr(
-        compiled_task,
-        "_kernel_of",
-        lambda function: compiled_task.numba.njit(lambda before, after: -1.0),
-    )
-    task = task_with("10.0 if after['x'] > 0.11 else -1.0")
-    learned(compiling, 1, task, 60)
-    assert len(plain_steps) == 60
 
 
 def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_task(
@@ -229,23 +216,6 @@ def test_what_a_closure_holds_is_compiled_and_may_be_another_number_in_the_next_
         task = dataclasses.replace(load_task("wander_1k"), reward=above(limit))
         assert set(learned(compiling, 1, task, 50)[-1].rewards.tolist()) == {only}
     assert not plain_steps
-
-
-KEPT = """
-import rlrobot_edu as rl
-from rlrobot_edu.robots.engines.kinematic import compiled_task
-kernels, compiled = [], compiled_task.compiled
-compiled_task.compiled = lambda function: kernels.append(compiled(function)) or kernels[-1]
-env = rl.make_env("wander_1k", engine="kinematic").unwrapped
-compiled_task.judge_of(env.task, env.robot, env._commands)
-print(len(kernels[0].stats.cache_misses))
-"""
-
-
-def test_a_machine_compiles_a_reward_once(compiling):
-    learned(compiling, 1, "wander_1k", 20)  # its reward calls functions
-    ran = subprocess.run([sys.executable, "-c", KEPT], capture_output=True, text=True)
-    assert ran.stdout.strip() == "0", ran.stderr
 
 
 def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):
@@ -333,18 +303,18 @@ def grown(parts):
         st.builds(
             "({} {} {})".format,
             parts,
-            st.sampled_from(["+", "-", "*", "/", "//", "%"]),
+            st.sampled_from(["+", "-", "*", "/"]),
             parts,
         ),
         st.builds(
             "{}({}, {})".format,
-            st.sampled_from(["min", "max", "math.hypot"]),
+            st.sampled_from(["min", "max"]),
             parts,
             parts,
         ),
         st.builds(
             "{}({})".format,
-            st.sampled_from(["abs", "round", "float", "math.fabs", "-", "+"]),
+            st.sampled_from(["abs", "round", "sqrt", "math.sqrt", "-", "+"]),
             parts,
         ),
         st.builds("({} if {} < {} else {})".format, parts, parts, parts, parts),
@@ -374,7 +344,7 @@ def test_whatever_a_reward_compares_the_life_is_the_same_to_the_last_bit(
 
 PLAIN = """
 import sys
-sys.path.insert(0, sys.argv[1])
+sys.path[:0] = sys.argv[1:]
 from test_compiled_loop import fresh, told
 import rlrobot_edu as rl
 agent, env = fresh("wander_simple")
@@ -388,7 +358,7 @@ def test_without_a_compiler_the_numbers_are_the_same():
     without = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
     folder = os.path.dirname(__file__)
     ran = subprocess.run(
-        [sys.executable, "-c", PLAIN, folder],
+        [sys.executable, "-c", PLAIN, folder, os.path.dirname(folder)],
         capture_output=True,
         text=True,
         env=without,

@@ -115,8 +115,8 @@ class Expressions:
             case ast.Compare(left, operators, others):
                 if not all(isinstance(by, COMPARISONS) for by in operators):
                     self.refuse(node)
-                numbers = [self.number(other) for other in others]
-                return ast.Compare(self.number(left), operators, numbers)
+                first, *rest = [self.number(each) for each in (left, *others)]
+                return ast.Compare(first, operators, rest)
         return is_true(self.number(node))
 
     def operation(
