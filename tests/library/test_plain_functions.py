@@ -1,4 +1,4 @@
-"""Plain functions say the same as Python, numba and JavaScript, to the last bit; what is not plain is told by its line."""
+"""Plain functions say the same in Python, numba and JavaScript; what is not plain is told by its line."""
 
 import copy
 import math

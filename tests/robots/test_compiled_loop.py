@@ -4,6 +4,7 @@ import dataclasses
 import math
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -20,12 +21,75 @@ from rlrobot_edu.learning import compiled_loop
 from rlrobot_edu.robots import robot_env
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
+from rlrobot_edu.task.rewards import length
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import available_tasks, load_task
 
 pytestmark = pytest.mark.skipif(IS_PLAIN, reason="there is nothing to compile with")
 NEVER = 10**9
 KERNELS = KinematicBase.kernels
+# rewards that would say something else if numba compiled them as they are; and what is not plain in each
+CAREFUL = {
+    "a memory": (
+        """
+def make():
+    battery = 100
+    def reward(before, after):
+        nonlocal battery
+        battery -= 1
+        return 10 if battery > 0 and after["x"] > before["x"] else -1
+    return reward
+reward = make()
+""",
+        "“nonlocal battery”",
+    ),
+    "an array that remembers": (
+        """
+def reward(before, after, best=np.full(1, -9.0)):
+    if after["x"] > best[0] + 0.01:
+        best[0] = after["x"]
+        return 10
+    return -1
+""",
+        "best=array([-9.])",
+    ),
+    "an entry beyond an array": (
+        """
+FLOOR = np.array([0.0, 0.0, 0.0])
+def reward(before, after):
+    return 10 if FLOOR[round(20 * length(after["x"], after["y"]))] > 0.5 else -1
+""",
+        "“FLOOR[",
+    ),
+    "a logarithm of less than 0": (
+        """
+def reward(before, after):
+    return 10 if math.log(0.4 - length(after["x"], after["y"])) < -3 else -1
+""",
+        "“math.log(",
+    ),
+    "a root of less than 0, as a power": (
+        """
+def reward(before, after):
+    return 10 if (0.4 - length(after["x"], after["y"])) ** 0.5 < 0.1 else -1
+""",
+        "“(0.4 -",
+    ),
+    "a negative power of a whole number": (
+        """
+def reward(before, after):
+    return 10 if 2 ** int(-5 * length(after["x"], after["y"])) >= 0.4 else -1
+""",
+        "“int(-5",
+    ),
+    "a whole number beyond 2**63": (
+        """
+def reward(before, after):
+    return 10 if int(100 * length(after["x"], after["y"])) ** 12 > 10 ** 19 else -1
+""",
+        "“int(",
+    ),
+}
 TASKS = [
     name
     for name in available_tasks()
@@ -177,6 +241,39 @@ def task_with(reward, goal=None, rewards=(10.0, -1.0), around=None, **more):
         like.robot, like.scene, like.inputs, like.outputs, space["reward"], rewards, command=like.command,
         goal=goal and space["goal"], **more,
     )  # fmt: skip
+
+
+def of_text(text):
+    """wander_1k with the reward that this text defines."""
+    around = {"math": math, "np": np, "length": length}
+    return dataclasses.replace(
+        load_task("wander_1k"),
+        reward=module_of(text, around)["reward"],
+        rewards=[10, -1],
+    )
+
+
+@pytest.mark.parametrize("what", CAREFUL)
+def test_a_reward_that_would_say_something_else_when_compiled_is_not_compiled(
+    what, compiling, plain_steps, capsys
+):
+    text, part = CAREFUL[what]
+    lives = []
+    for first in (1, NEVER):
+        try:  # each time with a memory of its own
+            lives.append(told(*learned(compiling, first, of_text(text), 400)))
+        except ValueError as failed:
+            lives.append(re.sub("drawn program [0-9]+", "", str(failed)))
+    assert lives[0] == lives[1] and plain_steps
+    assert part in capsys.readouterr().err
+
+
+def test_a_root_of_less_than_0_fails_at_the_same_step_with_pythons_words(compiling):
+    test_a_task_that_fails_fails_at_the_same_step_with_the_same_words(
+        "10.0 if sqrt(0.1 - after['x'] * after['x']) < 0.2 else -1.0",
+        "math domain error|nonnegative",
+        compiling,
+    )
 
 
 def near(readings, limit=0.3):

@@ -24,11 +24,12 @@ no power, shift or remainder, no other function, no list or array, no loop, no n
 to the end without a return, nothing that is remembered from call to call. Instead of `hypot`, whose last bit differs
 from one library to the next, tasks use `length` of `rlrobot_edu.task.rewards`.
 
-`plain_text` writes plain functions as the text of a module (writer.py, statements.py, expressions.py, names.py), with
-the arithmetic of arithmetic.py; source.py finds a function's text.
+`task_text` writes a task's functions, and `plain_text` any, as the text of a module (writer.py, statements.py,
+expressions.py, names.py) with the arithmetic of arithmetic.py; source.py finds the text of a function, and makes sure
+that it is what runs. `functions_of` makes Python's functions of the text.
 """
 
 from rlrobot_edu.task.plain.source import NotPlainError
-from rlrobot_edu.task.plain.writer import functions_of, plain_text
+from rlrobot_edu.task.plain.writer import functions_of, plain_text, task_text
 
-__all__ = ["NotPlainError", "functions_of", "plain_text"]
+__all__ = ["NotPlainError", "functions_of", "plain_text", "task_text"]

@@ -50,7 +50,8 @@ def meaning(function: FunctionType, node: ast.expr) -> Any:
         return _enclosed(function, node.id)
     if node.id in function.__globals__:
         return function.__globals__[node.id]
-    return function.__builtins__.get(node.id, UNKNOWN)
+    surroundings: Any = function  # for mypy, it has no such attribute
+    return surroundings.__builtins__.get(node.id, UNKNOWN)
 
 
 def _enclosed(function: FunctionType, name: str) -> Any:

@@ -19,6 +19,8 @@ from rlrobot_edu.task.plain.names import (
 )
 from rlrobot_edu.task.plain.source import NotPlainError, definition_of, place
 from rlrobot_edu.task.plain.statements import body_of
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task import Task
 
 HEAD = "from rlrobot_edu.task.plain.arithmetic import divided, exact, larger, root, rounded, smaller\n"
 LONGEST = (
@@ -59,6 +61,19 @@ def plain_text(
         value = module.first_call(function, ["readings"])
         module.add(name, ["readings"], f"{value} != 0.0")
     return "\n\n".join([HEAD, *module.texts])
+
+
+def task_text(
+    task: Task, readings: Collection[str] | None = None, suffix: str = ""
+) -> str:
+    """The text of a module with ``reward`` and, for a task that has one, ``goal``; both names end with `suffix`.
+
+    readings: the names that readings have; None for those of the robot's card
+    Raises NotPlainError.
+    """
+    goals = {} if task.goal is None else {f"goal{suffix}": task.goal}
+    names = ROBOTS[task.robot].sensors if readings is None else readings
+    return plain_text({f"reward{suffix}": task.reward}, goals, names)
 
 
 def functions_of(text: str) -> dict[str, FunctionType]:

@@ -6,8 +6,7 @@ from itertools import count
 from typing import Any
 
 from rlrobot_edu.jit.dispatcher import borrowed
-from rlrobot_edu.task.plain import functions_of, plain_text
-from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.plain import functions_of, task_text
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.javascript.translator import Translator
 from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
@@ -86,8 +85,8 @@ def rewards_of(task: Task, suffix: str = "") -> dict[str, Callable[..., Any]]:
     NotPlainError
         If one of them is not plain, see `rlrobot_edu.task.plain`; it tells file and line.
     """
-    goals = {} if task.goal is None else {f"goal{suffix}": task.goal}
-    rewards = {f"reward{suffix}": task.reward}
-    text = plain_text(rewards, goals, ROBOTS[task.robot].sensors)
-    functions = functions_of(text)
-    return {name: functions[name] for name in (*rewards, *goals)}
+    functions = functions_of(task_text(task, suffix=suffix))
+    names = [f"reward{suffix}"]
+    if task.goal is not None:
+        names.append(f"goal{suffix}")
+    return {name: functions[name] for name in names}

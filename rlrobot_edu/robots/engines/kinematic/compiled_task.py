@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.jit.dispatcher import compiled, numba
-from rlrobot_edu.task.plain import NotPlainError, plain_text
+from rlrobot_edu.task.plain import NotPlainError, task_text
 from rlrobot_edu.task.task import Task
 
 INPUT = np.dtype(
@@ -78,11 +78,10 @@ def judge_of(task: Task, readings: Sequence[str]) -> Any:
 
 def judge_text(task: Task, readings: Sequence[str]) -> str:
     """The module whose function ``judge`` numba compiles. Raises NotPlainError."""
-    goals = {} if task.goal is None else {"goal": task.goal}
-    text = plain_text({"reward": task.reward}, goals, readings)
+    text = task_text(task, readings)
     # numba compiles what such a function calls when it compiles that function
     kernels = [f"{name} = numba.njit({name})" for name in _defined(text)]
-    judge = JUDGE.format(goal="goal(after)" if goals else "False")
+    judge = JUDGE.format(goal="goal(after)" if task.goal else "False")
     return "\n".join(["import math\n\nimport numba\n", text, "", *kernels, judge])
 
 
