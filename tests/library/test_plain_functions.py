@@ -310,6 +310,13 @@ def test_a_function_that_is_not_plain_as_a_whole_is_told_by_its_line(text, line,
     assert what in said and (line is None or said.startswith(f"own.py:{line}: "))
 
 
+def test_what_is_too_long_or_too_deep_is_told():
+    deep = " + ".join(["1"] * 2000)
+    assert "too much is nested" in refused(f"{REWARD}    return {deep}\n")
+    long = "    a = 1\n" * 10_000
+    assert "too long" in refused(f"{REWARD}{long}    return a\n")
+
+
 def test_a_reading_that_the_robot_has_not_is_told():
     reward = defined(f"{REWARD}    return after['lazer']\n")["reward"]
     with pytest.raises(NotPlainError, match=r"2: .*the robot has no such reading"):

@@ -171,10 +171,15 @@ class _Module:
             if function in self._unfinished:
                 refuse(f"{function.__name__}, which calls itself,")
             self._unfinished.append(function)
-            text = self._written(function, kinds)
+            try:
+                text = self._written(function, kinds)
+            except RecursionError:
+                refuse(f"{function.__name__}, in which too much is nested,")
             self._unfinished.pop()
-            if sum(map(len, self.texts)) > LONGEST:
-                refuse("a function as long as this one")
+            if len(text) + sum(map(len, self.texts)) > LONGEST:
+                refuse(
+                    f"{function.__name__}, which is too long with all that it calls,"
+                )
             name = function.__code__.co_name.replace("<lambda>", "function")
             self._names[key] = f"{name}_{len(self._names)}"
             self.texts.append(text.replace("def _(", f"def {self._names[key]}(", 1))
