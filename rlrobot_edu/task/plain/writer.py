@@ -23,9 +23,7 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 
 HEAD = "from rlrobot_edu.task.plain.arithmetic import divided, exact, larger, root, rounded, smaller\n"
-LONGEST = (
-    200_000  # characters; a function that calls others many times may become very long
-)
+LONGEST = 50_000  # characters; numba takes seconds for as many
 
 
 def plain_text(
