@@ -275,7 +275,11 @@ def test_what_is_not_plain_is_told_by_its_line(body, line, what):
 @pytest.mark.parametrize(
     ("text", "line", "what"),
     [
-        ("def reward(before, after, seen=[]):\n    return 1\n", 1, "seen=[]"),
+        (
+            "def reward(before, after, seen=[]):\n    return 1\n",
+            1,
+            "the default of seen",
+        ),
         ("def reward(before):\n    return 1\n", 1, "too many positional arguments"),
         ("def reward(*readings):\n    return 1\n", 1, "*args or **kwargs"),
         ("def reward(before, after):\n    yield 1\n", 1, "a generator"),

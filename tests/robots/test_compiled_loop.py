@@ -51,7 +51,7 @@ def reward(before, after, best=np.full(1, -9.0)):
         return 10
     return -1
 """,
-        "best=array([-9.])",
+        "the default of best",
     ),
     "an entry beyond an array": (
         """

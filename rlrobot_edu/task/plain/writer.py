@@ -202,6 +202,6 @@ def _default(function: FunctionType, name: str, value: object) -> tuple[Kind, as
     number = plain_number(value)
     if number is None:
         raise NotPlainError(
-            f"{place(function)}: {name}={value!r:.40} is not plain; {why_no_number(value)}"
+            f"{place(function)}: the default of {name} is not plain; {why_no_number(value)}"
         )
     return NUMBER, literal(number)

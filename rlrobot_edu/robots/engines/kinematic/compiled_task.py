@@ -47,7 +47,7 @@ def judge(before, after):
 """
 
 _judges: dict[tuple[str, tuple[str, ...]], Any] = {}  # by their text and the readings
-_said: set[str] = set()
+_said: set[tuple[str, str]] = set()  # by the task's path
 
 
 def judge_of(task: Task, readings: Sequence[str]) -> Any:
@@ -68,7 +68,10 @@ def judge_of(task: Task, readings: Sequence[str]) -> Any:
     try:
         text = judge_text(task, readings)
     except NotPlainError as error:
-        _say_once(f"{error}. So learning takes the plain loop, which is slower.")
+        said = f"{error}. So learning takes the plain loop, which is slower."
+        if (task.path, said) not in _said:
+            _said.add((task.path, said))
+            print(said, file=sys.stderr)
         return None
     key = text, tuple(readings)
     if key not in _judges:
@@ -81,7 +84,7 @@ def judge_text(task: Task, readings: Sequence[str]) -> str:
     text = task_text(task, readings)
     # numba compiles what such a function calls when it compiles that function
     kernels = [f"{name} = numba.njit({name})" for name in _defined(text)]
-    judge = JUDGE.format(goal="goal(after)" if task.goal else "False")
+    judge = JUDGE.format(goal="False" if task.goal is None else "goal(after)")
     return "\n".join(["import math\n\nimport numba\n", text, "", *kernels, judge])
 
 
@@ -103,9 +106,3 @@ def _signature(readings: Sequence[str]) -> Any:
     record = numba.from_dtype(np.dtype([(name, float) for name in readings]))
     answer = numba.types.Tuple((numba.float64, numba.boolean))
     return answer(record, record)
-
-
-def _say_once(sentence: str) -> None:
-    if sentence not in _said:
-        _said.add(sentence)
-        print(sentence, file=sys.stderr)
