@@ -20,10 +20,8 @@ Differs from the paper: all bins of x, y and theta can be reached; those of the 
              program reached only part of the room.
 """
 
-from math import hypot
-
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task.rewards import approach_reward, collision_reward
+from rlrobot_edu.task.rewards import approach_reward, collision_reward, length
 from rlrobot_edu.task.wheel_commands import no_reversing
 
 GOAL_X, GOAL_Y, GOAL_RADIUS = 1.65, 1.575, 0.5  # as the scene draws it [m]
@@ -31,7 +29,7 @@ GOAL_X, GOAL_Y, GOAL_RADIUS = 1.65, 1.575, 0.5  # as the scene draws it [m]
 
 def distance(readings):
     """From the robot to the goal [m]."""
-    return hypot(readings["x"] - GOAL_X, readings["y"] - GOAL_Y)
+    return length(readings["x"] - GOAL_X, readings["y"] - GOAL_Y)
 
 
 def at_goal(readings):

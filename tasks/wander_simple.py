@@ -14,9 +14,8 @@ Scene:       square_2x2, the robot starts in the middle.
 Differs from the paper: the paper does not print the limits; these are our choice.
 """
 
-from math import hypot
-
 from rlrobot_edu import InputVariable, OutputVariable, Task
+from rlrobot_edu.task.rewards import length
 
 
 def command(wheels):
@@ -33,7 +32,7 @@ def reward(before, after):
         return -10.0
     if left < 0.10 or right < 0.10:
         return -2.0
-    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
+    moved = length(after["x"] - before["x"], after["y"] - before["y"])
     return 10.0 if moved > 0.07 else -0.02
 
 

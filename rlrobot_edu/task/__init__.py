@@ -11,7 +11,8 @@ Task                            inputs, outputs, reward and the robot: the learn
 `Room` is a room of one's own, for a robot on wheels (room.py); `tools/drawing.py` draws one with characters.
 
 The functions: `load_task` reads a task from its file, `available_tasks` names those that come along (task_file.py).
-Task files share rewards.py and wheel_commands.py.
+Task files share rewards.py and wheel_commands.py. Rewards and goals that are plain functions (plain/) are compiled for
+fast learning, and run in pages.
 
 Begin with ``tasks/wander_simple.py``, which is a whole task on one page; then variables.py, spaces.py, task.py.
 """

@@ -3,25 +3,33 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from math import hypot
+from math import sqrt
 
 from rlrobot_edu.task.task import Readings
 
 
+def length(x: float, y: float) -> float:
+    """The length of the way x ahead and y aside, in the unit of both.
+
+    `math.hypot` computes it, too, but its last bit differs between Python, numba and JavaScript.
+    """
+    return sqrt(x * x + y * y)
+
+
 def collision_reward(readings: Readings, nearer_than: float) -> float:
     """−10 if two or more of the three front lasers are below `nearer_than` [m], −2 if one is, else 0."""
-    front, left, right = (
-        readings["laser_front"],
-        readings["laser_front_left"],
-        readings["laser_front_right"],
-    )
-    touching = (front < nearer_than) + (left < nearer_than) + (right < nearer_than)
-    return (0.0, -2.0, -10.0, -10.0)[touching]
+    front = readings["laser_front"] < nearer_than
+    left = readings["laser_front_left"] < nearer_than
+    right = readings["laser_front_right"] < nearer_than
+    touching = front + left + right
+    if touching >= 2:
+        return -10.0
+    return -2.0 if touching == 1 else 0.0
 
 
 def distance_moved(before: Readings, after: Readings) -> float:
     """How far the robot is from where it was [m]."""
-    return hypot(after["x"] - before["x"], after["y"] - before["y"])
+    return length(after["x"] - before["x"], after["y"] - before["y"])
 
 
 def wander_reward(
@@ -40,13 +48,15 @@ def approach_reward(before: float, after: float, gained: float, idle: float) -> 
     """
     if after - before > gained:
         return -1.0
-    return float(min(5, round(1 + 4 / after))) if before - after > gained else idle
+    if before - after > gained:
+        return min(5.0, round(1 + 4 / after))
+    return idle
 
 
 def gripper_to_object(readings: Readings) -> float:
     """How far the point between an arm's fingertips is from the middle of the object [m]."""
-    aside = hypot(
+    aside = length(
         readings["gripper_x"] - readings["object_x"],
         readings["gripper_y"] - readings["object_y"],
     )
-    return hypot(aside, readings["gripper_z"] - readings["object_z"])
+    return length(aside, readings["gripper_z"] - readings["object_z"])

@@ -15,6 +15,8 @@ from rlrobot_edu.experiments.repetitions import repetition, run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.task.plain import NotPlainError, task_text
+from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.tools.blind import BLIND
@@ -40,10 +42,13 @@ class TaskCheck:
     """What was seen of a task, and what is worth a look; `print` and notebooks show it all.
 
     task: its name and size; findings: sentences, none for a task in which nothing is odd
+    speed: whether reward and goal are plain functions, see `rlrobot_edu.task.plain`; an empty text for a robot without
+        ``engine="kinematic"``
     readings, inputs, rewards, actions, learner: tables
     """
 
     task: str
+    speed: str
     findings: tuple[str, ...]
     readings: Table
     inputs: Table
@@ -54,7 +59,7 @@ class TaskCheck:
     def __repr__(self) -> str:
         return "\n\n".join(
             [
-                self.task,
+                self._head,
                 *map(str, self._tables),
                 "\n- ".join(["Worth a look:", *self._told]),
             ]
@@ -63,7 +68,11 @@ class TaskCheck:
     def _repr_html_(self) -> str:
         tables = "".join(table._repr_html_() for table in self._tables)
         items = "".join(f"<li>{html.escape(finding)}</li>" for finding in self._told)
-        return f"<p>{html.escape(self.task)}</p>{tables}<p>Worth a look:</p><ul>{items}</ul>"
+        return f"<p>{html.escape(self._head)}</p>{tables}<p>Worth a look:</p><ul>{items}</ul>"
+
+    @property
+    def _head(self) -> str:
+        return f"{self.task}. {self.speed}" if self.speed else self.task
 
     @property
     def _tables(self) -> tuple[Table, ...]:
@@ -162,6 +171,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     ]
     return TaskCheck(
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
+        _speed(task),
         (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials["at random"]),
          *_odd_learning(compared, steps, _advice(rewards, steps))),
         readings_table(task, seen), inputs_table(task, trials.values()),
@@ -189,6 +199,17 @@ def _earned(
         for j, each in enumerate(np.random.SeedSequence(seed + i).spawn(LEARNERS)):
             jobs[who, j] = partial(repetition, world, settings, {"steps": steps}, each)
     return run(jobs, threads=False, bar=task.name)
+
+
+def _speed(task: Task) -> str:
+    """Whether learning is compiled where the robot is geometry alone."""
+    if "kinematic" not in ROBOTS[task.robot].engines:
+        return ""
+    try:
+        task_text(task)
+    except NotPlainError as error:
+        return f"With engine='kinematic' learning takes the plain loop: {error}."
+    return "Reward and goal are plain functions: with engine='kinematic' learning is compiled."
 
 
 def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -150,6 +151,17 @@ def test_a_check_is_shown_as_text_and_as_html(odd_check):
     for finding in odd_check.findings:
         assert f"- {finding}" in text
     assert page.count("<table") == 5 and page.count("<li>") == len(odd_check.findings)
+
+
+def test_a_check_says_whether_learning_is_compiled(odd_check, tmp_path):
+    assert "are plain functions" in repr(odd_check).splitlines()[0]
+    assert "are plain functions" in odd_check._repr_html_()
+    path = new_task("power", tmp_path)
+    text = path.read_text(encoding="utf-8").replace("moved > 0.07", "moved ** 2 > 0.07")
+    path.write_text(text, encoding="utf-8")
+    said = check_task_module._speed(rl.load_task(path))
+    assert re.search(r"plain loop: power.py:\d+: “moved \*\* 2” is not plain", said)
+    assert check_task_module._speed(rl.load_task("worked_example")) == ""
 
 
 def test_a_good_task_is_learned(capsys):

@@ -1,17 +1,18 @@
-"""A kernel with all that it calls, as one self-contained JavaScript expression."""
+"""A kernel with all that it calls, as one self-contained JavaScript expression; and rewards and goals as kernels."""
 
 import ast
 from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
 
+from rlrobot_edu.task.plain import functions_of, task_text
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.javascript.translator import Translator
 from rlrobot_edu.widgets.javascript.vocabulary import OF_MATH, literal
 
 # What Python has and JavaScript lacks. The remainder has the sign of the divisor; the first of several largest counts.
 PRELUDE = """
 const remainder = (a, b) => a - b * Math.floor(a / b);
-const to_even = (x) => Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x);
 function max_of(array) {
 let most = array[0];
 for (const x of array) if (x > most) most = x;
@@ -70,3 +71,18 @@ def program(
     return "\n".join(
         ["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"]
     )
+
+
+def rewards_of(task: Task, suffix: str = "") -> dict[str, Callable[..., Any]]:
+    """A task's reward and goal as `program` takes them: ``reward`` and, if there is one, ``goal``, with this suffix.
+
+    Raises
+    ------
+    NotPlainError
+        If one of them is not plain, see `rlrobot_edu.task.plain`; it tells file and line.
+    """
+    functions = functions_of(task_text(task, suffix=suffix))
+    names = [f"reward{suffix}"]
+    if task.goal is not None:
+        names.append(f"goal{suffix}")
+    return {name: functions[name] for name in names}

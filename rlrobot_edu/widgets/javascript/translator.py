@@ -8,7 +8,7 @@ JavaScript has no arithmetic of arrays: ``q[s] + 1`` would be a text there, and 
 kernel may do with a whole array is to take its largest or smallest entry, to set all its entries to one number, and to
 hand it to another kernel. All else is refused.
 
-A task's reward and goal are translated, too: in them are readings by name and arguments by name.
+A task's reward and goal are translated as plain functions, see `rlrobot_edu.task.plain`.
 """
 
 import ast
@@ -160,6 +160,8 @@ class Translator:
                 return f"{head} {{\n{i} = $at;\n{self._block(body)}\n}}"
             case ast.Return(value):
                 return f"return {self._value(value)};" if value else "return;"
+            case ast.Raise(ast.Call(_, [ast.Constant(str() as why)])):
+                return f"throw new Error({literal(why)});"
             case ast.Break() | ast.Continue():
                 return f"{type(node).__name__.lower()};"
         self._refuse(node, f"“{ast.unparse(node).splitlines()[0]}”")
@@ -263,21 +265,6 @@ class Translator:
                 return (
                     f"{self._value(function)}({', '.join(map(self._value, arguments))})"
                 )
-            case ast.Call(ast.Name(name) as function, arguments, keywords) if (
-                name in self.around
-            ):
-                by_name = {str(keyword.arg): keyword.value for keyword in keywords}
-                rest = list(inspect.signature(self.around[name]).parameters)[
-                    len(arguments) :
-                ]
-                if sorted(by_name) == sorted(rest):
-                    return self._value(
-                        ast.Call(
-                            function,
-                            [*arguments, *(by_name[each] for each in rest)],
-                            [],
-                        )
-                    )
         self._refuse(node, f"“{ast.unparse(node)}”")
 
     def _is_record(self, node: ast.expr) -> bool:

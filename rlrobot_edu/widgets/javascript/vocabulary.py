@@ -2,6 +2,7 @@
 
 import ast
 import json
+import math
 
 import numpy as np
 
@@ -23,18 +24,17 @@ WORDS = {
     "min": "Math.min",
     "float": "Number",
 }
-WORDS |= {"round": "to_even"}
 OF_MATH = {
     name: f"Math.{name}"
-    for name in ("ceil", "cos", "exp", "floor", "hypot", "log", "sin", "sqrt")
+    for name in ("ceil", "cos", "exp", "floor", "log", "sin", "sqrt")
 }
 OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
 
 
 def literal(value: bool | float | str | None) -> str:
     """A number, a text, True, False or None in JavaScript."""
-    return (
-        repr(value)
-        if isinstance(value, int | float) and not isinstance(value, bool)
-        else json.dumps(value)
-    )
+    if isinstance(value, float) and math.isinf(value):
+        return "Infinity" if value > 0 else "(-Infinity)"
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return repr(value)
+    return json.dumps(value)

@@ -10,7 +10,7 @@ from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sampling import draw_outcome, draw_start
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.widgets.javascript.program import program
+from rlrobot_edu.widgets.javascript.program import program, rewards_of
 
 
 def kernels(methods: Sequence[str], tasks: Mapping[str, Task]) -> str:
@@ -24,7 +24,5 @@ def kernels(methods: Sequence[str], tasks: Mapping[str, Task]) -> str:
         step = make_step(parse_method(method))
         given |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
     for name, task in tasks.items():
-        given |= {f"reward_{name}": task.reward} | (
-            {f"goal_{name}": task.goal} if task.goal else {}
-        )
+        given |= rewards_of(task, f"_{name}")
     return program(given)

@@ -20,7 +20,7 @@ from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.robot_env import RobotEnv
-from rlrobot_edu.widgets.javascript.program import program
+from rlrobot_edu.widgets.javascript.program import program, rewards_of
 from rlrobot_edu.widgets.playground.worlds import (
     World,
     base_world,
@@ -132,8 +132,8 @@ def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
         and isinstance(robot, KinematicBase)
         and robot.chassis == CHASSIS[task.robot]
     ):
-        kernels = {"drive": drive, "look": look, "reward": task.reward}
-        return base_world(task), kernels | ({"goal": task.goal} if task.goal else {})
+        kernels = {"drive": drive, "look": look}
+        return base_world(task), kernels | rewards_of(task)
     raise ValueError(
         "a page computes the worked example, sample models and the base with engine='kinematic', not this world."
     )

@@ -1,26 +1,24 @@
-"""A task as kernels, for the compiled loop of learning: the state that readings show, the reward and the goal.
+"""A task for the compiled loop of learning: the state that readings show, and its reward and goal as one judge.
 
-A task's reward and goal are compiled as they are. They are tried first, on a walk at random: only if they say there
-what Python says does the loop use them. A reward is one of few numbers, so the last bit of a `hypot` is of no account.
+Reward and goal are compiled if they are plain functions, see `rlrobot_edu.task.plain`: they then say what Python says,
+to the last bit.
 """
 
 import math
+import re
 import sys
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
-from types import FunctionType
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from rlrobot_edu.jit.dispatcher import compiled, numba
-from rlrobot_edu.jit.fingerprint import code_of
+from rlrobot_edu.task.plain import NotPlainError, task_text
 from rlrobot_edu.task.task import Task
 
 INPUT = np.dtype(
     [("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)]
 )
-TRIED = 300  # steps of the walk at random
 
 
 @compiled
@@ -39,86 +37,72 @@ def state_of(inputs, cuts, readings):
     return s
 
 
-_judges: dict[Any, Any] = {}  # by the code of a task's reward and goal
+JUDGE = """
+
+def judge(before, after):
+    try:
+        return reward(before, after), {goal}
+    except Exception:
+        return math.nan, False
+"""
+
+_judges: dict[tuple[str, tuple[str, ...]], Any] = {}  # by their text and the readings
+_said: set[tuple[str, str]] = set()  # by the task's path
 
 
-def judge_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]]) -> Any:
-    """A task's reward and goal as the loop asks for them; None, and once a word on stderr, where there is no such."""
-    names = tuple(robot.readings)
-    key = code_of((task.reward, task.goal)), names
+def judge_of(task: Task, readings: Sequence[str]) -> Any:
+    """A task's reward and goal as the compiled loop asks for them.
+
+    Parameters
+    ----------
+    task : Task
+    readings : sequence of str
+        The names of the robot's readings, in the order of the loop's records.
+
+    Returns
+    -------
+    function of numba's, or None
+        (record before, record after) -> (reward, whether it is at the goal). The reward is NaN where the functions
+        fail: then Python has to take this step. None where they are not plain, which a line on stderr says once.
+    """
+    try:
+        text = judge_text(task, readings)
+    except NotPlainError as error:
+        said = f"{error}. So learning takes the plain loop, which is slower."
+        if (task.path, said) not in _said:
+            _said.add((task.path, said))
+            print(said, file=sys.stderr)
+        return None
+    key = text, tuple(readings)
     if key not in _judges:
-        _judges[key] = _tried(
-            task, np.dtype([(name, float) for name in names]), _walk(robot, commands)
-        )
+        _judges[key] = _compiled_judge(*key)
     return _judges[key]
 
 
-def _tried(task: Task, kind: np.dtype[Any], walk: list[dict[str, float]]) -> Any:
-    """Reward and goal, compiled for readings of this `kind`, if they say on this walk what Python says; or None."""
-    record, records = (
-        numba.from_dtype(kind),
-        np.array([tuple(readings.values()) for readings in walk], kind),
-    )
-    plain = _judging(task.reward, task.goal)
-    with suppress(Exception):  # a compiler may find anything odd in somebody's function
-        kernel = compiled(
-            _judging(_kernel_of(task.reward), task.goal and _kernel_of(task.goal))
-        )
-        kernel.compile((record, record))
-        if repr([*map(kernel, records, records[1:])]) == repr(
-            [*map(plain, walk, walk[1:])]
-        ):
-            return numba.types.function_type.CompileResultWAP(
-                kernel.overloads[record, record]
-            )
-    print(
-        f"{task.path}: learning is slower, since numba cannot compile reward or goal",
-        file=sys.stderr,
-    )
-    return None
+def judge_text(task: Task, readings: Sequence[str]) -> str:
+    """The module whose function ``judge`` numba compiles. Raises NotPlainError."""
+    text = task_text(task, readings)
+    # numba compiles what such a function calls when it compiles that function
+    kernels = [f"{name} = numba.njit({name})" for name in _defined(text)]
+    judge = JUDGE.format(goal="False" if task.goal is None else "goal(after)")
+    return "\n".join(["import math\n\nimport numba\n", text, "", *kernels, judge])
 
 
-def _walk(
-    robot: Any, commands: Sequence[Mapping[str, float]]
-) -> list[dict[str, float]]:
-    """Readings on a walk at random; afterwards the robot stands where it stood."""
-    place, draws = (
-        robot.parts.place.copy(),
-        np.random.default_rng(0).integers(len(commands), size=TRIED),
-    )
-    walk = [robot.act(commands[a]) for a in draws]
-    robot.parts.place[:] = place
-    robot.look()
-    return walk
+def _defined(text: str) -> list[str]:
+    """The names that a text of `plain_text` imports and defines."""
+    imported = re.findall("import (.*)$", text, re.MULTILINE)[0]
+    defined = re.findall(r"^def (\w+)", text, re.MULTILINE)
+    return [*imported.split(", "), *defined]
 
 
-def _kernel_of(function: Any) -> Any:
-    """The kernel of a function, and of those that it calls."""
-    used = {
-        name: v
-        for name, v in function.__globals__.items()
-        if name in function.__code__.co_names
-    }
-    around = {
-        name: _kernel_of(v) if isinstance(v, FunctionType) else v
-        for name, v in used.items()
-    }
-    around["__name__"] = (
-        __name__  # kept on disk, a kernel is read again only under a module that can be imported
-    )
-    name, defaults = function.__name__, function.__defaults__
-    copy = FunctionType(function.__code__, around, name, defaults, function.__closure__)
-    copy.__kwdefaults__ = function.__kwdefaults__
-    return numba.njit(error_model="python")(copy)
+def _compiled_judge(text: str, readings: Sequence[str]) -> Any:
+    space: dict[str, Any] = {"__name__": __name__}
+    exec(text, space)
+    return numba.cfunc(_signature(readings))(space["judge"])
 
 
-def _judging(reward: Any, goal: Any) -> Any:
-    def judge(before, after):
-        try:
-            return 1.0 * reward(before, after) + 0.0, goal is not None and bool(
-                goal(after)
-            )
-        except Exception:
-            return math.nan, False
-
-    return judge
+def _signature(readings: Sequence[str]) -> Any:
+    """Of a judge: (record, record) -> (float, bool)."""
+    record = numba.from_dtype(np.dtype([(name, float) for name in readings]))
+    answer = numba.types.Tuple((numba.float64, numba.boolean))
+    return answer(record, record)

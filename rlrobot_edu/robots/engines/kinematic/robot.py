@@ -64,7 +64,8 @@ def world_of(
     start = robot.start() if "kernels" in vars(type(robot)) else None
     if IS_PLAIN or start is None or any(v.values is not None for v in task.inputs):
         return None
-    names, judge = tuple(robot.readings), judge_of(task, robot, commands)
+    names = tuple(robot.readings)
+    judge = judge_of(task, names)
     if judge is None:
         return None
     numbers = np.array([[*robot.readings.values()]] * 2)
