@@ -13,7 +13,8 @@ import importlib.util
 import linecache
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import cache
 from itertools import count
 from pathlib import Path
@@ -22,7 +23,7 @@ from typing import Any, cast
 
 from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.jit import call
-from rlrobot_edu.jit.dispatcher import FOLDER, is_ours
+from rlrobot_edu.jit.dispatcher import FOLDER, PACKAGE, is_ours
 
 Build = Callable[..., ModuleType]  # (template, **parts) -> its kernels, as `build`
 ROOM = 2**22  # for what numba keeps of one module [bytes]
@@ -38,13 +39,26 @@ def build(template: ModuleType, **parts: Any) -> ModuleType:
     parts: kernels, or values such as True, by their names in the template
     """
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
-    if FOLDER is not None and all(map(can_be_imported, parts.values())):
-        lines = [line_of(name, part) for name, part in parts.items()]
-        try:
-            return _on_disk(template, "\n".join([text, *lines, ""]), parts)
-        except OSError:
-            pass  # no room, say: it is compiled again by the next process
-    return in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
+    if not all(map(can_be_imported, parts.values())):
+        return in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
+    lines = [line_of(name, part) for name, part in parts.items()]
+    packages = {
+        part.__module__.partition(".")[0] for part in parts.values() if callable(part)
+    }
+    return module_of(template.__name__, "\n".join([text, *lines, ""]), packages)
+
+
+def module_of(name: str, text: str, packages: Iterable[str] = ()) -> ModuleType:
+    """The module of this text, in the cache folder if that can be.
+
+    name: how its name begins; packages: what it imports from besides this one
+    """
+    if FOLDER is not None:
+        with suppress(
+            OSError
+        ):  # no room, say: it is compiled again by the next process
+            return _on_disk(name, text, packages)
+    return in_memory(f"{name} {next(_numbers)}", text, {})
 
 
 @cache
@@ -70,17 +84,12 @@ def line_of(name: str, part: Any) -> str:
     return f"from {part.__module__} import {part.__name__} as {name}"
 
 
-def _on_disk(template: ModuleType, text: str, parts: dict[str, Any]) -> ModuleType:
-    """The module of this text in the cache folder."""
+def _on_disk(name: str, text: str, packages: Iterable[str]) -> ModuleType:
     assert FOLDER is not None
-    packages = {template.__name__.partition(".")[0]}
-    packages |= {
-        part.__module__.partition(".")[0] for part in parts.values() if callable(part)
-    }
-    versions = [sources_of(package) for package in sorted(packages)]
+    versions = [sources_of(each) for each in sorted({PACKAGE.name, *packages})]
     digest = sha256("\n".join([text, *versions]).encode())[:16]
     # its package's name comes first, so it counts as the toolkit's
-    name = f"{template.__name__}_{digest}"
+    name = f"{name}_{digest}"
     path = FOLDER / f"{name}.py"
     if name in sys.modules:
         return sys.modules[name]

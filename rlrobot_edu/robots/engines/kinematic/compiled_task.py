@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.jit.dispatcher import compiled, numba
+from rlrobot_edu.jit.building import module_of
+from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.task.plain import NotPlainError, task_text
 from rlrobot_edu.task.task import Task
 
@@ -37,6 +38,7 @@ def state_of(inputs, cuts, readings):
     return s
 
 
+IMPORTS = "import math\n\nimport numba\nimport numpy as np\n"
 JUDGE = """
 
 def judge(before, after):
@@ -44,9 +46,14 @@ def judge(before, after):
         return reward(before, after), {goal}
     except Exception:
         return math.nan, False
+
+
+record = numba.from_dtype(np.dtype([(name, float) for name in {readings}]))
+answer = numba.types.Tuple((numba.float64, numba.boolean))
+judge = numba.cfunc(answer(record, record), cache="__file__" in globals())(judge)
 """
 
-_judges: dict[tuple[str, tuple[str, ...]], Any] = {}  # by their text and the readings
+_judges: dict[str, Any] = {}  # by their text
 _said: set[tuple[str, str]] = set()  # by the task's path
 
 
@@ -73,10 +80,9 @@ def judge_of(task: Task, readings: Sequence[str]) -> Any:
             _said.add((task.path, said))
             print(said, file=sys.stderr)
         return None
-    key = text, tuple(readings)
-    if key not in _judges:
-        _judges[key] = _compiled_judge(*key)
-    return _judges[key]
+    if text not in _judges:
+        _judges[text] = module_of(f"{__name__}.judge", text).judge
+    return _judges[text]
 
 
 def judge_text(task: Task, readings: Sequence[str]) -> str:
@@ -84,8 +90,9 @@ def judge_text(task: Task, readings: Sequence[str]) -> str:
     text = task_text(task, readings)
     # numba compiles what such a function calls when it compiles that function
     kernels = [f"{name} = numba.njit({name})" for name in _defined(text)]
-    judge = JUDGE.format(goal="False" if task.goal is None else "goal(after)")
-    return "\n".join(["import math\n\nimport numba\n", text, "", *kernels, judge])
+    goal = "False" if task.goal is None else "goal(after)"
+    judge = JUDGE.format(goal=goal, readings=tuple(readings))
+    return "\n".join([IMPORTS, text, "", *kernels, judge])
 
 
 def _defined(text: str) -> list[str]:
@@ -93,16 +100,3 @@ def _defined(text: str) -> list[str]:
     imported = re.findall("import (.*)$", text, re.MULTILINE)[0]
     defined = re.findall(r"^def (\w+)", text, re.MULTILINE)
     return [*imported.split(", "), *defined]
-
-
-def _compiled_judge(text: str, readings: Sequence[str]) -> Any:
-    space: dict[str, Any] = {"__name__": __name__}
-    exec(text, space)
-    return numba.cfunc(_signature(readings))(space["judge"])
-
-
-def _signature(readings: Sequence[str]) -> Any:
-    """Of a judge: (record, record) -> (float, bool)."""
-    record = numba.from_dtype(np.dtype([(name, float) for name in readings]))
-    answer = numba.types.Tuple((numba.float64, numba.boolean))
-    return answer(record, record)
