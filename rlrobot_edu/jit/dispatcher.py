@@ -63,6 +63,7 @@ def compiled(kernel: Kernel) -> Kernel:
         error_model="python",
         # one function in the end, however many it is written in: that alone halves a step
         forceinline=True,
+        no_cfunc_wrapper=True,  # C calls none: compiling takes a quarter less
         cache=FOLDER in Path(function.__code__.co_filename).parents,
     )(function)
     return cast(Kernel, dispatcher)
