@@ -52,7 +52,7 @@ def guarded(agent: "Agent", one_step: Callable[[StepKernels], T]) -> T:
         before.put_back()
         fault = error
     try:
-        with np.errstate(all="ignore"):
+        with np.errstate(divide="raise", invalid="raise"):
             one_step(plain_step(agent.method))  # Python knows the line
     except Exception as error:
         what, line = _failed(agent.method, error)

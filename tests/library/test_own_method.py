@@ -1,6 +1,9 @@
 """A method of the learner's own: it learns wherever the toolkit's do, compiled or not."""
 
+import inspect
+import math
 import os
+import re
 import subprocess
 import sys
 
@@ -8,6 +11,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.methods import made_of
 from rlrobot_edu.widgets.stepper.code_view import code_html
 
@@ -173,3 +177,158 @@ def test_compiled_or_not_the_numbers_are_the_same_to_the_last_bit(tmp_path):
         for plain in "01"
     ]
     assert said[0] == said[1]
+
+
+def row_after(m, s, a, r, s_next, a_next, terminated):
+    m.q[s, a] += 1.0
+    return m.q[s_next + 1].max()  # LINE
+
+
+def column_after(m, s, a, r, s_next, a_next, terminated):
+    m.e[s, a] = 1.0
+    return m.e[s, m.e.shape[1]]  # LINE
+
+
+def no_divisor(m, s, a, r, s_next, a_next, terminated):
+    m.q[s, a] += r
+    return r / (m.parameters.alpha - m.parameters.alpha)  # LINE
+
+
+def raises(m, s, a, r, s_next, a_next, terminated):
+    m.q[s, a] += r
+    if m.q[s, a] > 2.5:
+        raise ValueError("three are enough")  # LINE
+    return 0.0
+
+
+def misspelt(m, s, a, r, s_next, a_next, terminated):
+    return r - m.quality[s, a]  # LINE
+
+
+def counts_in_a_dictionary(m, s, a, r, s_next, a_next, terminated):
+    seen = {"s": [s], "a": []}  # LINE
+    return float(len(seen))
+
+
+def returns_nothing(m, s, a, r, s_next, a_next, terminated):  # LINE
+    m.q[s, a] += 0.1
+
+
+def not_a_number(m, s, a, r, s_next, a_next, terminated):  # LINE
+    return r * math.inf
+
+
+def far_away(q, s):
+    return q[s + 10_000, 0]  # LINE
+
+
+def calls_a_helper(m, s, a, r, s_next, a_next, terminated):
+    return far_away(m.q, s)
+
+
+def line_of(function):
+    """The line of this file that its comment marks."""
+    lines, first = inspect.getsourcelines(function)
+    return first + next(i for i, line in enumerate(lines) if "# LINE" in line)
+
+
+FAULTS = {
+    row_after: "IndexError: index 1024 is out of bounds",
+    column_after: "IndexError",
+    no_divisor: "FloatingPointError: divide by zero",
+    raises: "ValueError: three are enough",
+    misspelt: "AttributeError",
+    counts_in_a_dictionary: "numba cannot compile the update of MINE",
+    returns_nothing: "TypeError",
+    not_a_number: "must return the TD error, a finite number",
+    calls_a_helper: "IndexError",
+}
+
+
+@pytest.mark.parametrize("update", FAULTS, ids=lambda update: update.__name__)
+def test_an_update_that_fails_is_one_sentence_with_its_line_and_nothing_is_half_done(
+    update, wander_model
+):
+    agent = rl.Agent(wander_model, rl.Method(rl.Algorithm("MINE", update), "SR"))
+    last, done = agent.q.shape[0] - 1, 0
+    with pytest.raises(ValueError) as error:
+        for done in range(5):  # noqa: B007 - how many came before the fault
+            agent.update(last, 0, 1.0, last, 0, False)
+    said = str(error.value)
+    assert re.search(FAULTS[update], said), said
+    line = line_of(far_away if update is calls_a_helper else update)
+    assert f"test_own_method.py, line {line}: " in said and "\n" not in said, said
+    assert agent.q.sum() == done == (2 if update is raises else 0)
+    assert not agent.e.any() and not agent.visits.any()
+
+
+def all_alike(m, s):
+    m.probabilities[:] = 1.0
+
+
+def some_below_0(m, s):
+    m.probabilities[:] = 0.0
+    m.probabilities[0], m.probabilities[1] = 2.0, -1.0
+
+
+def none_is_finite(m, s):
+    m.probabilities[:] = math.nan
+
+
+def one_too_many(m, s):
+    n = m.probabilities.shape[0]
+    m.probabilities[:] = 1.0 / n
+    m.probabilities[n] = 0.0
+
+
+SELECTIONS = {
+    all_alike: "it must leave probabilities: their sum must be 1",
+    some_below_0: "it must leave probabilities: none below 0, all finite",
+    none_is_finite: "it must leave probabilities: none below 0, all finite",
+    one_too_many: "IndexError",
+}
+
+
+@pytest.mark.parametrize("selection", SELECTIONS, ids=lambda select: select.__name__)
+def test_a_selection_must_leave_probabilities(selection, wander_model):
+    method = rl.Method("SARSA", rl.Selection("MINE", selection))
+    agent = rl.Agent(wander_model, method, seed=0)
+    rng = agent.rng.bit_generator.state
+    with pytest.raises(ValueError, match="the selection MINE failed") as error:
+        agent.begin_episode(0)
+    assert SELECTIONS[selection] in str(error.value)
+    assert agent.rng.bit_generator.state == rng
+    assert np.ptp(agent.probabilities) == 0.0
+
+
+def test_a_planner_that_leaves_its_experience_is_one_sentence(wander_model):
+    def plan(m, x, s, a, n, rng):
+        x.tries[m.q.shape[0] * m.q.shape[1]] += 1
+
+    agent = rl.Agent(wander_model, "Q+SR", planner=Planner("AHEAD", plan))
+    with pytest.raises(ValueError, match="the planner AHEAD failed: IndexError"):
+        agent.update(0, 0, 1.0, 1, 0, False)
+    assert not agent.q.any() and not agent.experience.tries.any()
+
+
+def four_times(m, s, a, r, s_next, a_next, terminated):
+    m.q[s, a] += 1.0
+    if m.visits[s, a] > 3:
+        raise ValueError("three are enough")
+    return 0.0
+
+
+def test_a_run_ends_before_the_step_that_fails_also_in_the_middle_of_a_slice(
+    wander_model,
+):
+    method = rl.Method(rl.Algorithm("MINE", four_times), "SR")
+    agent, twin = (rl.Agent(wander_model, method, seed=0) for _ in range(2))
+    with pytest.raises(ValueError, match="three are enough"):
+        rl.learn(agent, rl.make_env(wander_model, seed=1), 5000, progress=False)
+    done = int(agent.visits.sum())
+    assert agent.visits.max() == 3 and done > 10
+    rl.learn(twin, rl.make_env(wander_model, seed=1), done, progress=False)
+    assert np.array_equal(agent.q, twin.q)
+    assert np.array_equal(agent.visits, twin.visits)
+    assert agent.rng.bit_generator.state == twin.rng.bit_generator.state
+    assert agent.pending == twin.pending
