@@ -119,11 +119,8 @@ class Drawn:
         return f"{helper}{reward}{goal}"
 
     def _function(self, name, arguments, known, has_helper=False):
-        self.readings, self.known, self.has_helper = (
-            ["before", "after"],
-            list(known),
-            has_helper,
-        )
+        self.readings = ["before", "after"]
+        self.known, self.has_helper = list(known), has_helper
         lines = self.block(self.rng.randint(0, 4), 2)
         lines.append(f"return {self.number(3)}")
         body = "\n".join(f"    {line}" for line in lines)
@@ -135,7 +132,7 @@ class Drawn:
 
     def statement(self, depth):
         """The lines of a statement."""
-        kind = self.rng.choice(["=", "=", "=", ":", "+=", ",", "if", "if", "pass"])
+        kind = self.rng.choice(["=", "=", "=", ":", "+=", ",", "if", "if"])
         if kind == "if" and depth:
             return self._choice(depth)
         if kind == "+=" and self.known:
@@ -152,8 +149,8 @@ class Drawn:
         return [line]
 
     def _choice(self, depth):
-        lines, before = [], list(self.known)
-        after = None
+        """The lines of an `if`; afterwards, known is what each way that goes on has made known."""
+        lines, before, after = [], list(self.known), None
         for word in ("if", "elif", "else")[: self.rng.randint(1, 3)]:
             test = "" if word == "else" else f" {self.condition(2)}"
             inner = self.block(self.rng.randint(1, 2), depth - 1)
@@ -165,7 +162,7 @@ class Drawn:
                 known = set(self.known)
                 after = known if after is None else after & known
             self.known = list(before)
-        if not lines[-1].startswith("else") and word != "else":
+        if word != "else":
             after = set(before)  # it may have been none of these
         self.known = sorted(before if after is None else after)
         return lines
@@ -213,10 +210,11 @@ class Drawn:
         """Readings before and after a step: near 0, or from the whole range with its edges."""
         share = self.rng.choice([0.0, 0.1, 0.5])
         return [
-            {name: self._reading(share) for name in NAMES} for _ in ("before", "after")
+            {name: self.reading(share) for name in NAMES} for _ in ("before", "after")
         ]
 
-    def _reading(self, share):
+    def reading(self, share):
+        """One number, by this share from the whole range and its edges."""
         if self.rng.random() < share:
             if self.rng.random() < 0.5:
                 return self.rng.choice(EDGES)

@@ -82,7 +82,7 @@ def drawn_readings(task, n):
     drawn, sensors = Drawn(0), ROBOTS[task.robot].sensors
     for _ in range(n):
         share = drawn.rng.choice([0.0, 0.0, 0.3])
-        yield [{name: drawn._reading(share) for name in sensors} for _ in range(2)]
+        yield [{name: drawn.reading(share) for name in sensors} for _ in range(2)]
 
 
 @pytest.mark.parametrize("name", sorted(set(available_tasks()) - NOT_PLAIN))
