@@ -15,8 +15,8 @@ History      (history.py)      what one learning process was
 Begin with algorithms/q_learning.py and compare it with algorithms/sarsa.py: only the update rule differs. In every
 kernel `m` is the agent's memory, see memory.py. Each algorithm and each selection has its own file; planning/ holds
 what only planners need. traces.py serves SARSA(λ) and true online SARSA(λ); loop_evasion.py raises the temperature of
-a softmax. methods.py lists them all and says what a method is. step.py makes one step of learning from an algorithm
-and a selection.
+a softmax. methods.py lists them all and says what a method is. templates/step.py is one step of learning, and
+step.py puts an algorithm and a selection in their places there.
 
 agent.py keeps the memory and writes what was learned to a file. loop.py lets the agent act, under a bar (progress.py),
 and observations.py numbers the states that an environment shows.

@@ -138,3 +138,21 @@ def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
     ]
     assert len(run.stderr.splitlines()) < 4, run.stderr
     assert not [*tmp_path.rglob("*.nbc")]
+
+
+JUDGED = """
+from rlrobot_edu.robots.engines.kinematic.compiled_task import judge_of
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task_file import load_task
+task = load_task("wander_1k")
+print(judge_of(task, list(ROBOTS[task.robot].sensors)).cache_hits)
+"""
+
+
+def test_the_next_process_finds_the_judge_of_a_task():
+    for _ in range(2):
+        ran = subprocess.run(
+            [sys.executable, "-c", JUDGED], capture_output=True, text=True
+        )
+        assert not ran.returncode, ran.stderr
+    assert ran.stdout.strip() == "1"

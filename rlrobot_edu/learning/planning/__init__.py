@@ -2,5 +2,6 @@
 
 experience.py    the outcomes that an agent has met
 dyna.py          Dyna-Q, which imagines steps that it draws from them
-planned_step.py  a real step with the imagined ones after it
+
+A real step with the imagined ones after it is ../templates/planned_step.py.
 """
