@@ -13,7 +13,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 from rlrobot_edu.learning.size import Env
-from rlrobot_edu.learning.step import NO_ACTION
+from rlrobot_edu.learning.templates.step import NO_ACTION
 from rlrobot_edu.learning.traces import forget
 
 

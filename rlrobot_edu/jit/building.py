@@ -54,9 +54,7 @@ def module_of(name: str, text: str, packages: Iterable[str] = ()) -> ModuleType:
     name: how its name begins; packages: what it imports from besides this one
     """
     if FOLDER is not None:
-        with suppress(
-            OSError
-        ):  # no room, say: it is compiled again by the next process
+        with suppress(OSError):  # no room, say: the next process compiles it again
             return _on_disk(name, text, packages)
     return in_memory(f"{name} {next(_numbers)}", text, {})
 
@@ -101,9 +99,9 @@ def _on_disk(name: str, text: str, packages: Iterable[str]) -> ModuleType:
     spec = importlib.util.spec_from_file_location(name, path)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
     spec.loader.exec_module(module)
-    return module
+    # only now, when it is whole: another thread may ask for it, or have made it meanwhile
+    return sys.modules.setdefault(name, module)
 
 
 @cache

@@ -1,9 +1,10 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
 import dataclasses
+from collections.abc import Callable
 from copy import deepcopy
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,7 @@ from rlrobot_edu.learning.step import StepKernels, begin_episode, no_update
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 
+T = TypeVar("T")
 LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
 
@@ -211,7 +213,7 @@ class Agent:
             for_python(begin_episode)(self.memory)
             return int(kernels.select(self.memory, s, self.rng.random()))
 
-        return guarded(self, first)
+        return self._guarded(first)
 
     def learn_step(
         self, s: int, a: int, r: float, s_next: int, terminated: bool
@@ -242,7 +244,7 @@ class Agent:
                 return kernels.learn_step(self.memory, *real)
             return kernels.planned_step(self.memory, x, *real, self.rng)
 
-        a_next, delta = guarded(self, one_step)
+        a_next, delta = self._guarded(one_step)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(
@@ -278,7 +280,10 @@ class Agent:
                 kernels.plan(self.memory, x, *real, self.rng)
             return delta
 
-        return guarded(self, one_update)
+        return self._guarded(one_update)
+
+    def _guarded(self, one_step: Callable[[StepKernels], T]) -> T:
+        return guarded(self.method, self.memory, self.experience, self.rng, one_step)
 
     def frozen(self) -> "Agent":
         """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.

@@ -94,7 +94,7 @@ def _run(
     if not own_parts(agent.method):
         run(*kernels, log)
         return
-    before = Before(agent)
+    before = Before(agent.memory, agent.experience, agent.rng)
     place = [array.copy() for array in (*world.state, at)]
     world_rng = env.np_random.bit_generator.state
     try:

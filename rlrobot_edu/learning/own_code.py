@@ -4,62 +4,70 @@ import re
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from rlrobot_edu.checks import describe_error
 from rlrobot_edu.jit.fingerprint import INSTALLED
-from rlrobot_edu.learning.memory import copies, put_back
+from rlrobot_edu.learning.memory import Memory, copies, put_back
 from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.planning.experience import Experience
 from rlrobot_edu.learning.step import StepKernels, make_step, own_parts, plain_step
-
-if TYPE_CHECKING:
-    from rlrobot_edu.learning.agent import Agent
 
 T = TypeVar("T")
 
 
 class Before:
-    """An agent's memory, experience and random numbers as they are now."""
+    """What an agent remembers, as it is now.
 
-    def __init__(self, agent: "Agent") -> None:
-        self.agent = agent
-        self.memory = copies(agent.memory)
-        self.experience = agent.experience
-        self.outcomes = copies(agent.experience or ())
-        self.rng = agent.rng.bit_generator.state
+    memory, experience, rng: the agent's
+    """
+
+    def __init__(
+        self, memory: Memory, experience: Experience | None, rng: np.random.Generator
+    ) -> None:
+        self._now = memory, experience or ()
+        self._saved = copies(self._now)
+        self._rng = rng
+        self._state = rng.bit_generator.state
 
     def put_back(self) -> None:
-        """The agent is again as it was."""
-        put_back(self.agent.memory, self.memory)
-        self.agent.experience = self.experience
-        put_back(self.experience or (), self.outcomes)
-        self.agent.rng.bit_generator.state = self.rng
+        """All is again as it was."""
+        put_back(self._now, self._saved)
+        self._rng.bit_generator.state = self._state
 
 
-def guarded(agent: "Agent", one_step: Callable[[StepKernels], T]) -> T:
-    """What `one_step` answers with the kernels of the agent's method.
+def guarded(
+    method: Method,
+    memory: Memory,
+    experience: Experience | None,
+    rng: np.random.Generator,
+    one_step: Callable[[StepKernels], T],
+) -> T:
+    """What `one_step` of an agent answers with the kernels of its method.
 
-    Raises ValueError in one sentence if a part that is not the toolkit's fails; then the agent is as it was before.
+    memory, experience, rng: the agent's
+
+    Raises ValueError in one sentence if a part that is not the toolkit's fails; then these are as they were before.
     """
-    if not own_parts(agent.method):
-        return one_step(make_step(agent.method))
-    before = Before(agent)
+    if not own_parts(method):
+        return one_step(make_step(method))
+    before = Before(memory, experience, rng)
     try:
-        return one_step(make_step(agent.method))
+        return one_step(make_step(method))
     except Exception as error:
         before.put_back()
         fault = error
     try:
         with np.errstate(divide="raise", invalid="raise"):
-            one_step(plain_step(agent.method))  # Python knows the line
+            one_step(plain_step(method))  # Python knows the line
     except Exception as error:
-        what, line = _failed(agent.method, error)
+        what, line = _failed(method, error)
         raise ValueError(f"{line}: {what} failed: {describe_error(error)}") from error
     finally:
         before.put_back()
-    what, line = _refused(agent.method, str(fault))
+    what, line = _refused(method, str(fault))
     if not type(fault).__module__.startswith("numba"):
         raise ValueError(f"{line}: {what} failed: {describe_error(fault)}") from fault
     raise ValueError(
