@@ -13,6 +13,7 @@ import importlib.util
 import linecache
 import sys
 import tempfile
+import threading
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import cache
@@ -28,6 +29,7 @@ from rlrobot_edu.jit.dispatcher import FOLDER, PACKAGE, is_ours
 Build = Callable[..., ModuleType]  # (template, **parts) -> its kernels, as `build`
 ROOM = 2**22  # for what numba keeps of one module [bytes]
 UNUSED = 30 * 24 * 3600  # age at which built modules go [s]
+_one_thread = threading.RLock()  # a module that another one is making is not whole
 _numbers = count()  # of the modules that are in memory alone
 
 
@@ -89,19 +91,32 @@ def _on_disk(name: str, text: str, packages: Iterable[str]) -> ModuleType:
     # its package's name comes first, so it counts as the toolkit's
     name = f"{name}_{digest}"
     path = FOLDER / f"{name}.py"
-    if name in sys.modules:
+    with _one_thread:
+        if name not in sys.modules:
+            if not path.exists():
+                _write(path, text)
+            _load(name, path)
         return sys.modules[name]
-    if not path.exists():
-        remove_old(FOLDER.rglob("*.*"), UNUSED)
-        with tempfile.TemporaryFile(dir=FOLDER) as file:
-            file.write(bytes(ROOM))  # numba must not run into a full disk
-        write_whole(path, text)
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a built module. Raises OSError if there is no room for it and for what numba will keep of it."""
+    remove_old(path.parent.rglob("*.*"), UNUSED)
+    with tempfile.TemporaryFile(dir=path.parent) as file:
+        file.write(bytes(ROOM))
+    write_whole(path, text)
+
+
+def _load(name: str, path: Path) -> None:
+    """Import a built module."""
     spec = importlib.util.spec_from_file_location(name, path)
     assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    # only now, when it is whole: another thread may ask for it, or have made it meanwhile
-    return sys.modules.setdefault(name, module)
+    sys.modules[name] = importlib.util.module_from_spec(spec)  # numba looks there
+    try:
+        spec.loader.exec_module(sys.modules[name])
+    except BaseException:
+        del sys.modules[name]
+        raise
 
 
 @cache
