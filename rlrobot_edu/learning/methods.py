@@ -1,6 +1,7 @@
 """What a method is, and those that the toolkit brings, by name."""
 
 from dataclasses import dataclass, field
+from types import FunctionType
 from typing import TypeVar
 
 from rlrobot_edu.checks import check_name, did_you_mean
@@ -45,7 +46,7 @@ class Method:
     Raises
     ------
     ValueError
-        If a name is unknown; it lists the known ones and suggests the nearest.
+        If a name is unknown; it lists the known ones and suggests the nearest. If a part is no function.
     """
 
     algorithm: Algorithm
@@ -63,6 +64,12 @@ class Method:
         algorithm = _part(Algorithm, algorithm, ALGORITHMS)
         selection = _part(Selection, selection, SELECTIONS)
         planner = None if planner is None else _part(Planner, planner, PLANNERS)
+        check_function(f"the update of {algorithm.name}", algorithm.update)
+        check_function(
+            f"the selection {selection.name}", selection.compute_probabilities
+        )
+        if planner is not None:
+            check_function(f"the planner {planner.name}", planner.plan)
         code = code_of(
             tuple(tuple(part) for part in (algorithm, selection, planner or ()))
         )
@@ -74,6 +81,14 @@ class Method:
     def name(self) -> str:
         """In the paper's notation, ``ALGORITHM+SELECTION``."""
         return f"{self.algorithm.name}+{self.selection.name}"
+
+
+def check_function(what: str, kernel: object) -> None:
+    """Raises ValueError if `kernel` is not what ``def`` makes, compiled by numba or not."""
+    if not isinstance(getattr(kernel, "py_func", kernel), FunctionType):
+        raise ValueError(
+            f"{what} must be a function that is written with def, got {kernel!r:.200}"
+        )
 
 
 def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:

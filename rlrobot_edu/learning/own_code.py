@@ -93,13 +93,10 @@ def _failed(method: Method, error: Exception) -> tuple[str, str]:
             )
             return what, f"{last.filename}, line {last.lineno}"
     # it has returned: what it left is wrong
-    looks_at_probabilities = frames[-1].name == "checked_probabilities"
-    what = next(
-        what
-        for what in parts
-        if what.startswith("the selection") == looks_at_probabilities
-    )
-    return what, _first_line(parts[what])
+    is_selection = frames[-1].name == "checked_probabilities"
+    kind = "the selection" if is_selection else "the update"
+    suspects = [what for what in parts if what.startswith(kind)] or list(parts)
+    return suspects[0], _first_line(parts[suspects[0]])
 
 
 def _is_theirs(file: str) -> bool:

@@ -85,6 +85,7 @@ def plain_step(method: Method) -> StepKernels:
     return _step_of(method, in_python, uncompiled)
 
 
+@cache
 def own_parts(method: Method) -> dict[str, Any]:
     """Those functions of a method that are not the toolkit's, by what they are called in an error."""
     algorithm, selection, planner = method.algorithm, method.selection, method.planner

@@ -332,3 +332,14 @@ def test_a_run_ends_before_the_step_that_fails_also_in_the_middle_of_a_slice(
     assert np.array_equal(agent.visits, twin.visits)
     assert agent.rng.bit_generator.state == twin.rng.bit_generator.state
     assert agent.pending == twin.pending
+
+
+class Callable:
+    def __call__(self, m, s, a, r, s_next, a_next, terminated):
+        return 0.0
+
+
+@pytest.mark.parametrize("update", [Callable(), Callable().__call__, None, 3])
+def test_a_part_that_is_no_function_is_refused(update):
+    with pytest.raises(ValueError, match="the update of MINE must be a function that"):
+        rl.Method(rl.Algorithm("MINE", update), "SR")
