@@ -142,7 +142,7 @@ def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
     return module
 
 
-def in_python(template: ModuleType, **parts: Any) -> ModuleType:
+def build_in_python(template: ModuleType, **parts: Any) -> ModuleType:
     """As `build`, but nothing is compiled: slow, and Python says in which line an error arose."""
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
     module = in_memory(f"{template.__name__} {next(_numbers)}", text, parts)

@@ -7,10 +7,7 @@ import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from types import CellType, FunctionType
 from typing import Any, TypeVar, cast
-
-from rlrobot_edu.jit.fingerprint import goes_by_name
 
 numba: Any
 try:
@@ -45,17 +42,12 @@ def is_ours(kernel: Callable[..., Any]) -> bool:
 
 
 def compiled(kernel: Kernel) -> Kernel:
-    """The kernel, to be compiled when it is first called; as it is where kernels stay plain.
+    """The kernel, to be compiled when it is first called; as it is where kernels stay plain, or if that was done.
 
-    Outside an array, and where a divisor is zero, it stops with an error, as Python does. What somebody has compiled
-    in another way is compiled anew. A kernel in the folder of built ones is kept on disk.
+    Outside an array, and where a divisor is zero, it stops with an error, as Python does. A kernel in the folder of
+    built ones is kept on disk.
     """
-    if IS_PLAIN:
-        return kernel
-    function = getattr(kernel, "py_func", kernel)
-    if not is_ours(function):
-        function = _with_helpers(function, compiled)
-    elif function is not kernel:
+    if IS_PLAIN or hasattr(kernel, "py_func"):
         return kernel
     dispatcher = numba.njit(
         nogil=True,
@@ -64,33 +56,6 @@ def compiled(kernel: Kernel) -> Kernel:
         # one function in the end, however many it is written in: that alone halves a step
         forceinline=True,
         no_cfunc_wrapper=True,  # C calls none: compiling takes a quarter less
-        cache=FOLDER in Path(function.__code__.co_filename).parents,
-    )(function)
+        cache=FOLDER in Path(kernel.__code__.co_filename).parents,
+    )(kernel)
     return cast(Kernel, dispatcher)
-
-
-def uncompiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
-    """The kernel as plain Python; of somebody's own also the functions of theirs that it calls."""
-    function = getattr(kernel, "py_func", kernel)
-    return function if is_ours(function) else _with_helpers(function, uncompiled)
-
-
-def _with_helpers(function: Any, make: Callable[..., Any]) -> Any:
-    """A copy of somebody's function, in which `make` has made those of theirs that it calls by name."""
-
-    def made(thing: Any) -> Any:
-        called = getattr(thing, "py_func", thing)
-        is_theirs = isinstance(called, FunctionType) and called is not function
-        if not is_theirs or goes_by_name(called.__module__):
-            return thing
-        return make(called)
-
-    code = function.__code__
-    around = dict(function.__globals__)
-    for name in set(code.co_names).intersection(around):
-        around[name] = made(around[name])
-    cells = [CellType(made(cell.cell_contents)) for cell in function.__closure__ or ()]
-    defaults = function.__defaults__
-    copy = FunctionType(code, around, function.__name__, defaults, tuple(cells))
-    copy.__kwdefaults__ = function.__kwdefaults__
-    return copy

@@ -5,8 +5,9 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-from rlrobot_edu.jit.building import Build, build, for_python, in_python
-from rlrobot_edu.jit.dispatcher import compiled, is_ours, uncompiled
+from rlrobot_edu.jit.building import Build, build, build_in_python, for_python
+from rlrobot_edu.jit.dispatcher import compiled, is_ours
+from rlrobot_edu.jit.own import in_numba, in_python
 from rlrobot_edu.learning.loop_evasion import forget_loops
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.templates import checked, planned_step, step
@@ -49,12 +50,14 @@ def no_update(m, s, a, r, s_next, a_next, terminated):
 @cache
 def make_step(method: Method) -> StepKernels:
     """The kernels of `method`, put together from its algorithm, its selection and its planner."""
-    return _step_of(method, build, compiled)
+    return _step_of(method, build, in_numba)
 
 
-def _step_of(method: Method, build: Build, compiled: Callable[..., Any]) -> StepKernels:
-    update = compiled(method.algorithm.update)
-    compute_probabilities = compiled(method.selection.compute_probabilities)
+def _step_of(
+    method: Method, build: Build, kernel_of: Callable[..., Any]
+) -> StepKernels:
+    update = kernel_of(method.algorithm.update)
+    compute_probabilities = kernel_of(method.selection.compute_probabilities)
     if not is_ours(update):
         update = build(checked, update=update).checked_update
     if not is_ours(compute_probabilities):
@@ -72,7 +75,7 @@ def _step_of(method: Method, build: Build, compiled: Callable[..., Any]) -> Step
         return StepKernels(*plain)
     planned = build(
         planned_step,
-        imagine=compiled(method.planner.plan),
+        imagine=kernel_of(method.planner.plan),
         select=one.select,
         learn_step=one.learn_step,
         ON_POLICY=on_policy,
@@ -82,7 +85,7 @@ def _step_of(method: Method, build: Build, compiled: Callable[..., Any]) -> Step
 
 def plain_step(method: Method) -> StepKernels:
     """The kernels of `method` as plain Python."""
-    return _step_of(method, in_python, uncompiled)
+    return _step_of(method, build_in_python, in_python)
 
 
 @cache

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from math import log
 
 import numpy as np
 import pytest
@@ -218,6 +219,16 @@ def not_a_number(m, s, a, r, s_next, a_next, terminated):  # LINE
     return r * math.inf
 
 
+def root_below_0(m, s, a, r, s_next, a_next, terminated):
+    if math.sqrt(m.q[s, a] - 1.0) > 3.0:  # LINE
+        m.q[s, a] = 9.0
+    return 0.0
+
+
+def logarithm_of_0(m, s, a, r, s_next, a_next, terminated):
+    return min(0.0, log(m.q[s, a]) + 9.0) * 0.0  # LINE
+
+
 def far_away(q, s):
     return q[s + 10_000, 0]  # LINE
 
@@ -241,6 +252,8 @@ FAULTS = {
     counts_in_a_dictionary: "numba cannot compile the update of MINE",
     returns_nothing: "TypeError",
     not_a_number: "must return the TD error, a finite number",
+    root_below_0: "ValueError: math domain error",
+    logarithm_of_0: "ValueError: math domain error",
     calls_a_helper: "IndexError",
 }
 
