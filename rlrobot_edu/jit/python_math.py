@@ -7,7 +7,10 @@ from typing import Any
 
 from rlrobot_edu.jit.dispatcher import compiled
 
-OF_ONE_NUMBER = "sqrt exp expm1 log log2 log10 log1p sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh gamma lgamma"
+OF_ONE_NUMBER = (
+    "sqrt exp expm1 log log2 log10 log1p gamma lgamma sin cos tan asin acos atan "
+    "sinh cosh tanh asinh acosh atanh"
+)
 TO_WHOLE_NUMBERS = "floor ceil trunc"
 LARGEST = 2.0**63  # of numba's whole numbers
 
