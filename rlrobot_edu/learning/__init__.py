@@ -22,7 +22,8 @@ agent.py keeps the memory and writes what was learned to a file. loop.py lets th
 and observations.py numbers the states that an environment shows.
 resolve.py finds the world that a name stands for.
 resume.py says where an agent left its episode; interrupts.py lets Ctrl-C wait until a step is done.
-compiled_loop.py is the same loop as one kernel.
+compiled_loop.py is the same loop as one kernel, in the worlds that kernel_world.py describes. own_code.py says what is
+wrong with an algorithm of your own.
 The folder jit, beside this one, compiles the kernels where numba is installed.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Four selections
