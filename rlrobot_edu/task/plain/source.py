@@ -43,11 +43,14 @@ def definition_of(function: FunctionType) -> Definition:
     return found[0]
 
 
-@lru_cache(maxsize=256)
 def _definitions(code: CodeType) -> list[Definition]:
     """The definitions, in the file of this code, that it may come from; none if the file is another one now."""
     linecache.checkcache(code.co_filename)
-    text = "".join(linecache.getlines(code.co_filename))
+    return _definitions_in("".join(linecache.getlines(code.co_filename)), code)
+
+
+@lru_cache(maxsize=256)
+def _definitions_in(text: str, code: CodeType) -> list[Definition]:
     try:
         tree = ast.parse(text)
         # dont_inherit: with the file's own `from __future__` only
