@@ -343,7 +343,7 @@ def test_a_file_that_has_changed_proves_nothing(tmp_path):
     again = load_task(file)
     assert "0.0777" in plain_text({"reward": again.reward}, {})
     changed = copy.copy(task.reward)
-    plain.source._definitions.cache_clear()
+    plain.source._definitions_in.cache_clear()
     with pytest.raises(NotPlainError, match=r"own.py:\d+: .* has changed"):
         plain_text({"reward": changed}, {})
 
