@@ -5,8 +5,8 @@ cache folder, followed by a line for each part, such as ``from rlrobot_edu.learn
 From then on it is a module like any other, and numba keeps on disk what it compiles there. numba looks for a change
 in that one file alone, so its name holds a hash of the sources of all packages that it imports from.
 
-A part that no module can import, such as a function of a notebook's cell, is put in its place in memory. Then nothing
-is kept, and the next process compiles again.
+A function of somebody's own is imported, too, and compiled as own.py says. One that no module can import, such as that
+of a notebook's cell, is put in its place in memory. Then nothing is kept, and the next process compiles again.
 """
 
 import importlib.util
@@ -25,6 +25,8 @@ from typing import Any, cast
 from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.jit import call
 from rlrobot_edu.jit.dispatcher import FOLDER, PACKAGE, is_ours
+from rlrobot_edu.jit.fingerprint import code_of
+from rlrobot_edu.jit.own import in_numba, in_python
 
 Build = Callable[..., ModuleType]  # (template, **parts) -> its kernels, as `build`
 ROOM = 2**22  # for what numba keeps of one module [bytes]
@@ -38,14 +40,20 @@ def build(template: ModuleType, **parts: Any) -> ModuleType:
     """The kernels of a template with other parts.
 
     template: the module
-    parts: kernels, or values such as True, by their names in the template
+    parts: by their names in the template: kernels, somebody's own functions, or values such as True
     """
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
     if not all(map(can_be_imported, parts.values())):
-        return in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
-    lines = [line_of(name, part) for name, part in parts.items()]
+        made = {
+            name: in_numba(part) if callable(part) else part
+            for name, part in parts.items()
+        }
+        return in_memory(f"{template.__name__} {next(_numbers)}", text, made)
+    lines = [line for name, part in parts.items() for line in lines_of(name, part)]
     packages = {
-        part.__module__.partition(".")[0] for part in parts.values() if callable(part)
+        part.__module__.partition(".")[0]
+        for part in parts.values()
+        if callable(part) and is_ours(part)
     }
     return module_of(template.__name__, "\n".join([text, *lines, ""]), packages)
 
@@ -70,18 +78,27 @@ def for_python(kernel: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def can_be_imported(part: Any) -> bool:
-    """Whether a line of Python stands for this part: a value, or one of the toolkit's kernels by its name."""
+    """Whether lines of Python stand for this part: a value, or a function by its module and name."""
     if not callable(part):
         return True
     module = sys.modules.get(part.__module__)
-    return is_ours(part) and getattr(module, part.__name__, None) is part
+    is_there = getattr(module, part.__name__, None) is part
+    return is_there and part.__module__ != "__main__"
 
 
-def line_of(name: str, part: Any) -> str:
-    """The line of Python after which `name` stands for this part."""
+def lines_of(name: str, part: Any) -> list[str]:
+    """The lines of Python after which `name` stands for this part."""
     if not callable(part):
-        return f"{name} = {part!r}"
-    return f"from {part.__module__} import {part.__name__} as {name}"
+        return [f"{name} = {part!r}"]
+    imported = f"from {part.__module__} import {part.__name__} as {name}"
+    if is_ours(part):
+        return [imported]
+    # its code, and all that it refers to, as a name: after an edit this is another module
+    return [
+        f"{imported}  # {code_of(part)}",
+        "from rlrobot_edu.jit.own import in_numba",
+        f"{name} = in_numba({name})",
+    ]
 
 
 def _on_disk(name: str, text: str, packages: Iterable[str]) -> ModuleType:
@@ -147,5 +164,8 @@ def build_in_python(template: ModuleType, **parts: Any) -> ModuleType:
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
     module = in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
     for name, thing in [*vars(module).items()]:
-        setattr(module, name, getattr(thing, "py_func", thing))
+        is_function = callable(thing) and hasattr(thing, "__code__")
+        is_kernel = hasattr(thing, "py_func")
+        if is_function or is_kernel:
+            setattr(module, name, in_python(thing))
     return module

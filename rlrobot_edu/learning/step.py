@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from rlrobot_edu.jit.building import Build, build, build_in_python, for_python
 from rlrobot_edu.jit.dispatcher import compiled, is_ours
-from rlrobot_edu.jit.own import in_numba, in_python
 from rlrobot_edu.learning.loop_evasion import forget_loops
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.templates import checked, planned_step, step
@@ -50,14 +49,12 @@ def no_update(m, s, a, r, s_next, a_next, terminated):
 @cache
 def make_step(method: Method) -> StepKernels:
     """The kernels of `method`, put together from its algorithm, its selection and its planner."""
-    return _step_of(method, build, in_numba)
+    return _step_of(method, build)
 
 
-def _step_of(
-    method: Method, build: Build, kernel_of: Callable[..., Any]
-) -> StepKernels:
-    update = kernel_of(method.algorithm.update)
-    compute_probabilities = kernel_of(method.selection.compute_probabilities)
+def _step_of(method: Method, build: Build) -> StepKernels:
+    update = method.algorithm.update
+    compute_probabilities = method.selection.compute_probabilities
     if not is_ours(update):
         update = build(checked, update=update).checked_update
     if not is_ours(compute_probabilities):
@@ -70,12 +67,12 @@ def _step_of(
         compute_probabilities=compute_probabilities,
         ON_POLICY=on_policy,
     )
-    plain = for_python(update), one.select, one.learn_step
+    plain = for_python(one.update), one.select, one.learn_step
     if method.planner is None:
         return StepKernels(*plain)
     planned = build(
         planned_step,
-        imagine=kernel_of(method.planner.plan),
+        imagine=method.planner.plan,
         select=one.select,
         learn_step=one.learn_step,
         ON_POLICY=on_policy,
@@ -85,7 +82,7 @@ def _step_of(
 
 def plain_step(method: Method) -> StepKernels:
     """The kernels of `method` as plain Python."""
-    return _step_of(method, build_in_python, in_python)
+    return _step_of(method, build_in_python)
 
 
 @cache

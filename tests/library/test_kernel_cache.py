@@ -12,7 +12,7 @@ from faults import needs_limits
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import shipped
-from rlrobot_edu.jit import building, dispatcher
+from rlrobot_edu.jit import building
 from rlrobot_edu.learning.algorithms import sarsa
 from rlrobot_edu.learning.templates import step
 
@@ -50,9 +50,9 @@ def test_what_no_module_can_import_is_in_memory_alone(tmp_path, monkeypatch):
         return 0.0
 
     monkeypatch.setattr(building, "FOLDER", tmp_path)
-    own = dispatcher.compiled(update)
-    built = building.build.__wrapped__(step, update=own)
-    assert built.update is own and not [*tmp_path.iterdir()]
+    built = building.build.__wrapped__(step, update=update)
+    assert built.update.py_func.__code__ is update.__code__
+    assert not [*tmp_path.iterdir()]
 
 
 def test_modules_that_nobody_has_built_in_a_month_go(tmp_path, monkeypatch):
@@ -138,6 +138,39 @@ def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
     ]
     assert len(run.stderr.splitlines()) < 4, run.stderr
     assert not [*tmp_path.rglob("*.nbc")]
+
+
+OWN = """
+import mine
+import rlrobot_edu as rl
+from rlrobot_edu.learning.step import make_step
+agent = rl.Agent("worked_example", rl.Method(rl.Algorithm("MINE", mine.update), "SR"))
+print(agent.update(0, 0, 1.0, 1, 0, False))
+update = make_step(agent.method).update
+print(sum(update.stats.cache_hits.values()))
+"""
+
+
+@pytest.mark.long
+def test_the_next_process_finds_somebodys_own_kernel_unless_what_it_refers_to_was_edited(
+    tmp_path,
+):
+    told = []
+    for factor in (2, 2, 3):
+        (tmp_path / "mine.py").write_text(
+            f"FACTOR = {factor}.0\n\n\ndef update(m, s, a, r, s_next, a_next, terminated):\n"
+            "    return FACTOR * r\n",
+            encoding="utf-8",
+        )
+        ran = subprocess.run(
+            [sys.executable, "-B", "-c", OWN],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+        )
+        assert not ran.returncode, ran.stderr
+        told.append(ran.stdout.split())
+    assert told == [["2.0", "0"], ["2.0", "1"], ["3.0", "0"]]
 
 
 JUDGED = """
