@@ -48,7 +48,7 @@ def build(template: ModuleType, **parts: Any) -> ModuleType:
             name: in_numba(part) if callable(part) else part
             for name, part in parts.items()
         }
-        return in_memory(f"{template.__name__} {next(_numbers)}", text, made)
+        return in_memory(template.__name__, text, made)
     lines = [line for name, part in parts.items() for line in lines_of(name, part)]
     packages = {
         part.__module__.partition(".")[0]
@@ -66,7 +66,7 @@ def module_of(name: str, text: str, packages: Iterable[str] = ()) -> ModuleType:
     if FOLDER is not None:
         with suppress(OSError):  # no room, say: the next process compiles it again
             return _on_disk(name, text, packages)
-    return in_memory(f"{name} {next(_numbers)}", text, {})
+    return in_memory(name, text, {})
 
 
 @cache
@@ -149,9 +149,9 @@ def sources_of(package: str) -> str:
 
 
 def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
-    """The module of this text, with these parts in their places."""
-    module = ModuleType(name)
-    file = f"<{name}>"
+    """The module of this text, with these parts in their places; `name`: how its name begins."""
+    module = ModuleType(f"{name} {next(_numbers)}")
+    file = f"<{module.__name__}>"
     # where Python, and those who read a function's source, look for its lines
     linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
     exec(compile(text, file, "exec"), vars(module))
@@ -162,7 +162,7 @@ def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
 def build_in_python(template: ModuleType, **parts: Any) -> ModuleType:
     """As `build`, but nothing is compiled: slow, and Python says in which line an error arose."""
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
-    module = in_memory(f"{template.__name__} {next(_numbers)}", text, parts)
+    module = in_memory(template.__name__, text, parts)
     for name, thing in [*vars(module).items()]:
         is_function = callable(thing) and hasattr(thing, "__code__")
         is_kernel = hasattr(thing, "py_func")

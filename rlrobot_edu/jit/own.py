@@ -12,14 +12,14 @@ from rlrobot_edu.jit.fingerprint import goes_by_name
 
 def in_numba(kernel: Kernel) -> Kernel:
     """The kernel, compiled; somebody's own in our way, and not as they may have compiled it. Its `math` is Python's."""
-    function = in_python(kernel)
+    function = function_of(kernel)
     if IS_PLAIN or is_ours(function):
         return compiled(kernel)
 
     def made(thing: Any) -> Any:
         if thing is math:
             return python_math
-        if is_theirs(thing) and thing is not function:
+        if is_theirs(thing) and function_of(thing) is not function:
             return in_numba(thing)
         return python_math.INSTEAD.get(thing, thing) if callable(thing) else thing
 
@@ -28,22 +28,26 @@ def in_numba(kernel: Kernel) -> Kernel:
 
 def in_python(kernel: Any) -> Any:
     """The kernel as plain Python, and so what it calls of theirs."""
-    function = getattr(kernel, "py_func", kernel)
+    function = function_of(kernel)
     if is_ours(function):
         return function
 
     def made(thing: Any) -> Any:
-        called = getattr(thing, "py_func", thing)
-        return (
-            in_python(thing) if is_theirs(thing) and called is not function else thing
-        )
+        if is_theirs(thing) and function_of(thing) is not function:
+            return in_python(thing)
+        return thing
 
     return _with(function, made)
 
 
+def function_of(kernel: Any) -> Any:
+    """The function of Python that numba has compiled; anything else as it is."""
+    return getattr(kernel, "py_func", kernel)
+
+
 def is_theirs(thing: Any) -> bool:
     """Whether this is a function, compiled or not, that belongs to no installed package."""
-    function = getattr(thing, "py_func", thing)
+    function = function_of(thing)
     return isinstance(function, FunctionType) and not goes_by_name(function.__module__)
 
 

@@ -82,15 +82,9 @@ def _failed(method: Method, error: Exception) -> tuple[str, str]:
     parts = own_parts(method)
     for what, function in parts.items():
         code = function.__code__
-        its_own = [
-            i
-            for i, frame in enumerate(frames)
-            if (frame.filename, frame.name) == (code.co_filename, code.co_name)
-        ]
-        if its_own:
-            last = next(
-                frame for frame in reversed(frames) if _is_theirs(frame.filename)
-            )
+        its_place = code.co_filename, code.co_name
+        if its_place in [(frame.filename, frame.name) for frame in frames]:
+            last = [frame for frame in frames if _is_theirs(frame.filename)][-1]
             return what, f"{last.filename}, line {last.lineno}"
     # it has returned: what it left is wrong
     is_selection = frames[-1].name == "checked_probabilities"

@@ -66,6 +66,16 @@ def test_modules_that_nobody_has_built_in_a_month_go(tmp_path, monkeypatch):
     assert young.exists() and not old.exists()
 
 
+def said_by_the_second_process(program):
+    """What this program prints, run once more after it has run."""
+    for _ in range(2):
+        ran = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True
+        )
+        assert not ran.returncode, ran.stderr
+    return ran.stdout.strip()
+
+
 HITS = """
 import rlrobot_edu as rl
 from rlrobot_edu.learning import compiled_loop
@@ -79,12 +89,7 @@ print(sum(runs[0].stats.cache_hits.values()))
 
 
 def test_the_next_process_finds_what_this_one_has_compiled():
-    for _ in range(2):
-        ran = subprocess.run(
-            [sys.executable, "-c", HITS], capture_output=True, text=True
-        )
-        assert not ran.returncode, ran.stderr
-    assert ran.stdout.strip() == "1"
+    assert said_by_the_second_process(HITS) == "1"
 
 
 LEARN = """
@@ -183,9 +188,4 @@ print(judge_of(task, list(ROBOTS[task.robot].sensors)).cache_hits)
 
 
 def test_the_next_process_finds_the_judge_of_a_task():
-    for _ in range(2):
-        ran = subprocess.run(
-            [sys.executable, "-c", JUDGED], capture_output=True, text=True
-        )
-        assert not ran.returncode, ran.stderr
-    assert ran.stdout.strip() == "1"
+    assert said_by_the_second_process(JUDGED) == "1"

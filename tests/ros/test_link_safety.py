@@ -96,9 +96,8 @@ def test_an_exception_between_steps_stops_the_robot(env, robot):
     eventually(lambda: robot.motions()[-1] == (0.0, 0.0))
 
 
-def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
-    env.reset()
-    env.step(LEFT)  # compiles nothing any more
+def press_ctrl_c_when_it_drives(robot):
+    """Start a thread that presses Ctrl-C as soon as the robot drives ahead."""
 
     def press():
         eventually(lambda: (V, 0.0) in robot.motions())
@@ -106,6 +105,14 @@ def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
 
     thread = threading.Thread(target=press)
     thread.start()
+    return thread
+
+
+def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
+    env.reset()
+    env.step(LEFT)  # compiles nothing any more
+
+    thread = press_ctrl_c_when_it_drives(robot)
     with pytest.raises(KeyboardInterrupt):
         for _ in range(60):
             env.step(AHEAD)
@@ -119,12 +126,7 @@ def test_ctrl_c_within_a_step_of_learning_stops_the_robot_at_once(env, robot):
     rl.learn(agent, env, 1, progress=False)
     robot.told.clear()
 
-    def press():
-        eventually(lambda: (V, 0.0) in robot.motions())
-        signal.raise_signal(signal.SIGINT)
-
-    thread = threading.Thread(target=press)
-    thread.start()
+    thread = press_ctrl_c_when_it_drives(robot)
     with pytest.raises(KeyboardInterrupt):
         rl.learn(agent, env, 60, progress=False, resume=True)
     thread.join()
