@@ -35,13 +35,20 @@ _one_thread = threading.RLock()  # a module that another one is making is not wh
 _numbers = count()  # of the modules that are in memory alone
 
 
-@cache
 def build(template: ModuleType, **parts: Any) -> ModuleType:
     """The kernels of a template with other parts.
 
     template: the module
     parts: by their names in the template: kernels, somebody's own functions, or values such as True
     """
+    # to somebody's own function a name may mean something else by now
+    own = [part for part in parts.values() if callable(part) and not is_ours(part)]
+    return _build(template, tuple(map(code_of, own)), **parts)
+
+
+@cache
+def _build(template: ModuleType, codes: tuple[str, ...], **parts: Any) -> ModuleType:
+    """See `build`; `codes`: what somebody's own parts are made of now."""
     text = Path(str(template.__file__)).read_text(encoding="utf-8")
     if not all(map(can_be_imported, parts.values())):
         made = {

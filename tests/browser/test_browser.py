@@ -372,7 +372,10 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
 
         page.keyboard.press("Control+s")
         saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
-        soon(lambda: keeps_widgets(saved), rest=lambda: page.wait_for_timeout(500))
+        soon(
+            lambda: keeps_view(saved, "rl.watch(novice"),
+            rest=lambda: page.wait_for_timeout(500),
+        )
         is_seen_again(page)  # its kernel tells
         page.evaluate(STOP_KERNELS)
         is_seen_again(page)  # the notebook has kept it
@@ -394,10 +397,22 @@ def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
         ends_without_a_trace(page)
 
 
-def keeps_widgets(notebook):
-    """Whether a notebook holds what its widgets show; not while it is being written."""
+def keeps_view(notebook, code):
+    """Whether a notebook holds the widget that the cell with this code shows; not while it is being written.
+
+    JupyterLab saves by itself, too, perhaps before the cell has run.
+    """
     with contextlib.suppress(ValueError):
-        return "widgets" in json.loads(notebook.read_text(encoding="utf-8"))["metadata"]
+        kept = json.loads(notebook.read_text(encoding="utf-8"))
+        (cell,) = [cell for cell in kept["cells"] if code in "".join(cell["source"])]
+        views = [output.get("data", {}).get(VIEW) for output in cell["outputs"]]
+        models = {view["model_id"] for view in views if view}
+        widgets = kept["metadata"].get("widgets", {}).values()
+        return bool(models) and any(models <= each["state"].keys() for each in widgets)
+    return False
+
+
+VIEW = "application/vnd.jupyter.widget-view+json"
 
 
 def is_seen_again(page):

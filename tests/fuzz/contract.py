@@ -30,7 +30,7 @@ DOCUMENTED = (
     gymnasium.error.Error,
 )
 LETTERS = 2000
-SECONDS = 5  # of computing
+SECONDS = 20  # of computing; numba compiles a new method in five
 WAITING = 60  # seconds for something that never comes, the computer being busy with other things
 MEGABYTES = 500  # that one call may need more than all calls before it
 ADDRESS_SPACE = 6 << 30  # of the worker, so that a claim of hugeness hurts nobody else

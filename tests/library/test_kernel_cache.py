@@ -36,12 +36,15 @@ def test_its_name_holds_the_sources_of_the_packages_so_an_edit_anywhere_is_seen(
     tmp_path, monkeypatch
 ):
     monkeypatch.setattr(building, "FOLDER", tmp_path)
-    build = building.build.__wrapped__
-    before = build(step, update=sarsa.update)
-    assert build(step, update=sarsa.update) is before
+
+    def build():
+        return building._build.__wrapped__(step, (), update=sarsa.update)
+
+    before = build()
+    assert build() is before
     edited = {"rlrobot_edu": "other sources"}
     monkeypatch.setattr(building, "sources_of", edited.__getitem__)
-    after = build(step, update=sarsa.update)
+    after = build()
     assert after.__file__ != before.__file__ and after is not before
 
 
@@ -50,7 +53,7 @@ def test_what_no_module_can_import_is_in_memory_alone(tmp_path, monkeypatch):
         return 0.0
 
     monkeypatch.setattr(building, "FOLDER", tmp_path)
-    built = building.build.__wrapped__(step, update=update)
+    built = building.build(step, update=update)
     assert built.update.py_func.__code__ is update.__code__
     assert not [*tmp_path.iterdir()]
 
@@ -62,7 +65,7 @@ def test_modules_that_nobody_has_built_in_a_month_go(tmp_path, monkeypatch):
     young.touch()
     os.utime(old, (0, 0))
     monkeypatch.setattr(building, "sources_of", lambda package: "of a month later")
-    building.build.__wrapped__(step, update=sarsa.update)
+    building._build.__wrapped__(step, (), update=sarsa.update)
     assert young.exists() and not old.exists()
 
 
