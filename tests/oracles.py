@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-from pathlib import Path
-
 import numpy as np
+
+import tosl
 
 
 def numpy_bias(q, shape, s):
@@ -52,14 +51,12 @@ class NumpyLoopEvasion:
         return self.temperature
 
 
-def method_of_the_page():
-    """The function `learn` of docs/method.md: TOSL+QBIASSR with reduced traces for one agent in plain NumPy."""
-    page = (Path(__file__).parents[1] / "docs" / "method.md").read_text(
-        encoding="utf-8"
-    )
-    names = {}
-    exec(re.search(r"```python\n(.*?)```", page, re.DOTALL)[1], names)
-    return names["learn"]
+def learn_in_one_file(world, model, steps, rng):
+    """Q and rewards of the agent of tosl.py in `world`; shape, actions and rewards are those of a sample model."""
+    world.episode_steps = steps
+    agent = tosl.Agent(model.shape, model.n_actions, model.r_max, rng)
+    rewards = [r for _, r in tosl.learn(agent, world, n_episodes=1)]
+    return agent.q, rewards
 
 
 class NumpyModelWorld:

@@ -33,8 +33,9 @@ from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE.parent / "tests"))
-from oracles import NumpyModelWorld, method_of_the_page  # noqa: E402 (the oracle of the tests is the one to beat)
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+from oracles import NumpyModelWorld, learn_in_one_file  # noqa: E402 (the oracle of the tests is the one to beat)
 
 STEPS = 3600
 PEERS = (
@@ -90,14 +91,7 @@ def bench_methods(model):
 
     def plain():
         world = NumpyModelWorld(model, np.random.default_rng(11))
-        method_of_the_page()(
-            world,
-            model.shape,
-            model.n_actions,
-            model.r_max,
-            STEPS,
-            np.random.default_rng(7),
-        )
+        learn_in_one_file(world, model, STEPS, np.random.default_rng(7))
 
     methods = ("TOSL+QBIASSR", "TOSL+SR", "SL+SR", "SARSA+SR", "Q+SR")
     for method in methods:
@@ -363,7 +357,7 @@ def bench_set_up():
 
 
 def bench_starts():
-    def run(code, folder=HERE.parent):
+    def run(code, folder=ROOT):
         subprocess.run(
             [sys.executable, "-c", code], check=True, capture_output=True, cwd=folder
         )
@@ -380,7 +374,7 @@ def bench_starts():
     ):  # a fresh copy has no compiled kernels yet
         for name in ("rlrobot_edu", "rlrobot_course", "tasks", "datasets"):
             shutil.copytree(
-                HERE.parent / name,
+                ROOT / name,
                 Path(folder) / name,
                 ignore=shutil.ignore_patterns("__pycache__"),
             )

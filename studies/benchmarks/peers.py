@@ -14,7 +14,8 @@ import numpy as np
 UNUSED = """cv2 pygame scipy scipy.integrate scipy.optimize scipy.spatial.transform scipy.special scipy.stats
     sklearn.exceptions sklearn.utils.extmath torch torch.nn torch.nn.functional torch.nn.parameter torch.optim"""
 sys.modules.update((name, MagicMock()) for name in UNUSED.split())
-sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 from mushroom_rl import __version__  # noqa: E402
 from mushroom_rl.algorithms.value import QLearning, SARSALambda  # noqa: E402
 from mushroom_rl.core import Core, Environment, MDPInfo  # noqa: E402

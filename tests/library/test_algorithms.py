@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from oracles import (
     NumpyLoopEvasion,
     NumpyModelWorld,
-    method_of_the_page,
     numpy_bias,
     numpy_q_learning,
     numpy_softmax,
@@ -270,23 +269,6 @@ def test_the_queue_of_loop_evasion_is_as_long_as_the_register_within_its_limits(
 ):
     agent = rl.Agent(RandomWorld(shape=(n_states,)), "TOSL+SR")
     assert len(agent.memory.queue_states) == length
-
-
-def test_tosl_qbiassr_on_a_model_equals_the_plain_numpy_loop_of_the_page(wander_model):
-    agent = rl.Agent(wander_model, "TOSL+QBIASSR", seed=7)
-    env = rl.make_env(wander_model, seed=np.random.SeedSequence(11))
-    history = rl.learn(agent, env, steps=3600, progress=False)
-    world = NumpyModelWorld(wander_model, np.random.default_rng(11))
-    q, rewards = method_of_the_page()(
-        world,
-        wander_model.shape,
-        wander_model.n_actions,
-        wander_model.r_max,
-        3600,
-        np.random.default_rng(7),
-    )
-    np.testing.assert_array_equal(history.rewards, rewards)
-    np.testing.assert_allclose(agent.q, q, atol=1e-9)
 
 
 def test_q_learning_on_a_model_equals_the_plain_numpy_loop_that_benchmarks_race(

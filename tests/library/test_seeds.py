@@ -4,7 +4,7 @@ import zlib
 
 import numpy as np
 import pytest
-from oracles import NumpyModelWorld, method_of_the_page
+from oracles import NumpyModelWorld, learn_in_one_file
 
 import rlrobot_edu as rl
 from rlrobot_course.worlds.short_world import ShortWorld
@@ -107,7 +107,5 @@ def test_a_repetition_is_a_plain_loop_with_numpys_own_generators_of_its_two_seed
     ):
         of_agent, of_world = map(np.random.default_rng, its.spawn(2))
         world = NumpyModelWorld(wander_model, of_world)
-        size = wander_model.shape, wander_model.n_actions, wander_model.r_max
-        np.testing.assert_array_equal(
-            history.rewards, method_of_the_page()(world, *size, 400, of_agent)[1]
-        )
+        _, rewards = learn_in_one_file(world, wander_model, 400, of_agent)
+        np.testing.assert_array_equal(history.rewards, rewards)
