@@ -177,7 +177,11 @@ class Pair(NamedTuple):
     @property
     def inference(self) -> str:
         """What may be concluded, in the paper's words: "p<0.01", "p<0.05" or nothing."""
-        return "p<0.01" if self.p < 0.01 else "p<0.05" if self.p < 0.05 else ""
+        if self.p < 0.01:
+            return "p<0.01"
+        if self.p < 0.05:
+            return "p<0.05"
+        return ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -190,19 +194,19 @@ class Tukey(Tabled):
     def of(cls, groups: Mapping[str, np.ndarray]) -> "Tukey":
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
+        rounded = without_rounding(list(groups.values()))
+        # from one of them: then the mean of equal numbers is exact
+        shifted = [group - rounded[0][0] for group in rounded]
+        with np.errstate(all="ignore"):
+            p_values = stats.tukey_hsd(*shifted).pvalue
         pairs = []
-        rounded = zip(groups, without_rounding([*groups.values()]), strict=True)
-        for (first, x), (second, y) in combinations(rounded, 2):
+        for (i, first), (j, second) in combinations(enumerate(groups), 2):
+            x, y = rounded[i], rounded[j]
             difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
-            q = (
-                abs(difference) / error
-                if error
-                else math.inf
-                if difference
-                else math.nan
-            )
-            p = float(stats.studentized_range.sf(q, len(groups), anova.df_within))
+            with np.errstate(all="ignore"):
+                q = float(np.divide(abs(difference), error))
+            p = float(p_values[i, j])
             pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
         return cls(tuple(pairs))
 
@@ -251,8 +255,7 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     )
     t = float(average(x) - average(y)) / sd / unit
     scale = max(1.0, abs(t) / LARGE)
-    low, high = (
-        scale * float(special.nctdtrinc(df, level, t / scale))
-        for level in (0.975, 0.025)
-    )
-    return Interval(*(correction * unit * value for value in (t, low, high)))
+    low = scale * float(special.nctdtrinc(df, 0.975, t / scale))
+    high = scale * float(special.nctdtrinc(df, 0.025, t / scale))
+    to_sds = correction * unit
+    return Interval(to_sds * t, to_sds * low, to_sds * high)

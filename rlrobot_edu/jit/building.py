@@ -162,7 +162,8 @@ def in_memory(name: str, text: str, parts: dict[str, Any]) -> ModuleType:
     # where Python, and those who read a function's source, look for its lines
     linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
     exec(compile(text, file, "exec"), vars(module))
-    vars(module).update(parts)
+    for part_name, part in parts.items():
+        setattr(module, part_name, part)
     return module
 
 
