@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import shipped
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import check_rows
 from rlrobot_edu.models.data_package import PACKAGE_NAME
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
@@ -102,7 +101,7 @@ def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transi
         )
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     remedy = "is it a recording of another task?"
-    check_rows(columns, Source.of_task(task), lambda row: f"{path}, row {row}", remedy)
+    Source.of_task(task).check_rows(columns, lambda row: f"{path}, row {row}", remedy)
     axes = [order.index(name) for name in names]
     s, s_next = (
         _to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next")

@@ -11,10 +11,10 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env, task_of
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import (
     CSV_NAME,
     PACKAGE_NAME,
+    count_episodes,
     read_folder,
     to_files,
 )
@@ -78,13 +78,14 @@ class Recording:
             raise ValueError(
                 f"a recording is made of columns of one length, at least 1, got {lengths}"
             )
-        if words := [
+        words = [
             name for name, column in given.items() if column.dtype.kind not in "biuf"
-        ]:
+        ]
+        if words:
             raise ValueError(
                 f"the columns of a recording are real numbers, {', '.join(words)} are not"
             )
-        check_rows(given, source, lambda row: f"row {row} of the recording")
+        source.check_rows(given, lambda row: f"row {row} of the recording")
         copies: list[Any] = [
             np.array(column, DTYPES.get(name, np.int64))
             for name, column in given.items()

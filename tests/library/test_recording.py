@@ -21,7 +21,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models import read_recording as reading
-from rlrobot_edu.models.columns import NAMES, ROW
+from rlrobot_edu.models.data_package import NAMES, ROW
 from rlrobot_edu.models.source import Source
 
 TASK = rl.Task(
