@@ -32,6 +32,8 @@ def table_of(rows: Any) -> Table:
     elif hasattr(rows, "columns"):  # a data frame
         names = rows.columns
     try:
+        if isinstance(rows, str | bytes):
+            raise TypeError("its letters are not meant")
         if names is None:
             columns = _columns(list(rows))
         else:
@@ -43,8 +45,10 @@ def table_of(rows: Any) -> Table:
         file = "a file is read by rl.read_recording(path, task=…)"
         raise ValueError(f"rows must be {kinds}, got {_short(rows)}; {file}") from None
     lengths = {name: len(cells) for name, cells in columns.items()}
+    if not lengths:
+        raise ValueError("rows: there are none, expected one or more")
     if len(set(lengths.values())) > 1:
-        raise ValueError(f"columns must be of one length, got {lengths!s:.200}")
+        raise ValueError(f"rows: columns must be of one length, got {lengths!s:.200}")
     return Table(columns, "rows", _place)
 
 
@@ -88,8 +92,9 @@ def read_table(path: Path) -> Table:
     Columns are separated by commas, semicolons or tabs; unless by commas, a number may have a decimal comma. Line 1
     names the columns, and one without a name is not read. Empty lines at the end are left out.
     """
+    name = " ".join(str(path).split())  # in one line
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: there is no such file")
+        raise FileNotFoundError(f"{name}: there is no such file")
     text = path.read_text(encoding="utf-8-sig", errors="replace")
     header = text.partition("\n")[0]
     separator = max(",;\t", key=header.count)
@@ -99,26 +104,28 @@ def read_table(path: Path) -> Table:
     try:
         lines = [(reader.line_num, cells) for cells in reader]
     except csv.Error as error:
-        fault = f"{path}, line {reader.line_num}: {error}"
+        fault = f"{name}, line {reader.line_num}: {error}"
         raise ValueError(f"{fault}; save it as CSV again") from None
     while lines and not "".join(lines[-1][1]).strip():
         lines.pop()
     if not lines:
-        raise ValueError(f"{path}: it is empty, expected names of columns and rows")
-    names = [name.strip() for name in lines.pop(0)[1]]
+        raise ValueError(f"{name}: it is empty, expected names of columns and rows")
+    titles = [cell.strip() for cell in lines.pop(0)[1]]
     for number, cells in lines:
-        if "".join(cells[len(names) :]).strip():
-            fault = f"{len(cells)} cells, expected {len(names)} as in line 1"
+        if "".join(cells[len(titles) :]).strip():
+            fault = f"{len(cells)} cells, expected {len(titles)} as in line 1"
             advice = "with decimal commas, columns are separated by semicolons"
-            raise ValueError(f"{path}, line {number}: {fault}; {advice}")
-        cells += [""] * (len(names) - len(cells))
+            raise ValueError(f"{name}, line {number}: {fault}; {advice}")
+        cells += [""] * (len(titles) - len(cells))
     columns: dict[str, Any] = {}
-    for i, name in enumerate(names):
-        if name in columns:
-            raise ValueError(f"{path}, line 1: two columns are called {name!r:.100}")
-        if name:
-            columns[name] = [cells[i] for _, cells in lines]
-    return Table(columns, str(path), lambda row: f"{path}, line {lines[row][0]}")
+    for i, title in enumerate(titles):
+        if title in columns:
+            raise ValueError(f"{name}, line 1: two columns are called {title!r:.100}")
+        if title:
+            columns[title] = [cells[i] for _, cells in lines]
+    return Table(
+        columns, f"{name}, line 1", lambda row: f"{name}, line {lines[row][0]}"
+    )
 
 
 def in_numbers(table: Table) -> Table:
@@ -139,6 +146,8 @@ def in_numbers(table: Table) -> Table:
 def _number(cell: Any) -> float:
     if cell is None:
         return math.nan
+    if isinstance(cell, np.complexfloating):
+        raise TypeError("float() would only warn, and drop a part")
     if not isinstance(cell, str):
         return float(cell)
     text = cell.strip().upper()
