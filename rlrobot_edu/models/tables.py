@@ -120,7 +120,8 @@ def read_table(path: Path) -> Table:
     columns: dict[str, Any] = {}
     for i, title in enumerate(titles):
         if title in columns:
-            raise ValueError(f"{name}, line 1: two columns are called {title!r:.100}")
+            expected = "expected a name of its own for each column, such as s, a and r"
+            raise ValueError(f"{name}, line 1: {title!r:.100} stands twice, {expected}")
         if title:
             columns[title] = [cells[i] for _, cells in lines]
     return Table(

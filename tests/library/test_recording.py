@@ -9,6 +9,7 @@ import subprocess
 import time
 from collections import Counter
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from unittest.mock import Mock
 
@@ -893,7 +894,7 @@ SAME = {
     "readings": READ,
     "readings before and after": [
         before | {f"{n}_next": after[n] for n in after if n.startswith("laser")}
-        for before, after in zip(READ, READ[1:], strict=False)
+        for before, after in pairwise(READ)
     ],
 }
 
@@ -989,7 +990,7 @@ def test_episodes_end_where_the_rows_say_so_or_do_not_join():
 
     apart = [(3, 3, 10, 3), (2, 1, -0.02, 3), (3, 3, 10, 3)]
     assert ends(apart) == [0, 1, 1]
-    named = [dict(zip("s a r s_next".split(), row, strict=True)) for row in apart]
+    named = [dict(zip(DRIVE[0], row, strict=True)) for row in apart]
     days = [row | {"episode": day} for row, day in zip(named, (4, 4, 7), strict=True)]
     assert ends(days) == [0, 0, 1]
     assert ends([(3, 3, 10, 3, 1), (3, 3, 10, 3, 0), (3, 3, 10, 3, 0)]) == [0, 1, 1]
@@ -1011,7 +1012,7 @@ def changed_row(number, rows=DRIVE, **cells):
 @pytest.mark.parametrize(
     ("rows", "expected"),
     [
-        ("mine.csv", "rows must be a list of dicts or tuples, an array or a data frame, got 'mine.csv'; a file is read by rl.read_recording(path, task=…)"),
+        ("mine.csv", "an array or a data frame, got 'mine.csv'; a file is read by rl.read_recording(path, task=…)"),
         (Path("mine.csv"), "a file is read by rl.read_recording"),
         (None, "rows must be a list"),
         (3, "rows must be a list"),
@@ -1020,20 +1021,29 @@ def changed_row(number, rows=DRIVE, **cells):
         ({}, "rows: there are none"),
         (np.zeros((0, 4)), "rows: there are none"),
         ({name: [] for name in COLUMNS}, "rows: there are no rows, expected one or more"),
-        ([3, 3], "row 0 (counted from 0) is 3, expected a dict or 3 to 6 values (s, a, r, s_next, terminated, truncated), as many in each row"),
+        ([3, 3],
+         "is 3, expected a dict or 3 to 6 values (s, a, r, s_next, terminated, truncated), as many in each row"),
         (np.zeros(4), "row 0 (counted from 0) is np.float64(0.0), expected a dict"),
         ([*TUPLES, (3, 3, 10)], "row 3 (counted from 0) is (3, 3, 10), expected a dict or 3 to 6 values"),
         ([*TUPLES, DRIVE[0]], "row 3 (counted from 0) is {'s': 3, "),
         ([(3, 3)], "row 0 (counted from 0) is (3, 3), expected a dict or 3 to 6 values"),
         (COLUMNS | {"a": [3]}, "rows: columns must be of one length, got {'s': 3, 'a': 1"),
-        ([{"s": 3, "a": 3, "reward": 10}], "rows: there is no column r, only 's, a, reward'; expected are the state (s, or laser_front_left, laser_front_right), the action (a, or left_wheel, right_wheel) and the reward (r)"),
+        ([{"s": 3, "a": 3, "reward": 10}],
+         "rows: there is no column r, only 's, a, reward'; expected are the state (s, or laser_front_left, "
+         "laser_front_right), the action (a, or left_wheel, right_wheel) and the reward (r)"),
         ([{"state": 3}], "rows: there is no column s, only 'state'"),
-        (changed_row(1, done=1), "rows: there is no use for column 'done'; leave it out, or rename it to one of s, a, r, s_next, episode, step, terminated, truncated"),
-        (changed_row(1, terminatd=1), "there is no use for column 'terminatd'; did you mean 'terminated'? leave it out"),
-        (changed_row(1, s=4), "row 1 (counted from 0): s is 4, expected a whole number from 0 to 3; correct it, or is it a row of another task than wander_simple?"),
+        (changed_row(1, done=1),
+         "rows: there is no use for column 'done'; leave it out, or rename it to one of s, a, r, s_next, "
+         "episode, step, terminated, truncated"),
+        (changed_row(1, terminatd=1),
+         "there is no use for column 'terminatd'; did you mean 'terminated'? leave it out"),
+        (changed_row(1, s=4),
+         "row 1 (counted from 0): s is 4, expected a whole number from 0 to 3; correct it, or is it a row of "
+         "another task than wander_simple?"),
         (changed_row(1, a=0.5), "row 1 (counted from 0): a is 0.5, expected a whole number from 0 to 3"),
         (changed_row(1, s_next=math.inf), "row 1 (counted from 0): s_next is inf, expected a whole number from 0 to 3"),
-        (changed_row(1, r=5), "row 1 (counted from 0): r is 5, expected one of the rewards [-10.0, -2.0, -0.02, 10.0]; correct it"),
+        (changed_row(1, r=5),
+         "row 1 (counted from 0): r is 5, expected one of the rewards [-10.0, -2.0, -0.02, 10.0]; correct it"),
         (changed_row(1, terminated=2), "row 1 (counted from 0): terminated is 2, expected a whole number from 0 to 1"),
         (changed_row(1, a="left"), "row 1 (counted from 0): a is 'left', expected a number; correct it"),
         (changed_row(1, a=1j), "row 1 (counted from 0): a is 1j, expected a number"),
@@ -1042,14 +1052,24 @@ def changed_row(number, rows=DRIVE, **cells):
         (changed_row(1, a=10**400), "row 1 (counted from 0): a is 1000"),
         (changed_row(1, s=None), "row 1 (counted from 0): s is empty, expected a number; fill it in"),
         (changed_row(1, episode=2), "row 0 (counted from 0): episode is empty"),
-        ([row | {"step": 1} for row in DRIVE], "row 0 (counted from 0): step is 1, expected 0; put missing or moved rows back, or leave out the column step"),
-        (changed_row(1, READ, laser_front_left=7), "row 1 (counted from 0), column laser_front_left: input 'laser_front_left': reading 7 is outside 0 to 5 m; check the sensor"),
-        (changed_row(1, READ, left_wheel=0.5), "row 1 (counted from 0): left_wheel is 0.5, expected one of [-1.0, 1.0] rad/s; correct it"),
+        ([row | {"step": 1} for row in DRIVE],
+         "row 0 (counted from 0): step is 1, expected 0; put missing or moved rows back, or leave out the "
+         "column step"),
+        (changed_row(1, READ, laser_front_left=7),
+         "row 1 (counted from 0), column laser_front_left: input 'laser_front_left': reading 7 is outside 0 "
+         "to 5 m; check the sensor"),
+        (changed_row(1, READ, left_wheel=0.5),
+         "row 1 (counted from 0): left_wheel is 0.5, expected one of [-1.0, 1.0] rad/s; correct it"),
         (changed_row(1, READ, left_wheel=None), "row 1 (counted from 0): left_wheel is empty"),
-        (READ[:3], "row 2 (counted from 0): the state after this step is missing, expected in the next row; add a row with this state, its action and reward empty"),
+        (READ[:3],
+         "row 2 (counted from 0): the state after this step is missing, expected in the next row; add a row "
+         "with this state, its action and reward empty"),
         (changed_row(1, READ, terminated=1), "row 1 (counted from 0): the state after this step is missing"),
-        (changed_row(3, READ, terminated=1), "row 3 (counted from 0): without action and reward it is no step, so it cannot end the episode; mark the row before it"),
-        ([row | {"episode": i // 2} for i, row in enumerate(READ)], "row 1 (counted from 0): the state after this step is missing"),
+        (changed_row(3, READ, terminated=1),
+         "row 3 (counted from 0): without action and reward it is no step, so it cannot end the episode; mark "
+         "the row before it"),
+        ([row | {"episode": i // 2} for i, row in enumerate(READ)],
+         "row 1 (counted from 0): the state after this step is missing"),
         ([(3, None, None)], "rows: all actions and rewards are empty; fill them in"),
     ],
 )  # fmt: skip
@@ -1070,9 +1090,11 @@ SHEET = "s,a,r,s_next\n3,3,10,3\n3,3,10,2\n2,1,-0.02,3\n"
         ("", "mine.csv: it is empty, expected names of columns and rows"),
         ("\n\n", "mine.csv: it is empty"),
         ("s,a,r,s_next\n", "mine.csv, line 1: there are no rows, expected one or more"),
-        (SHEET.split("\n", 1)[1], "mine.csv, line 1: there is no column s, only '3, 10'"),
-        (SHEET.replace("r,", "a,"), "mine.csv, line 1: two columns are called 'a'"),
-        (SHEET.replace("0.02", "0,02"), "mine.csv, line 4: 5 cells, expected 4 as in line 1; with decimal commas, columns are separated by semicolons"),
+        (SHEET.split("\n", 1)[1], "line 1: '3' stands twice, expected a name of its own for each column"),
+        (SHEET.replace("r,", "a,"), "mine.csv, line 1: 'a' stands twice, expected a name"),
+        (SHEET.replace("0.02", "0,02"),
+         "mine.csv, line 4: 5 cells, expected 4 as in line 1; with decimal commas, columns are separated by "
+         "semicolons"),
         (SHEET.replace("2,1", "\n2,1"), "mine.csv, line 4: s is empty, expected a number; fill it in"),
         (SHEET.replace("2,1", "2,left"), "mine.csv, line 4: a is 'left', expected a number; correct it"),
         (SHEET.replace("2,1", '"2,1'), "mine.csv, line 4: s is '2,1,-0.02,3\\n', expected a number"),
