@@ -30,12 +30,12 @@ def transitions_of(table: Table, task: Task) -> Transitions:
     if has_next:
         needed += after
     _check_names(table, task, needed, after)
-    rows = in_numbers(table)
-    n = len(rows.columns["r"])
-    if n == 0:
+    if len(table.columns["r"]) == 0:
         raise ValueError(f"{table.name}: there are no rows, expected one or more")
+
+    rows = in_numbers(table)
     for name in FLAGS:
-        flags = rows.columns.get(name, np.zeros(n))
+        flags = rows.columns.get(name, np.zeros(len(rows.columns["r"])))
         rows.columns[name] = np.where(np.isnan(flags), 0.0, flags)
     if not has_next:
         rows = _with_next_states(rows, state, action)
