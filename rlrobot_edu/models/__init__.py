@@ -12,10 +12,12 @@ Diagnosis    what it does not know, and the `Loop`s in which it may promise too 
 
 Begin with recording.py (`Recording`, `record`) and sample_model.py. Then, as you need it:
 
-source.py, columns.py, data_package.py  how a recording is checked, written and read
-sampling.py, model_env.py               how an agent acts in a sample model
-value_iteration.py                      the best that can be done in it
-diagnosis.py                            what it does not know
-read_recording.py                       recordings by name, from a folder, or in the paper's own format
+source.py                  what the numbers of a recording mean, and which rows it can have
+data_package.py            the one format of its files, written and read
+tables.py, own_rows.py     rows of your own: a list, an array, a data frame, a spreadsheet
+read_recording.py          recordings by name, from a folder, from a spreadsheet, or in the paper's own format
+sampling.py, model_env.py  how an agent acts in a sample model
+value_iteration.py         the best that can be done in it
+diagnosis.py               what it does not know
 
 """

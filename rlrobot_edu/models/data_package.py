@@ -1,4 +1,4 @@
-"""The two files of a recording, transitions.csv and datapackage.json: written, and refused if not whole.
+"""The one format of recordings: transitions.csv and datapackage.json, written, and refused if not whole and right.
 
 Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that
 knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time
@@ -14,11 +14,13 @@ from pathlib import Path
 from types import UnionType
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rlrobot_edu.checks import check_numbers
 from rlrobot_edu.files import sha256
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import CHANGED, REMEDY, from_csv, to_csv
-from rlrobot_edu.models.source import Source
+from rlrobot_edu.models.source import REMEDY, Source
 from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
@@ -26,7 +28,16 @@ from rlrobot_edu.task.task_file import available_tasks, load_task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
+NAMES = ("episode", "step", "s", "a", "r", "s_next", "terminated")  # its columns
+HEADER = ",".join(NAMES)
+_NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
+ROW = re.compile(
+    rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII
+)  # such as 0,12,5,1,-0.02,4,0
+CHANGED = f"a spreadsheet may have saved it with its own separators, commas, quotes or columns; {REMEDY}"
+
 PACKAGE_NAME = "datapackage.json"
+TEMPLATE = Path(__file__).with_name("datapackage_template.json")
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
     "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None,
@@ -38,44 +49,58 @@ Json = dict[str, Any]
 Parts = tuple[Transitions, Source, Task | None]  # of a recording
 
 
+def count_episodes(
+    transitions: Transitions,
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Number of each row's episode, and of the step in it, arrays (n,); both count from 0."""
+    ended = (transitions.terminated | transitions.truncated)[:-1]
+    episode = np.cumsum(np.append(False, ended), dtype=np.int64)
+    first_row = np.append(0, np.flatnonzero(ended) + 1)
+    return episode, np.arange(len(episode), dtype=np.int64) - first_row[episode]
+
+
+# --- writing ---
+
+
 def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     """What the two files hold: the rows, and the data package that describes them."""
-    csv = to_csv(transitions).encode()
-    package = json.loads(
-        Path(__file__)
-        .with_name("datapackage_template.json")
-        .read_text(encoding="utf-8")
-    )
+    csv = _to_csv(transitions).encode()
+    package = json.loads(TEMPLATE.read_text(encoding="utf-8"))
     package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
-    package["title"] = (
-        f"Transitions of {source.task_name}, recorded with {source.method}"
-    )
-    (resource,) = package["resources"]
-    resource |= {"bytes": len(csv), "hash": f"sha256:{sha256(csv)}"}
+    title = f"Transitions of {source.task_name}, recorded with {source.method}"
+    package["title"] = title
+    resource = package["resources"][0]
+    resource["bytes"] = len(csv)
+    resource["hash"] = f"sha256:{sha256(csv)}"
     limits = {
         field["name"]: field["constraints"] for field in resource["schema"]["fields"]
     }
-    limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
+    limits["s"]["maximum"] = source.states.n - 1
+    limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
     known = {**vars(source), "task": source.task_name, "rows": len(transitions.s)}
-    known["inputs"] = list(map(_described, source.states.inputs))
-    known["outputs"] = list(map(_described, source.actions.outputs))
-    section = {name: known[name] for name in SECTION} | {
-        "initial_state": int(transitions.s[0])
-    }
-    package["rlrobot"] = section | (
-        {"time_limit": source.time_limit} if source.time_limit else {}
-    )
-    return csv, json.dumps(
+    known["inputs"] = [_described(variable) for variable in source.states.inputs]
+    known["outputs"] = [_described(variable) for variable in source.actions.outputs]
+    section = {name: known[name] for name in SECTION}
+    section["initial_state"] = int(transitions.s[0])
+    if source.time_limit:
+        section["time_limit"] = source.time_limit
+    package["rlrobot"] = section
+    text = json.dumps(
         package, indent=2, ensure_ascii=False, allow_nan=False, default=asdict
-    ) + "\n"
+    )
+    return csv, f"{text}\n"
 
 
-def _room(fields: Json) -> Room:
-    """The room that a data package describes. Raises TypeError or ValueError if it describes none."""
-    places = {name: place and tuple(place) for name, place in fields.items()}
-    return Room(**places | {"walls": tuple(map(tuple, fields.get("walls", ())))})
+def _to_csv(transitions: Transitions) -> str:
+    """The rows as CSV text, the same for the same numbers. A reward reads back exactly."""
+    episode, step = count_episodes(transitions)
+    columns = {"episode": episode, "step": step, **transitions._asdict()}
+    numbers = [columns[name].tolist() for name in NAMES]
+    rows = zip(*numbers, strict=True)
+    lines = [f"{e},{t},{s},{a},{r!r},{n},{end:d}\n" for e, t, s, a, r, n, end in rows]
+    return f"{HEADER}\n{''.join(lines)}"
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -89,6 +114,9 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
     }
 
 
+# --- reading ---
+
+
 def read_folder(folder: Path, task: Task | None) -> Parts:
     """The parts of the recording there, which must be of `task` if one is given.
 
@@ -97,18 +125,20 @@ def read_folder(folder: Path, task: Task | None) -> Parts:
     package = folder / PACKAGE_NAME
     csv = folder / CSV_NAME
     text = _text(csv)
-    source, rows_due, digits_due = read_package(_text(package), str(package))
+    source, rows_due, digits_due = _read_package(_text(package), str(package))
     # First of all, for a bad row says more than a wrong checksum.
-    transitions = from_csv(text, source, str(csv))
-    if (rows := len(transitions.s)) != rows_due:
+    transitions = _from_csv(text, source, str(csv))
+    rows = len(transitions.s)
+    if rows != rows_due:
         raise ValueError(
             f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}"
         )
-    if (digits := sha256(text.encode())) != digits_due:
+    digits = sha256(text.encode())
+    if digits != digits_due:
         raise ValueError(
             f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due:.80}; {CHANGED}"
         )
-    return transitions, source, recorded_task(source, task, package)
+    return transitions, source, _recorded_task(source, task, package)
 
 
 def _text(path: Path) -> str:
@@ -117,13 +147,59 @@ def _text(path: Path) -> str:
     Bytes that are no text become characters that no column can hold, so that their row is named.
     """
     if not path.is_file():
-        raise FileNotFoundError(
-            f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together"
-        )
+        together = f"a recording is {CSV_NAME} and {PACKAGE_NAME} together"
+        alone = "a CSV file alone is read by its own path with task="
+        raise FileNotFoundError(f"{path} is missing; {together}, {alone}")
     return path.read_text(encoding="utf-8-sig", errors="replace")
 
 
-def read_package(text: str, name: str) -> tuple[Source, int, str]:
+def _from_csv(text: str, source: Source, name: str) -> Transitions:
+    """The rows in CSV `text`; `name` of the file is for messages, where rows count from 0 and lines from 1.
+
+    An episode that did not terminate before the next began was truncated. Whether the last one was, the file
+    does not say, and it counts as going on. Raises ValueError that names the first bad row.
+    """
+
+    def where(row: int) -> str:
+        return f"{name}, row {row} (line {row + 2})"
+
+    header, *lines = text.split("\n")
+    if header.strip() != HEADER:
+        raise ValueError(
+            f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}; {CHANGED}"
+        )
+    if not lines or lines.pop() != "":
+        raise ValueError(
+            f"{where(len(lines))}: the file is cut off in the middle of this row; {REMEDY}"
+        )
+    if not lines:
+        raise ValueError(f"{name}: there are no rows after the header; {REMEDY}")
+    for row, line in enumerate(lines):
+        if not ROW.fullmatch(line):
+            raise ValueError(
+                f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {CHANGED}"
+            )
+    columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
+    source.check_rows(columns, where)
+
+    episode = columns.pop("episode")
+    step = columns.pop("step")
+    terminated = columns.pop("terminated").astype(bool)
+    truncated = np.append(np.diff(episode) != 0, False) & ~terminated
+    transitions = Transitions(**columns, terminated=terminated, truncated=truncated)
+    episode_due, step_due = count_episodes(transitions)
+    bad = (episode != episode_due) | (step != step_due)
+    if bad.any():
+        row = int(np.argmax(bad))
+        it = f"episode {episode[row]:.0f}, step {step[row]:.0f}"
+        due = f"episode {episode_due[row]}, step {step_due[row]}"
+        raise ValueError(
+            f"{where(row)}: {it} stands where {due} is due: rows are missing or moved; {REMEDY}"
+        )
+    return transitions
+
+
+def _read_package(text: str, name: str) -> tuple[Source, int, str]:
     """What the data package `text` says: the source, and the number of rows and fingerprint of the CSV file.
 
     name: of the file, for messages. Raises ValueError if the package cannot be used.
@@ -133,33 +209,15 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         resource = (_get(package, "resources", list, "") or [{}])[0]
         digits = _get(resource, "hash", str, "resources.0.").removeprefix("sha256:")
         section = _get(package, "rlrobot", dict, "")
-        values = {
+        fields = {
             key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()
         }
-        values["time_limit"] = section.get("time_limit")
-        if isinstance(scene := values["scene"], dict):
-            values["scene"] = _room(scene)
-        task_name, rows, rewards = (
-            values.pop(key) for key in ("task", "rows", "rewards")
-        )
-        states = StateSpace(
-            [_variable(InputVariable, fields) for fields in values.pop("inputs")]
-        )
-        actions = ActionSpace(
-            [_variable(OutputVariable, fields) for fields in values.pop("outputs")]
-        )
-        source = Source(
-            task_name,
-            states,
-            actions,
-            check_numbers("rlrobot.rewards", rewards),
-            **values,
-        )
+        rows = fields.pop("rows")
+        return _source(fields, section.get("time_limit")), rows, digits
     except (json.JSONDecodeError, RecursionError) as error:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return source, rows, digits
 
 
 def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
@@ -173,18 +231,41 @@ def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
     return fields[key]
 
 
+def _source(fields: Json, time_limit: int | None) -> Source:
+    """The source that the fields of the section describe. Raises ValueError or TypeError if they describe none."""
+    if isinstance(fields["scene"], dict):
+        fields["scene"] = _room(fields["scene"])
+    inputs = [_variable(InputVariable, given) for given in fields.pop("inputs")]
+    states = StateSpace(inputs)
+    outputs = [_variable(OutputVariable, given) for given in fields.pop("outputs")]
+    actions = ActionSpace(outputs)
+    rewards = check_numbers("rlrobot.rewards", fields.pop("rewards"))
+    name = fields.pop("task")
+    return Source(name, states, actions, rewards, time_limit=time_limit, **fields)
+
+
+def _room(fields: Json) -> Room:
+    """The room that a data package describes. Raises TypeError or ValueError if it describes none."""
+    places = {name: place and tuple(place) for name, place in fields.items()}
+    places["walls"] = tuple(tuple(wall) for wall in fields.get("walls", ()))
+    return Room(**places)
+
+
 def _variable(kind: type[Any], fields: Json) -> Any:
     """An input or output variable; an end of its range that is null stays open."""
     _get(fields, "name", str, f"{kind.__name__}.")
     return kind(**{key: value for key, value in fields.items() if value is not None})
 
 
-def recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
+def _recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
-    known = task or (
-        load_task(source.task_name) if source.task_name in available_tasks() else None
-    )
-    if known is None or not (difference := source.difference(known)):
+    known = task
+    if known is None and source.task_name in available_tasks():
+        known = load_task(source.task_name)
+    if known is None:
+        return None
+    difference = source.difference(known)
+    if not difference:
         return known
     if task is not None:
         raise ValueError(

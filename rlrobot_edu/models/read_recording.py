@@ -1,4 +1,4 @@
-"""Recordings: those of the toolkit by their names, others from a folder, or in the paper's own format."""
+"""Recordings: those of the toolkit by their names, others from a folder, a CSV file or in the paper's own format."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import shipped
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import check_rows
-from rlrobot_edu.models.data_package import PACKAGE_NAME
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME
+from rlrobot_edu.models.own_rows import transitions_of
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.models.tables import read_table
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -31,16 +32,17 @@ def read_recording(
     task: str | Path | Task | None = None,
     inputs: Sequence[str] | None = None,
 ) -> Recording:
-    """The recording in a folder, or the one of this name that comes with the toolkit.
+    """The recording in a folder or a CSV file, or the one of this name that comes with the toolkit.
 
     Parameters
     ----------
     path : str or Path
-        The folder, its datapackage.json or transitions.csv; with `legacy`, the paper's own array (.npy).
+        The folder, its datapackage.json or transitions.csv; any other CSV file, of rows of your own, see
+        `Recording.from_rows`; with `legacy`, the paper's own array (.npy).
     legacy : bool
         Whether the file is in the format of the paper's own program.
     task : str, Path or Task, optional
-        The task that the recording must be of; needed with `legacy`, which does not say.
+        The task that the recording must be of; needed for rows of your own and with `legacy`, which do not say.
     inputs : sequence of str, optional
         With `legacy`, names of the inputs in the array's order where it is not the task's.
 
@@ -55,6 +57,12 @@ def read_recording(
         In one sentence, for a file that is not whole and right or that is of another task.
     FileNotFoundError
         If there is no such recording, or one of its two files is missing.
+
+    Notes
+    -----
+    A CSV file of your own is read as spreadsheets write it: in line 1 the names of the columns, which are separated
+    by commas, semicolons or tabs; with semicolons or tabs, numbers may have a decimal comma. A column without a name
+    is not read.
     """
     if not isinstance(path, str | Path):
         raise ValueError(
@@ -72,16 +80,29 @@ def read_recording(
         raise ValueError(
             f"{path}: inputs= is for legacy=True; this format names its inputs itself"
         )
+    has_package = path.name == CSV_NAME and path.with_name(PACKAGE_NAME).is_file()
+    if path.suffix.lower() == ".csv" and not path.is_dir() and not has_package:
+        return _read_own(path, task)
     if path.is_dir() or path.suffix in (".csv", ".json"):
         return Recording.load(path, task)
     names = available_recordings()
     if str(path) in names:
         return Recording.load(shipped("datasets") / path, task)
     named = " ".join(str(path).split())  # in one line
-    hint = "give its folder, for the paper's own array legacy=True and task="
+    hint = "give its folder, for rows of your own a CSV file and task=, for the paper's own array legacy=True and task="
     raise FileNotFoundError(
         f"{named}: there is no such recording; {hint}, or one of the toolkit's: {', '.join(names) or 'none'}"
     )
+
+
+def _read_own(path: Path, task: str | Path | Task | None) -> Recording:
+    """The recording that a lone CSV file makes."""
+    table = read_table(path)
+    if task is None:
+        fault = "a CSV file alone does not say of which task its rows are"
+        raise ValueError(f"{path}: {fault}; give task=")
+    task = load_task(task)
+    return Recording(transitions_of(table, task), Source.of_task(task), task)
 
 
 def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transitions:
@@ -102,7 +123,7 @@ def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transi
         )
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     remedy = "is it a recording of another task?"
-    check_rows(columns, Source.of_task(task), lambda row: f"{path}, row {row}", remedy)
+    Source.of_task(task).check_rows(columns, lambda row: f"{path}, row {row}", remedy)
     axes = [order.index(name) for name in names]
     s, s_next = (
         _to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next")

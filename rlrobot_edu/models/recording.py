@@ -11,14 +11,16 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env, task_of
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import (
     CSV_NAME,
     PACKAGE_NAME,
+    count_episodes,
     read_folder,
     to_files,
 )
+from rlrobot_edu.models.own_rows import transitions_of
 from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
+from rlrobot_edu.models.tables import table_of
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -78,13 +80,14 @@ class Recording:
             raise ValueError(
                 f"a recording is made of columns of one length, at least 1, got {lengths}"
             )
-        if words := [
+        words = [
             name for name, column in given.items() if column.dtype.kind not in "biuf"
-        ]:
+        ]
+        if words:
             raise ValueError(
                 f"the columns of a recording are real numbers, {', '.join(words)} are not"
             )
-        check_rows(given, source, lambda row: f"row {row} of the recording")
+        source.check_rows(given, lambda row: f"row {row} of the recording")
         copies: list[Any] = [
             np.array(column, DTYPES.get(name, np.int64))
             for name, column in given.items()
@@ -104,6 +107,54 @@ class Recording:
 
     def __repr__(self) -> str:
         return f"Recording of {self.source.task_name} with {self.source.method}: {len(self):,} steps"
+
+    @classmethod
+    def from_rows(cls, rows: Any, task: str | Path | Task) -> "Recording":
+        """The recording that your own rows make.
+
+        Parameters
+        ----------
+        rows : list of dict, list of tuple, array (n, 3 to 6), dict of columns, or data frame
+            One row a transition, in the order in which they came. The columns have these names; values without
+            names have the order s, a, r, s_next, terminated, truncated, of which the first three are needed.
+
+            - ``s`` and ``s_next``: numbers of the states before and after the step, from 0. In their place you can
+              give what the robot read [in the units of the task]: a column for each of the task's inputs, such as
+              ``laser_front``, and one with ``_next`` for what it read after the step.
+            - ``a``: number of the action, from 0; or a column for each of the task's outputs with the value that
+              it had [in the units of the task].
+            - ``r``: the reward of the step, one of the task's.
+            - ``terminated``, ``truncated``: 1 or True if the episode ended with this step, for good or because it
+              was cut off; may be missing.
+            - ``episode``: its number; may be missing. Without it, an episode also ends where the next row does not
+              begin in the state that this one led to.
+            - ``step``: number of the step in its episode, from 0; may be missing.
+
+            If no column gives the state after a step, that of the next row is meant. Then each episode ends with
+            a row whose action and reward are empty (None, NaN or ""), and the last one does so, too.
+        task : str, Path or Task
+            The task that the rows are of, see `load_task`.
+
+        Returns
+        -------
+        Recording
+            Every row, checked.
+
+        Raises
+        ------
+        ValueError
+            In one sentence, for the first row or column that is wrong. Rows count from 0. Also if a column has
+            another name than these.
+        FileNotFoundError
+            If there is no file of the task.
+
+        See Also
+        --------
+        read_recording : Reads such rows from a CSV file.
+        """
+        task = load_task(task)
+        transitions = transitions_of(table_of(rows), task)
+        return cls(transitions, Source.of_task(task), task)
 
     def save(self, folder: str | Path) -> None:
         """Write transitions.csv and datapackage.json, each whole: for the same recording the same bytes.

@@ -2,12 +2,13 @@
 
 import math
 import platform
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import gymnasium
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rlrobot_edu.checks import check_count, check_numbers, first_difference
 from rlrobot_edu.learning.size import Size
@@ -17,6 +18,7 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
 from rlrobot_edu.version import __version__
 
+REMEDY = "put back the original file, or record again"
 # Version of the toolkit and kind of computer, of a recording made now.
 THIS_COMPUTER = {
     "version": __version__,
@@ -100,6 +102,40 @@ class Source:
             episode_steps=size.episode_steps,
             **acting,
         )
+
+    def check_rows(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        where: Callable[[int], str],
+        remedy: str = REMEDY,
+    ) -> None:
+        """Raises ValueError for the first row of `columns`, arrays (n,) by name, that cannot be from here.
+
+        where: what a message calls the row of this number
+        """
+        sizes = {
+            "s": self.states.n,
+            "a": self.actions.n,
+            "s_next": self.states.n,
+            "terminated": 2,
+            "truncated": 2,
+        }
+        for name, column in columns.items():
+            if name == "r":
+                good = np.isin(column, self.rewards)
+                expected = f"one of the rewards {list(self.rewards)!s:.200}"
+            else:
+                # up to 2**53 a float holds every whole number
+                size = sizes.get(name, 2**53)
+                good = (column == np.floor(column)) & (column >= 0) & (column < size)
+                to = f"to {size - 1}" if name in sizes else "on"
+                expected = f"a whole number from 0 {to}"
+            if not good.all():
+                row = int(np.argmin(good))
+                found = repr(column[row].item()).removesuffix(".0")
+                raise ValueError(
+                    f"{where(row)}: {name} is {found}, expected {expected}; {remedy}"
+                )
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""

@@ -139,7 +139,23 @@ legacy = st.deferred(
 )
 legacy_bytes = st.deferred(lambda: damaged_bytes(seeds.files()["legacy"]["legacy.npy"]))
 
+
+@st.composite
+def sheets(draw: Draw) -> Case:
+    """A damaged CSV file, also with semicolons and decimal commas, and with some of the columns only."""
+    whole = seeds.files()["sheet"]["mine.csv"].decode().splitlines()
+    columns = draw(st.sets(st.integers(0, 6), max_size=2))
+    rows = [line.split(",") for line in whole]
+    kept = [[cell for i, cell in enumerate(row) if i not in columns] for row in rows]
+    csv = "\n".join(",".join(row) for row in kept)
+    if draw(st.booleans()):
+        csv = csv.replace(",", ";").replace(".", ",")
+    data = csv.encode()
+    return {"mine.csv": draw(damaged_rows(data) | damaged_bytes(data) | st.just(data))}
+
+
 TARGETS = [
+    reader("sheet", sheets(), 8, lambda: rl.read_recording("mine.csv", task=seeds.TASK), things.usable_recording),
     reader("recording", recordings(), 12, lambda: rl.read_recording("."), things.usable_recording),
     reader("legacy", in_file("legacy.npy", legacy | legacy | legacy_bytes), 8,
            lambda: rl.read_recording("legacy.npy", legacy=True, task=seeds.TASK), things.usable_recording),

@@ -60,6 +60,9 @@ def files() -> dict[str, dict[str, bytes]]:
             thing.save(folder / kind / f"{kind}.npz")
         rl.compare(model(), store=folder / "store", **STORE)
         rows = [recording().s, recording().a, recording().s_next, recording().r]
+        (folder / "sheet").mkdir()
+        written = (folder / "recording" / "transitions.csv").read_bytes()
+        (folder / "sheet" / "mine.csv").write_bytes(written)
         (folder / "legacy").mkdir()
         np.save(folder / "legacy" / "legacy.npy", np.column_stack(rows))
         return {

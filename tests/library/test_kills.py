@@ -13,7 +13,7 @@ from worlds import same_histories as same
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import ABANDONED
-from rlrobot_edu.models.columns import NAMES
+from rlrobot_edu.models.data_package import NAMES
 
 KILLS = 50
 

@@ -1,6 +1,7 @@
 """Recordings: what is written reads back exactly, and what is not whole and right is refused in one clear sentence."""
 
 import json
+import math
 import os
 import re
 import shutil
@@ -8,6 +9,7 @@ import subprocess
 import time
 from collections import Counter
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from unittest.mock import Mock
 
@@ -21,7 +23,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models import read_recording as reading
-from rlrobot_edu.models.columns import NAMES, ROW
+from rlrobot_edu.models.data_package import NAMES, ROW
 from rlrobot_edu.models.source import Source
 
 TASK = rl.Task(
@@ -837,3 +839,290 @@ def test_the_papers_own_recording_reads_back_from_our_format(vrep, tmp_path):
     vrep.save(tmp_path)
     back = rl.read_recording(tmp_path)
     assert same(vrep, back) and back.task.name == "wander_1k"
+
+
+# --- rows of one's own ---
+
+SQUARE = rl.load_task("wander_simple")
+DRIVE = [
+    {"s": 3, "a": 3, "r": 10, "s_next": 3},
+    {"s": 3, "a": 3, "r": 10, "s_next": 2},
+    {"s": 2, "a": 1, "r": -0.02, "s_next": 3},
+]  # forward, forward, turn left: by numbers
+READ = [
+    {"laser_front_left": 1.2, "laser_front_right": 0.85, "left_wheel": 1, "right_wheel": 1, "r": 10},
+    {"laser_front_left": 1.1, "laser_front_right": 0.75, "left_wheel": 1, "right_wheel": 1, "r": 10},
+    {"laser_front_left": 1.0, "laser_front_right": 0.18, "left_wheel": -1, "right_wheel": 1, "r": -0.02},
+    {"laser_front_left": 1.0, "laser_front_right": 0.31},
+]  # fmt: skip
+COLUMNS = {name: [row[name] for row in DRIVE] for name in DRIVE[0]}
+TUPLES = [(3, 3, 10, 3), (3, 3, 10, 2), (2, 1, -0.02, 3)]
+
+
+class Frame:
+    """What a data frame of pandas or Polars has in common: the names of its columns, and each by its name."""
+
+    def __init__(self, columns):
+        self.columns = list(columns)
+        self._cells = columns
+
+    def __getitem__(self, name):
+        return np.array(self._cells[name])
+
+    def __iter__(self):
+        return iter(self.columns)
+
+
+SAME = {
+    "dicts": DRIVE,
+    "dicts of texts": [{k: str(v) for k, v in row.items()} for row in DRIVE],
+    "tuples": TUPLES,
+    "lists": [list(row) for row in TUPLES],
+    "a generator": (row for row in TUPLES),
+    "an array": np.array(TUPLES),
+    "an array of texts": np.array(TUPLES).astype(str),
+    "a structured array": np.array(
+        TUPLES, dtype=[("s", int), ("a", "i2"), ("r", float), ("s_next", float)]
+    ),
+    "columns": COLUMNS,
+    "a data frame": Frame(COLUMNS),
+    "with flags": [(*row, False, np.False_) for row in TUPLES],
+    "one row a step": [*((s, a, r) for s, a, r, _ in TUPLES), (3, None, None)],
+    "steps in an array": np.array(
+        [[3, 3, 10], [3, 3, 10], [2, 1, -0.02], [3, np.nan, np.nan]]
+    ),
+    "readings": READ,
+    "readings before and after": [
+        before | {f"{n}_next": after[n] for n in after if n.startswith("laser")}
+        for before, after in pairwise(READ)
+    ],
+}
+
+
+@pytest.mark.parametrize("kind", SAME)
+def test_rows_of_each_kind_make_the_same_recording(kind):
+    recording = rl.Recording.from_rows(SAME[kind], "wander_simple")
+    expected = rl.Recording(
+        Transitions(
+            [3, 3, 2],
+            [3, 3, 1],
+            [10, 10, -0.02],
+            [3, 2, 3],
+            np.zeros(3, bool),
+            np.zeros(3, bool),
+        ),
+        Source.of_task(SQUARE),
+        SQUARE,
+    )
+    np.testing.assert_equal([*recording.transitions], [*expected.transitions])
+    assert recording.source == expected.source and recording.task is SQUARE
+
+
+def test_data_frames_of_pandas_are_rows():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(DRIVE)
+    assert rl.Recording.from_rows(frame, SQUARE).s_next.tolist() == [3, 2, 3]
+
+
+@settings(deadline=None, max_examples=40, suppress_health_check=list(HealthCheck))
+@given(
+    n=st.integers(1, 30),
+    ends=st.sets(st.integers(0, 29)),
+    seed=st.integers(0, 99),
+    separator=st.sampled_from([",", ";", "\t"]),
+    ending=st.sampled_from(["\n", "\r\n"]),
+    blank=st.sampled_from(["", "\n", "\n\n", "{s}{s}{s}{s}{s}{s}\n"]),
+    is_quoted=st.booleans(),
+)
+def test_the_rows_of_any_recording_read_back_from_any_spreadsheet(
+    tmp_path, n, ends, seed, separator, ending, blank, is_quoted
+):
+    recording = make_recording(n, ends, seed)
+    recording.save(tmp_path)
+    text = (tmp_path / "transitions.csv").read_text()
+    if is_quoted:
+        text = re.sub(r"[^,\n]+", r'"\g<0>"', text)
+    text = text.replace(",", separator)
+    if separator != ",":
+        text = text.replace(".", ",")
+    text += blank.replace("{s}", separator)
+    path = tmp_path / "mine.csv"
+    path.write_text(text, encoding="utf-8-sig", newline=ending)
+    back = rl.read_recording(path, task=TASK)
+    np.testing.assert_equal([*back.transitions], [*recording.transitions])
+    assert same(back, recording)
+
+
+@settings(deadline=None, max_examples=60, suppress_health_check=list(HealthCheck))
+@given(
+    rows=st.lists(
+        st.tuples(
+            st.integers(0, 3),
+            st.integers(0, 3),
+            st.sampled_from(SQUARE.rewards),
+            st.sampled_from([(0, 0), (1, 0), (0, 1)]),
+        ),
+        min_size=1,
+        max_size=20,
+    ),
+    last=st.integers(0, 3),
+)
+def test_rows_of_steps_are_the_transitions_between_them(rows, last):
+    steps = []
+    pairs = []
+    for number, (s, a, r, flags) in enumerate(rows):
+        ends = any(flags) or number == len(rows) - 1
+        s_next = last if ends else rows[number + 1][0]
+        steps.append((s, a, r, None, *flags))
+        if ends:
+            steps.append((s_next, "", None, None, "", 0))
+        pairs.append((s, a, r, s_next, *flags))
+    names = ("s", "a", "r", "terminated", "truncated")
+    dicts = [dict(zip(names, row[:3] + row[4:], strict=True)) for row in steps]
+    recording = rl.Recording.from_rows(dicts, SQUARE)
+    expected = Transitions.of_rows(pairs)
+    np.testing.assert_equal([*recording.transitions], [*expected])
+
+
+def test_episodes_end_where_the_rows_say_so_or_do_not_join():
+    def ends(rows):
+        return rl.Recording.from_rows(rows, SQUARE).episode.tolist()
+
+    apart = [(3, 3, 10, 3), (2, 1, -0.02, 3), (3, 3, 10, 3)]
+    assert ends(apart) == [0, 1, 1]
+    named = [dict(zip(DRIVE[0], row, strict=True)) for row in apart]
+    days = [row | {"episode": day} for row, day in zip(named, (4, 4, 7), strict=True)]
+    assert ends(days) == [0, 0, 1]
+    assert ends([(3, 3, 10, 3, 1), (3, 3, 10, 3, 0), (3, 3, 10, 3, 0)]) == [0, 1, 1]
+
+
+def refused_rows(rows, task="wander_simple"):
+    """The one sentence with which rows are refused."""
+    with pytest.raises(ValueError) as caught:
+        rl.Recording.from_rows(rows, task)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def changed_row(number, rows=DRIVE, **cells):
+    """The rows with other cells in one of them."""
+    return [row | cells if i == number else row for i, row in enumerate(rows)]
+
+
+@pytest.mark.parametrize(
+    ("rows", "expected"),
+    [
+        ("mine.csv", "an array or a data frame, got 'mine.csv'; a file is read by rl.read_recording(path, task=…)"),
+        (Path("mine.csv"), "a file is read by rl.read_recording"),
+        (None, "rows must be a list"),
+        (3, "rows must be a list"),
+        ({"s": 3, "a": 3, "r": 10, "s_next": 3}, "rows must be a list"),
+        ([], "rows: there are none, expected one or more"),
+        ({}, "rows: there are none"),
+        (np.zeros((0, 4)), "rows: there are none"),
+        ({name: [] for name in COLUMNS}, "rows: there are no rows, expected one or more"),
+        ([3, 3],
+         "is 3, expected a dict or 3 to 6 values (s, a, r, s_next, terminated, truncated), as many in each row"),
+        (np.zeros(4), "row 0 (counted from 0) is np.float64(0.0), expected a dict"),
+        ([*TUPLES, (3, 3, 10)], "row 3 (counted from 0) is (3, 3, 10), expected a dict or 3 to 6 values"),
+        ([*TUPLES, DRIVE[0]], "row 3 (counted from 0) is {'s': 3, "),
+        ([(3, 3)], "row 0 (counted from 0) is (3, 3), expected a dict or 3 to 6 values"),
+        (COLUMNS | {"a": [3]}, "rows: columns must be of one length, got {'s': 3, 'a': 1"),
+        ([{"s": 3, "a": 3, "reward": 10}],
+         "rows: there is no column r, only 's, a, reward'; expected are the state (s, or laser_front_left, "
+         "laser_front_right), the action (a, or left_wheel, right_wheel) and the reward (r)"),
+        ([{"state": 3}], "rows: there is no column s, only 'state'"),
+        (changed_row(1, done=1),
+         "rows: there is no use for column 'done'; leave it out, or rename it to one of s, a, r, s_next, "
+         "episode, step, terminated, truncated"),
+        (changed_row(1, terminatd=1),
+         "there is no use for column 'terminatd'; did you mean 'terminated'? leave it out"),
+        (changed_row(1, s=4),
+         "row 1 (counted from 0): s is 4, expected a whole number from 0 to 3; correct it, or is it a row of "
+         "another task than wander_simple?"),
+        (changed_row(1, a=0.5), "row 1 (counted from 0): a is 0.5, expected a whole number from 0 to 3"),
+        (changed_row(1, s_next=math.inf), "row 1 (counted from 0): s_next is inf, expected a whole number from 0 to 3"),
+        (changed_row(1, r=5),
+         "row 1 (counted from 0): r is 5, expected one of the rewards [-10.0, -2.0, -0.02, 10.0]; correct it"),
+        (changed_row(1, terminated=2), "row 1 (counted from 0): terminated is 2, expected a whole number from 0 to 1"),
+        (changed_row(1, a="left"), "row 1 (counted from 0): a is 'left', expected a number; correct it"),
+        (changed_row(1, a=1j), "row 1 (counted from 0): a is 1j, expected a number"),
+        (changed_row(1, a=np.complex128(1)), "row 1 (counted from 0): a is np.complex128(1+0j), expected a number"),
+        (changed_row(1, a=[1]), "row 1 (counted from 0): a is [1], expected a number"),
+        (changed_row(1, a=10**400), "row 1 (counted from 0): a is 1000"),
+        (changed_row(1, s=None), "row 1 (counted from 0): s is empty, expected a number; fill it in"),
+        (changed_row(1, episode=2), "row 0 (counted from 0): episode is empty"),
+        ([row | {"step": 1} for row in DRIVE],
+         "row 0 (counted from 0): step is 1, expected 0; put missing or moved rows back, or leave out the "
+         "column step"),
+        (changed_row(1, READ, laser_front_left=7),
+         "row 1 (counted from 0), column laser_front_left: input 'laser_front_left': reading 7 is outside 0 "
+         "to 5 m; check the sensor"),
+        (changed_row(1, READ, left_wheel=0.5),
+         "row 1 (counted from 0): left_wheel is 0.5, expected one of [-1.0, 1.0] rad/s; correct it"),
+        (changed_row(1, READ, left_wheel=None), "row 1 (counted from 0): left_wheel is empty"),
+        (READ[:3],
+         "row 2 (counted from 0): the state after this step is missing, expected in the next row; add a row "
+         "with this state, its action and reward empty"),
+        (changed_row(1, READ, terminated=1), "row 1 (counted from 0): the state after this step is missing"),
+        (changed_row(3, READ, terminated=1),
+         "row 3 (counted from 0): without action and reward it is no step, so it cannot end the episode; mark "
+         "the row before it"),
+        ([row | {"episode": i // 2} for i, row in enumerate(READ)],
+         "row 1 (counted from 0): the state after this step is missing"),
+        ([(3, None, None)], "rows: all actions and rewards are empty; fill them in"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_in_rows_is_said_in_one_sentence(rows, expected):
+    assert expected in refused_rows(rows)
+
+
+def test_rows_of_an_unknown_task_are_refused():
+    assert "did you mean 'wander_simple'?" in refused_rows(DRIVE, "wander_simpel")
+
+
+SHEET = "s,a,r,s_next\n3,3,10,3\n3,3,10,2\n2,1,-0.02,3\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "mine.csv: it is empty, expected names of columns and rows"),
+        ("\n\n", "mine.csv: it is empty"),
+        ("s,a,r,s_next\n", "mine.csv, line 1: there are no rows, expected one or more"),
+        (SHEET.split("\n", 1)[1], "line 1: '3' stands twice, expected a name of its own for each column"),
+        (SHEET.replace("r,", "a,"), "mine.csv, line 1: 'a' stands twice, expected a name"),
+        (SHEET.replace("0.02", "0,02"),
+         "mine.csv, line 4: 5 cells, expected 4 as in line 1; with decimal commas, columns are separated by "
+         "semicolons"),
+        (SHEET.replace("2,1", "\n2,1"), "mine.csv, line 4: s is empty, expected a number; fill it in"),
+        (SHEET.replace("2,1", "2,left"), "mine.csv, line 4: a is 'left', expected a number; correct it"),
+        (SHEET.replace("2,1", '"2,1'), "mine.csv, line 4: s is '2,1,-0.02,3\\n', expected a number"),
+        (SHEET.replace("2,1", "2,4"), "mine.csv, line 4: a is 4, expected a whole number from 0 to 3"),
+        (SHEET.replace("-0.02,3", "-0.02"), "mine.csv, line 4: s_next is empty"),
+        (SHEET + "1" * 200_000, "mine.csv, line 5: field larger than field limit (131072); save it as CSV again"),
+        ("PK\x03\x04\x00\x00", "mine.csv, line 1: there is no column s"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_in_a_spreadsheet_is_said_with_its_line(tmp_path, text, expected):
+    path = tmp_path / "mine.csv"
+    path.write_text(text)
+    assert expected in refusal(path, task="wander_simple")
+
+
+def test_a_lone_csv_file_is_read_with_its_task_and_columns_without_a_name_are_left_out(
+    tmp_path, saved
+):
+    path = tmp_path / "Mine.CSV"
+    path.write_text(SHEET.replace("s,", ",s,").replace("\n", "\n7,").rstrip("7,"))
+    assert rl.read_recording(path, task="wander_simple").a.tolist() == [3, 3, 1]
+    assert refusal(path) == (
+        f"{path}: a CSV file alone does not say of which task its rows are; give task="
+    )
+    missing = tmp_path / "no.csv"
+    assert "there is no such file" in refusal(missing, FileNotFoundError, task=TASK)
+    recording = rl.read_recording(saved)
+    (saved / "datapackage.json").unlink()
+    assert "with task=" in refusal(saved, FileNotFoundError)
+    alone = rl.read_recording(saved / "transitions.csv", task=TASK)
+    assert same(alone, recording)

@@ -3,13 +3,17 @@
 import json
 import os
 import platform
+import re
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.task_file import available_tasks
 
 ROOT = Path(__file__).parents[2]
@@ -100,3 +104,34 @@ def test_imports_run_downward_only():
     command = [str(Path(sys.executable).parent / "lint-imports"), "--no-cache"]
     run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert run.returncode == 0, run.stdout
+
+
+def test_the_page_reads_your_own_rows_as_it_says(tmp_path):
+    page = (ROOT / "datasets" / "README.md").read_text(encoding="utf-8")
+    section = page.split("## From your own rows")[1].split("\n## ")[0]
+    blocks = re.findall(r"```(\w+)\n(.*?)```", section, re.DOTALL)
+    assert [kind for kind, _ in blocks] == ["python", "text", "python"]
+    (_, from_list), (_, sheet), (_, from_sheet) = blocks
+    (tmp_path / "mine.csv").write_text(sheet, encoding="utf-8")
+    run = subprocess.run(
+        [sys.executable, "-c", from_list + from_sheet],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.strip() == from_sheet.split("# ")[1].strip()
+
+
+@pytest.mark.parametrize("name", DATASETS)
+def test_the_rows_of_a_dataset_alone_make_the_same_recording_and_model(name, tmp_path):
+    recording = rl.read_recording(name)
+    path = tmp_path / "mine.csv"
+    path.write_bytes((ROOT / "datasets" / name / "transitions.csv").read_bytes())
+    back = rl.read_recording(path, task=name)
+    for column in (*Transitions._fields, "episode", "step"):
+        np.testing.assert_array_equal(getattr(back, column), getattr(recording, column))
+    models = [rl.SampleModel.from_recording(rows) for rows in (recording, back)]
+    for field in fields(rl.SampleModel):
+        one, other = (getattr(model, field.name) for model in models)
+        np.testing.assert_array_equal(one, other)
