@@ -28,9 +28,8 @@ Real robots are in the package `rlrobot_ros`.
 import sys
 from types import SimpleNamespace
 
-if (
-    sys.platform == "emscripten"
-):  # Gymnasium imports locks between processes, which a browser does not have
+# Gymnasium imports locks between processes, which a browser does not have.
+if sys.platform == "emscripten":
 
     class _NoLock:
         SEM_VALUE_MAX = 0

@@ -66,10 +66,8 @@ def check_count(
         isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
     )
     if not (is_count or (or_none and number is None)):
-        expected, given = (
-            "None or a" if or_none else "a",
-            " ".join(f"{number!r:.200}".split()),
-        )  # in one line
+        expected = "None or a" if or_none else "a"
+        given = _in_a_line(f"{number!r:.200}")
         raise ValueError(
             f"{name} must be {expected} whole number of at least {least}, got {given}"
         )
@@ -126,30 +124,30 @@ def all_in_range(numbers: np.ndarray, n: float) -> bool:
 def first_difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
     for name in there | here:
-        # in one line
-        was, given = (
-            " ".join(str(facts.get(name, "missing")).split()) for facts in (there, here)
-        )
+        was = _in_a_line(there.get(name, "missing"))
+        given = _in_a_line(here.get(name, "missing"))
         if was != given:
             return f"{name} is {was:.200} in the {place}, {given:.200}"
     return ""
 
 
+def _in_a_line(given: object) -> str:
+    return " ".join(str(given).split())
+
+
 def file_and_line(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
-    lines = [
-        f.lineno
-        for f in traceback.extract_tb(error.__traceback__)
-        if f.filename == str(path)
-    ]
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if frame.filename == str(path)]
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 
 def describe_error(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
-        return f"there is no {error}; there are {' '.join(', '.join(map(str, names)).split())}"  # in one line
-    return f"{type(error).__name__}: {' '.join(str(error).split()):.500}"
+        known = ", ".join(str(name) for name in names)
+        return f"there is no {error}; there are {_in_a_line(known)}"
+    return f"{type(error).__name__}: {_in_a_line(error):.500}"
 
 
 def check_parts(what: str, parts: Iterable[tuple[str, object]]) -> None:

@@ -1,4 +1,4 @@
-"""From a task, a model learned from recordings or Gymnasium's own worlds to an environment that an agent can act in."""
+"""Make an environment from a task, a sample model or a Gymnasium id."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -25,7 +25,8 @@ World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
 def as_world(world: World | str | Path) -> World:
     """The task, the model, or what makes a Gymnasium environment: its spec or a function.
 
-    Raises ValueError if it is none of these, nor the name or path of a task; gymnasium.error.Error for an id unknown.
+    Raises ValueError if it is none of these and not the name or path of a task, and gymnasium.error.Error for an
+    unknown id.
     """
     world = resolve(world)
     if isinstance(world, gymnasium.Env):
@@ -47,7 +48,7 @@ def make_env(
     link: LinkedRobot | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
-    """The environment of a task: its robot in its scene. Or the one that a sample model remembers, or Gymnasium's.
+    """The environment of a task, with its robot in its scene; or that of a sample model, or one of Gymnasium.
 
     Parameters
     ----------
@@ -61,11 +62,11 @@ def make_env(
         for an arm. None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not
         installed, geometry alone (it says so on stderr).
     realism : Realism, optional
-        Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
+        Imperfections to simulate, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : RenderMode, optional
         ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`.
     link : RobotLink, optional
-        A robot that is on now, a ``rlrobot_ros.RobotLink``; then nothing is simulated.
+        A link to a real robot that is switched on, a ``rlrobot_ros.RobotLink``; then nothing is simulated.
     **options
         Further arguments of the robot's class, of ``gymnasium.make`` or of the function.
 
@@ -96,7 +97,8 @@ def make_env(
         raise ValueError(
             "only a task has a robot: leave engine, realism and link out of any other world"
         )
-    options |= {} if render_mode is None else {"render_mode": render_mode}
+    if render_mode is not None:
+        options["render_mode"] = render_mode
     if isinstance(world, SampleModel):
         return SampleModelEnv(world, seed, **options)
     env = (
@@ -109,5 +111,6 @@ def make_env(
             f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}"
         )
     if seed is not None:
-        env.reset(seed=int(generator(seed, ENVIRONMENT).integers(2**31)))
+        its_seed = generator(seed, ENVIRONMENT).integers(2**31)
+        env.reset(seed=int(its_seed))
     return env

@@ -1,11 +1,11 @@
-"""What the package answers when it is asked for a name that it does not offer."""
+"""The errors for names that the package does not have, or cannot load."""
 
 from collections.abc import Callable, Collection
 from typing import Any, NoReturn
 
 from rlrobot_edu.checks import did_you_mean
 
-# By name, the module of what can be had, but not as `rlrobot_edu.NAME`.
+# The module of each name that exists, but not as `rlrobot_edu.NAME`.
 ELSEWHERE = {
     "BiasExplorer": "rlrobot_edu.widgets.bias_explorer.explorer",
     "Film": "rlrobot_edu.show.film",
@@ -27,7 +27,7 @@ ELSEWHERE = {
 
 
 def no_such_name(name: str, public: Collection[str]) -> AttributeError:
-    """The error that says where a name is to be found, or the nearest one."""
+    """The error that says where a name can be found, or that suggests the nearest one."""
     if name in ELSEWHERE:
         module = ELSEWHERE[name]
         return AttributeError(
@@ -41,9 +41,9 @@ def no_such_name(name: str, public: Collection[str]) -> AttributeError:
 
 
 def without_extra(missing: ImportError) -> Callable[..., NoReturn]:
-    """What stands for a name that needs a package which is not installed.
+    """A function in place of a name that needs a package which is not installed.
 
-    The name can be had, so `hasattr` and ``import *`` work; a call says what to install.
+    So `hasattr` and ``import *`` work; a call says what to install.
     """
 
     def needs_more(*_: Any, **__: Any) -> NoReturn:

@@ -15,6 +15,7 @@ from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repetitions import Key, learner, repetition, run, tried
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import EPISODE_STEPS, MOST_STEPS
 from rlrobot_edu.learning.methods import Method, made_of
@@ -57,10 +58,10 @@ def compare(
     repetitions : int
         Repetitions of each method.
     steps : int, optional
-        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the
-        repetition ends after as many episodes as fit into `steps` if all are that long; at least one must.
+        Steps of each repetition, 3600 by default. Where an episode is cut off after some steps, the repetition
+        ends after as many of the longest episodes as fit into `steps`; at least one must fit.
     episodes : int, optional
-        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of
+        Episodes of each repetition; then `steps` may be left out. Where nothing cuts an episode off, all of
         them together may take `steps`, or 10,000 each.
     seed : int
         Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of
@@ -73,7 +74,7 @@ def compare(
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
-        Weaknesses of the robot, see `make_env`; None is the ideal one.
+        Imperfections to simulate, see `make_env`; None is the ideal robot.
     engine : Engine, optional
         The simulator of the robot, see `make_env`: all repetitions, on whatever core.
     progress : bool
@@ -91,8 +92,8 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
-        have, episodes that do not end, and a store of another experiment, or a damaged one.
+        For unknown methods or settings, a share outside 1 to n, a realism or engine that the robot cannot have,
+        episodes that do not end, and a store of another experiment, or a damaged one.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -103,7 +104,9 @@ def compare(
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
     _check_share(share)
     if "method" in settings:
-        raise ValueError("name the methods in methods=; method= is no argument here")
+        raise ValueError(
+            "name the methods in methods=; method= is not an argument of compare"
+        )
     length = {**_length(env, steps, episodes), "keep": keep}
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
@@ -117,20 +120,15 @@ def compare(
             )
     kept = None
     if store is not None:
-        facts: dict[str, Any] = {
-            "methods": {label: agent.method.name for label, agent in agents.items()}
-        }
-        for label, agent in agents.items():
-            parameters = dataclasses.asdict(agent.parameters) | made_of(agent.method)
-            facts |= {f"{name} of {label}": value for name, value in parameters.items()}
+        facts = _facts_of_agents(agents)
         facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
-        kept = Store(
-            store, {**facts, "realism": str(realism), "engine": robot["engine"]}
-        )
+        facts |= {"realism": str(realism), "engine": robot["engine"]}
+        kept = Store(store, facts)
         kept.begin(world)
     bar = None
     if progress:
-        bar = next(iter(agents)) if len(agents) == 1 else f"{len(agents)} methods"
+        (first, *others) = agents
+        bar = f"{len(agents)} methods" if others else first
     runs = run(
         jobs,
         threads=isinstance(world, SampleModel),
@@ -177,6 +175,17 @@ def repeat(
     return runs
 
 
+def _facts_of_agents(agents: Mapping[str, Agent]) -> dict[str, Any]:
+    """The methods and parameters of the agents of each label, by name."""
+    facts: dict[str, Any] = {}
+    facts["methods"] = {label: agent.method.name for label, agent in agents.items()}
+    for label, agent in agents.items():
+        parameters = dataclasses.asdict(agent.parameters) | made_of(agent.method)
+        for name, value in parameters.items():
+            facts[f"{name} of {label}"] = value
+    return facts
+
+
 def _check_share(share: object) -> None:
     """Raises ValueError unless this is the k-th of n shares."""
     if isinstance(share, tuple) and [type(part) for part in share] == [int, int]:
@@ -194,44 +203,44 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
     if longest is not None and episodes is None:
-        steps = max(STEPS, longest) if steps is None else steps
+        if steps is None:
+            steps = max(STEPS, longest)
         episodes = steps // longest
         if episodes == 0:
             raise ValueError(
                 f"an episode may take {longest} steps, more than {steps}; give more steps"
             )
     if episodes is None:
-        return {"steps": STEPS if steps is None else steps, "episodes": None}
+        return {"steps": steps or STEPS, "episodes": None}
     if longest is None and not can_end(env):
         raise ValueError(
             "this task goes on for ever and has no episodes; give steps= instead of episodes="
         )
     most = episodes * (longest or EPISODE_STEPS)
-    return {"steps": min(most, steps or MOST_STEPS), "episodes": episodes}
+    most = min(most, steps or MOST_STEPS)
+    return {"steps": most, "episodes": episodes}
 
 
 def _by_label(
     methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]],
 ) -> dict[str, dict[str, Any]]:
-    """What is given for the agents of each label; where there is no method, the label is one."""
+    """The settings of the agents of each label; without a method, the label is taken as the method."""
+    labels: list[str] = []
+    settings: list[dict[str, Any]] = []
     if isinstance(methods, Mapping):
-        if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
-            raise ValueError(
-                "a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
-            )
-        labels = [str(label) for label in methods]
-        settings = [
-            {"method": label, **parameters} for label, parameters in methods.items()
-        ]
+        for label, parameters in methods.items():
+            if not isinstance(parameters, Mapping):
+                raise ValueError(
+                    "a label needs parameters by name: {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
+                )
+            labels.append(str(label))
+            settings.append({"method": label, **parameters})
     else:
         if isinstance(methods, str) or not isinstance(methods, Iterable):
             methods = [methods]
-        methods = list(methods)
-        labels = [
-            method.name if isinstance(method, Method) else str(method)
-            for method in methods
-        ]
-        settings = [{"method": method} for method in methods]
+        for method in methods:
+            labels.append(method.name if isinstance(method, Method) else str(method))
+            settings.append({"method": method})
     if not labels:
         raise ValueError("a comparison needs at least one method")
     if len(set(labels)) < len(labels):

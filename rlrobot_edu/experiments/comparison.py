@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 class Comparison(Tabled, Mapping[str, Runs]):
     """The repetitions of several methods in one world.
 
-    A mapping that cannot be changed: ``result["TOSL+SR"][3]`` is a History. `only` gives
-    a comparison of some of the methods.
+    A read-only mapping from labels to repetitions: ``result["TOSL+SR"][3]`` is a
+    `History`. `only` gives a comparison of some of the methods.
 
     Parameters
     ----------
@@ -56,14 +56,14 @@ class Comparison(Tabled, Mapping[str, Runs]):
     def load(
         cls, path: str | Path, world: World | str | Path | None = None
     ) -> "Comparison":
-        """Read the finished repetitions from a store of `compare`; nothing is run.
+        """Read the finished repetitions from a store of `compare`; run nothing.
 
         Parameters
         ----------
         path : str or Path
             The store's folder.
         world : Task, str, Path, SampleModel, EnvSpec or function, optional
-            What `compare` was given, if it is a task or an environment of your own.
+            Needed only if `compare` was given a task or an environment of your own.
 
         Returns
         -------
@@ -73,8 +73,8 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Raises
         ------
         ValueError
-            If the folder is no store, if nothing has been finished in it, if a file is
-            damaged, or if the store was made in another world.
+            If the folder is not a store, if no repetition in it is finished, if a file
+            is damaged, or if the store was made in another world.
         """
         store = Store.at(path)
         runs = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
@@ -84,22 +84,22 @@ class Comparison(Tabled, Mapping[str, Runs]):
         return cls(store.world(world), finished)
 
     def only(self, *labels: str) -> "Comparison":
-        """A comparison of some of the methods: tests and curves of these alone.
+        """A comparison of these methods alone, for further tests and curves.
 
         Parameters
         ----------
         *labels : str
-            The methods, in the order in which they are shown.
+            The methods to keep, in the order in which to show them.
 
         Returns
         -------
         Comparison
-            The same repetitions of these methods.
+            The same repetitions of these methods, and no others.
 
         Raises
         ------
         ValueError
-            If there is no label, or one that this comparison lacks.
+            If no label is given, or if one is unknown.
         """
         if not labels:
             raise ValueError("only() needs at least one method")
@@ -110,17 +110,19 @@ class Comparison(Tabled, Mapping[str, Runs]):
     @property
     def name(self) -> str:
         """The name of the task, environment or function, or ``model``."""
-        named = getattr(self.world, "__name__", "model")
-        return str(getattr(self.world, "name", named))
+        for attribute in ("name", "__name__"):
+            if hasattr(self.world, attribute):
+                return str(getattr(self.world, attribute))
+        return "model"
 
     @property
     def final(self) -> dict[str, np.ndarray]:
         """Final average reward of each repetition, by label.
 
-        In an episodic task, that of the last episode. Numbers that differ by rounding
-        alone are made equal.
+        In an episodic task it is that of the last episode. Numbers that differ by
+        rounding alone are made equal.
         """
-        # A sum of n rewards is rounded n times, up or down, which makes √n.
+        # The rounding errors of a sum of n rewards add up like a random walk: as √n.
         scale = max(
             np.abs(history.rewards).max() * math.sqrt(len(history))
             for runs in self.values()
@@ -132,7 +134,9 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     @property
     def optimum(self) -> float | None:
-        """Best achievable average reward in a sample model; None for a robot, where it is unknown.
+        """The best achievable average reward in a sample model.
+
+        None for a robot, where it is unknown.
 
         Raises
         ------
@@ -154,7 +158,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Raises
         ------
         ValueError
-            For too few repetitions.
+            If there are fewer than two methods with two repetitions each.
         """
         return Anova.of(list(self.final.values()))
 
@@ -169,17 +173,17 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Raises
         ------
         ValueError
-            For too few repetitions.
+            If there are fewer than two methods with two repetitions each.
         """
         return Tukey.of(self.final)
 
     def table(self) -> Table:
-        """Final average reward of each method: mean and its 95 % interval, spread; and what a step cost.
+        """Final average reward of each method: mean, 95 % interval and spread, and the time of a step.
 
         Returns
         -------
         Table
-            One row a method.
+            One row for each method.
         """
         columns = [
             "method",
@@ -195,7 +199,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         return Table(f"Final average reward in {self.name}", columns, rows)
 
     def _row(self, label: str, final: np.ndarray) -> list[object]:
-        """The cells of one method."""
+        """The cells of one method in the table."""
         interval = None
         deviation = None
         if len(final) > 1:
@@ -215,7 +219,9 @@ class Comparison(Tabled, Mapping[str, Runs]):
         ]
 
     def plot(self, *, title: str | None = None) -> "Picture":
-        """Mean learning curves with bands of their 95 % intervals; on a sample model, the best achievable as a line.
+        """Mean learning curves, each with a band: the 95 % interval of the mean.
+
+        In a sample model, a line shows the best achievable average reward.
 
         Parameters
         ----------
@@ -225,16 +231,17 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Returns
         -------
         Picture
-            The figure; for axes of your own see `plot_learning`.
+            The figure. To draw on axes of your own, see `plot_learning`.
         """
-        # Imported here: numbers alone need no matplotlib.
+        # Imported here, so that the numbers alone need no matplotlib.
         from rlrobot_edu.show.curves import plot_curves, steps_of
 
         if title is None:
             title = f"How the average reward develops in {self.name}"
-        x = steps_of(self.values())
-        seconds = getattr(self.world, "step_time", None)
-        if seconds:
-            x += f" ({seconds:g} s each)"
+        x_label = steps_of(self.values())
+        step_time = getattr(self.world, "step_time", None)
+        if step_time:
+            x_label += f" ({step_time:g} s each)"
         curves = [(label, runs.curves) for label, runs in self.items()]
-        return cast("Picture", plot_curves(curves, x, title, None, self.optimum))
+        picture = plot_curves(curves, x_label, title, None, self.optimum)
+        return cast("Picture", picture)

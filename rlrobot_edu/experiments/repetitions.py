@@ -1,4 +1,4 @@
-"""What a repetition does, and how many of them are run on all cores."""
+"""One repetition of an experiment, and all of them on all cores."""
 
 from collections.abc import Callable, Mapping
 from copy import copy
@@ -88,12 +88,12 @@ def run(
     bar: str | None = None,
     share: tuple[int, int] = (1, 1),
 ) -> dict[str, Runs]:
-    """All repetitions by label: those in the store, and the others, run now.
+    """All repetitions by label: those in the store, and the others, which are run now.
 
     jobs: what each repetition does
     threads: whether they run in threads, as compiled loops do, and not in processes;
-        inside ``with joblib.parallel_config(...)`` they run wherever that says
-    bar: what a progress bar says; None for no bar
+        ``with joblib.parallel_config(...)`` can choose another place
+    bar: the text of a progress bar; None for no bar
     share: (k, n) runs, and returns, the k-th of n shares: each n-th repetition of all
     """
     first, stride = share

@@ -12,12 +12,11 @@ from rlrobot_edu.learning.history import History
 def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Curves as rows of one array, as long as the longest; NaN where a shorter one has ended."""
     longest = max(map(len, curves), default=0)
-    return np.array(
-        [
-            np.pad(curve, (0, longest - len(curve)), constant_values=np.nan)
-            for curve in curves
-        ]
-    )
+    rows = []
+    for curve in curves:
+        missing = longest - len(curve)
+        rows.append(np.pad(curve, (0, missing), constant_values=np.nan))
+    return np.array(rows)
 
 
 class Runs(UserList[History]):  # whose slices and sums are Runs, too
@@ -30,11 +29,9 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
     """
 
     def __repr__(self) -> str:
-        return (
-            f"<{len(self)} repetitions of {self[0].method}>"
-            if self
-            else "<no repetitions>"
-        )
+        if not self:
+            return "<no repetitions>"
+        return f"<{len(self)} repetitions of {self[0].method}>"
 
     @property
     def curves(self) -> NDArray[np.float64]:
@@ -42,12 +39,12 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
 
         Where a repetition is shorter than the longest, its row ends in NaN.
         """
-        return padded(
-            [
-                h.average_reward if h.size.episode_steps is None else h.last_episode
-                for h in self
-            ]
-        )
+        curves = []
+        for history in self:
+            is_episodic = history.size.episode_steps is not None
+            its_curve = history.last_episode if is_episodic else history.average_reward
+            curves.append(its_curve)
+        return padded(curves)
 
     @property
     def final(self) -> NDArray[np.float64]:

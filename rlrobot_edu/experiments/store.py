@@ -18,15 +18,12 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
 from rlrobot_edu.task.task import Task
 
-DESCRIPTION, MODEL = "experiment.json", "model.npz"
-NEEDED = {
-    "methods": dict,
-    "seed": int,
-    "world": str,
-}  # by which a store is opened without the call
-METHOD = re.compile(
-    r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}"
-)  # such a name is a folder's on every system
+DESCRIPTION = "experiment.json"
+MODEL = "model.npz"
+# These facts are needed to open a store without the call that made it.
+NEEDED = {"methods": dict, "seed": int, "world": str}
+# Such a name can be a folder's on every system.
+METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")
 
 
 class Store:
@@ -35,15 +32,14 @@ class Store:
     folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers;
     its ``methods`` are those of the agents, by label
 
-    A history keeps its origin, so a file of another experiment, or under another name, is found out.
+    A history keeps its origin, so we notice a file of another experiment, or one under another name.
     """
 
     def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
         self.folder = Path(folder)
-        # NumPy's numbers become Python's
-        self.facts: dict[str, Any] = json.loads(
-            json.dumps(facts, default=np.generic.item)
-        )
+        # NumPy's numbers become Python's.
+        text = json.dumps(facts, default=np.generic.item)
+        self.facts: dict[str, Any] = json.loads(text)
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
@@ -65,14 +61,14 @@ class Store:
             ) from error
 
     def begin(self, world: World) -> None:
-        """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
+        """Go on with the experiment in this folder, or begin it. If its world is a model, the store keeps the model.
 
         Raises ValueError that says what differs if the folder has another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
-            if differ := first_difference(
-                Store.at(self.folder).facts, self.facts, "store"
-            ):
+            there = Store.at(self.folder).facts
+            differ = first_difference(there, self.facts, "store")
+            if differ:
                 raise ValueError(
                     f"{self.folder} has another experiment: {differ} in this call; take another"
                 )
@@ -86,10 +82,10 @@ class Store:
 
     def path(self, label: str, number: int) -> Path:
         """The file of one repetition."""
-        if not METHOD.fullmatch(
-            label
-        ):  # a readable part, and what tells it from all other labels
-            label = f"{re.sub(r'[^A-Za-z0-9+=-]+', '_', label)[:40]}_{sha256(label.encode())[:8]}"
+        if not METHOD.fullmatch(label):
+            readable = re.sub(r"[^A-Za-z0-9+=-]+", "_", label)[:40]
+            unique = sha256(label.encode())[:8]
+            label = f"{readable}_{unique}"
         return self.folder / label / f"{number:04d}.npz"
 
     def _origin(self, label: str, number: int) -> str:
@@ -97,18 +93,18 @@ class Store:
 
     def save(self, label: str, number: int, history: History) -> None:
         """Keep one repetition. It is on disk on return."""
-        replace(history, origin=self._origin(label, number)).save(
-            self.path(label, number)
-        )
+        kept = replace(history, origin=self._origin(label, number))
+        kept.save(self.path(label, number))
 
     def load(self, label: str, number: int) -> History | None:
         """One repetition; None if it has not been kept yet. Raises ValueError that names a damaged file."""
         path = self.path(label, number)
         if not path.is_file():
             return None
+        due = self._origin(label, number)
         try:
             history = History.load(path)
-            if history.origin != (due := self._origin(label, number)):
+            if history.origin != due:
                 raise ValueError(
                     f"{path}: it is {history.origin or 'of none'!r:.200}, expected {due!r:.200}"
                 )
@@ -122,11 +118,8 @@ class Store:
         """The repetitions of one method that are kept, in order. Raises ValueError that names a damaged file."""
         stems = [path.stem for path in self.path(label, 0).parent.glob("*.npz")]
         numbers = sorted({int(stem) for stem in stems if stem.isdecimal()})
-        return [
-            history
-            for number in numbers
-            if (history := self.load(label, number)) is not None
-        ]
+        kept = [self.load(label, number) for number in numbers]
+        return [history for history in kept if history is not None]
 
     def world(self, world: World | str | Path | None = None) -> World:
         """Where the methods learned: what is given, or else the model kept here, or what the store names.
@@ -144,9 +137,9 @@ class Store:
                     f"{self.folder}: it was made in {named}, which it lacks; give it as world="
                 )
         world = as_world(world)
-        if differ := first_difference(
-            self.facts, self.facts | Store("", facts_of(world)).facts, "store"
-        ):
+        here = self.facts | Store("", facts_of(world)).facts
+        differ = first_difference(self.facts, here, "store")
+        if differ:
             raise ValueError(
                 f"{self.folder} was made in another world: {differ} here; give it as world="
             )
@@ -172,19 +165,16 @@ def facts_of(world: World) -> dict[str, Any]:
         }
     if not isinstance(world, Task):
         return {"world": "what a function makes", "what makes it": code_of(world)}
-    parts = (
-        "robot",
-        "scene",
-        "inputs",
-        "outputs",
-        "rewards",
-        "step_time",
-        "episode_steps",
-        "goal_steps",
-    )
     facts = {
         "world": f"the task {world.name}",
-        **{name: str(getattr(world, name)) for name in parts},
+        "robot": world.robot,
+        "scene": str(world.scene),
+        "inputs": str(world.inputs),
+        "outputs": str(world.outputs),
+        "rewards": str(world.rewards),
+        "step_time": str(world.step_time),
+        "episode_steps": str(world.episode_steps),
+        "goal_steps": str(world.goal_steps),
     }
     facts["the content of the task's file"] = world.fingerprint[:16]
     for name in ("reward", "command", "goal"):

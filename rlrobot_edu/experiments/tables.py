@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Table:
     """Rows of words and numbers under named columns.
 
-    caption: what the table is; columns: names; rows: cells, `None` where there is nothing to say
+    caption: what the table shows; columns: names; rows: cells, `None` for an empty one
     """
 
     caption: str
@@ -21,37 +21,37 @@ class Table:
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
         formats = [f"{sign}{width}" for sign, width in zip(flush, widths, strict=True)]
-        rows = ("  ".join(map(format, line, formats)).rstrip() for line in lines)
-        return "\n".join([_in_a_line(self.caption), "", *rows])
+        shown = [_in_a_line(self.caption), ""]
+        for line in lines:
+            shown.append("  ".join(map(format, line, formats)).rstrip())
+        return "\n".join(shown)
 
     def _repr_html_(self) -> str:
         flush, (head, *body) = self.lines(html.escape)
         sides = ["right" if sign == ">" else "left" for sign in flush]
 
         def row(cells: Sequence[str], tag: str) -> str:
-            both = zip(sides, cells, strict=True)
-            shown = (
-                f'<{tag} style="text-align: {side}">{cell}</{tag}>'
-                for side, cell in both
-            )
-            return f"<tr>{''.join(shown)}</tr>"
+            shown = ""
+            for side, cell in zip(sides, cells, strict=True):
+                shown += f'<{tag} style="text-align: {side}">{cell}</{tag}>'
+            return f"<tr>{shown}</tr>"
 
-        title = f"<caption>{html.escape(self.caption)}</caption><thead>{row(head, 'th')}</thead>"
-        return f"<table>{title}<tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
+        title = f"<caption>{html.escape(self.caption)}</caption>"
+        names = f"<thead>{row(head, 'th')}</thead>"
+        rows = "".join(row(cells, "td") for cells in body)
+        return f"<table>{title}{names}<tbody>{rows}</tbody></table>"
 
     def lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
-        """On which side each column is flush, numbers on the right (>); and cells as text, names first."""
-        columns = (
-            zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
-        )
-        flush = [
-            ">" if any(isinstance(cell, float | int) for cell in column) else "<"
-            for column in columns
-        ]
-        return flush, [
-            [escape(as_text(cell)) for cell in row]
-            for row in (self.columns, *self.rows)
-        ]
+        """The side of each column, right (>) for numbers; and the cells as text, with a first line of names."""
+        flush = ["<"] * len(self.columns)
+        for row in self.rows:
+            for i, cell in enumerate(row):
+                if isinstance(cell, float | int):
+                    flush[i] = ">"
+        lines = []
+        for row in (self.columns, *self.rows):
+            lines.append([escape(as_text(cell)) for cell in row])
+        return flush, lines
 
 
 def _in_a_line(text: str) -> str:
@@ -76,10 +76,8 @@ def as_text(cell: object) -> str:
         return "" if cell is None else str(cell)
     if cell != 0 and abs(cell) < 5e-4:
         return f"{cell:.2e}"
-    return (
-        f"{cell:.4f}"
-        if abs(cell) < 0.1
-        else f"{cell:.2f}"
-        if abs(cell) >= 1
-        else f"{cell:.3f}"
-    )
+    if abs(cell) < 0.1:
+        return f"{cell:.4f}"
+    if abs(cell) >= 1:
+        return f"{cell:.2f}"
+    return f"{cell:.3f}"

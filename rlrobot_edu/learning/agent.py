@@ -110,26 +110,24 @@ class Agent:
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)
-        if (
-            r_max is None
-        ):  # where all rewards are negative, only a softmax needs a scale
-            r_max = (
-                size.r_max
-                if size.r_max > 0 or self.method.selection.is_softmax
-                else Parameters.r_max
-            )
-        given = (
-            alpha,
-            gamma,
-            lam,
-            temperature,
-            epsilon,
-            traces,
-            accumulating,
-            loop_evasion,
-            r_max,
+        if r_max is None:
+            r_max = size.r_max
+            # Where all rewards are negative, only a softmax needs a scale.
+            if r_max <= 0 and not self.method.selection.is_softmax:
+                r_max = Parameters.r_max
+        parameters = Parameters(
+            alpha=alpha,
+            gamma=gamma,
+            lam=lam,
+            temperature=temperature,
+            epsilon=epsilon,
+            traces=traces,
+            accumulating=accumulating,
+            loop_evasion=loop_evasion,
+            r_max=r_max,
+            planning_steps=planning_steps,
         )
-        self.parameters = self._checked(Parameters(*given, planning_steps))
+        self.parameters = self._checked(parameters)
         if gamma == 1 and not can_end(world):
             raise ValueError(
                 "gamma must be below 1 where no episode ends for good: values would be endless"
@@ -137,22 +135,26 @@ class Agent:
         self.seed = seed
         self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
-        self.experience: Experience | None = None  # what a planner knows
+        # What a planner knows
+        self.experience: Experience | None = None
         if self.method.planner:
             self.experience = new_experience(
                 size.n_states, size.n_actions, self.method.planner
             )
-        self.pending: tuple[int, int] | None = (
-            None  # state and chosen action of an episode that still runs
-        )
-        self.resume_point: ResumePoint | None = (
-            None  # where it can go on; None within a step, too
-        )
+        # State and chosen action of an episode that is still running
+        self.pending: tuple[int, int] | None = None
+        # Where it can go on; None within a step
+        self.resume_point: ResumePoint | None = None
 
     def __repr__(self) -> str:
-        size = "{} states, {} actions".format(*self.q.shape)
-        planner = f", {self.method.planner.name}" if self.method.planner else ""
-        return f"<Agent {self.method.name}{planner}: {size}, {self.visits.sum()} steps>"
+        n_states, n_actions = self.q.shape
+        name = self.method.name
+        if self.method.planner:
+            name += f", {self.method.planner.name}"
+        n_steps = self.visits.sum()
+        return (
+            f"<Agent {name}: {n_states} states, {n_actions} actions, {n_steps} steps>"
+        )
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -236,7 +238,7 @@ class Agent:
             If there is no such state or action, or if the reward is not finite.
         """
         s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
-        x = self.experience = self.experience and with_room(self.experience, 1)
+        x = self._make_room()
 
         def one_step(kernels: StepKernels) -> Any:
             real = (s, a, r, s_next, bool(terminated), self.rng.random())
@@ -245,7 +247,9 @@ class Agent:
             return kernels.planned_step(self.memory, x, *real, self.rng)
 
         a_next, delta = self._guarded(one_step)
-        return (None if terminated else int(a_next)), float(delta)
+        if terminated:
+            return None, float(delta)
+        return int(a_next), float(delta)
 
     def update(
         self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool
@@ -272,7 +276,7 @@ class Agent:
             a_next = 0  # after the end nothing is chosen
         _, a_next = check_pair(self.memory.q.shape, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
-        x = self.experience = self.experience and with_room(self.experience, 1)
+        x = self._make_room()
 
         def one_update(kernels: StepKernels) -> float:
             delta = float(kernels.update(self.memory, *real))
@@ -282,13 +286,20 @@ class Agent:
 
         return self._guarded(one_update)
 
+    def _make_room(self) -> Experience | None:
+        """What a planner knows, with room for one outcome more; None without a planner."""
+        if self.experience is not None:
+            self.experience = with_room(self.experience, 1)
+        return self.experience
+
     def _guarded(self, one_step: Callable[[StepKernels], T]) -> T:
         return guarded(self.method, self.memory, self.experience, self.rng, one_step)
 
     def frozen(self) -> "Agent":
-        """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.
+        """A copy that acts as this agent does and learns no more: its Q stays.
 
-        It draws the random numbers that the agent would draw next; from then on the two share nothing.
+        It works wherever an agent does. It draws the random numbers that the agent would draw next; from then on the
+        two share nothing.
 
         Returns
         -------
@@ -296,9 +307,8 @@ class Agent:
             The copy.
         """
         still = deepcopy(self)
-        still.method = Method(
-            self.method.algorithm._replace(update=no_update), self.method.selection
-        )
+        algorithm = self.method.algorithm._replace(update=no_update)
+        still.method = Method(algorithm, self.method.selection)
         still.experience = None
         return still
 
@@ -308,26 +318,25 @@ class Agent:
         Parameters
         ----------
         **parameters
-            Any of the agent's, but not planner, gamma, lam and traces, which set the size of its memory.
+            Any of the agent's except planner, gamma, lam and traces, which set the size of its memory.
 
         Raises
         ------
         ValueError
             For another parameter, or a value out of its domain.
         """
-        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
+        fixed = {"planner", "gamma", "lam", "traces"}.intersection(parameters)
+        if fixed:
             raise ValueError(
                 f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent"
             )
         for name in parameters:
             check_name(name, Parameters.__annotations__, "parameter", "an agent")
-        self.parameters = self._checked(
-            dataclasses.replace(self.parameters, **parameters)
-        )
+        changed = dataclasses.replace(self.parameters, **parameters)
+        self.parameters = self._checked(changed)
         set_parameters(self.memory, self.parameters)
-        if {"temperature", "loop_evasion"}.intersection(
-            parameters
-        ):  # a loop that goes on raises it again
+        if "temperature" in parameters or "loop_evasion" in parameters:
+            # If a loop goes on, loop evasion raises it again.
             self.memory.now.temperature = self.parameters.temperature
 
     def _checked(self, parameters: Parameters) -> Parameters:
@@ -355,19 +364,22 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite or nearly so; if the file's name ends like that of another kind of file.
+            If an action value is not finite or exceeds 1e300, or if the file's name ends like that of another kind
+            of file.
         OSError
             If the file cannot be written.
         """
         if not self._is_sound():
             raise ValueError(
-                f"{path}: q of this agent is out of range, so it could not be read again"
+                f"{path}: an action value is not finite or exceeds 1e300 (learning has diverged); nothing was saved"
             )
         about = {
             "method": {"the method": self.method.name} | made_of(self.method),
             "settings": dataclasses.asdict(self.parameters),
-            "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
-        }  # fmt: skip
+            "shape": self.shape,
+            "n_actions": self.q.shape[1],
+            "rng": self.rng.bit_generator.state,
+        }
         save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
 
     @classmethod
@@ -379,8 +391,8 @@ class Agent:
         path : str or Path
             The file.
         method : Method, optional
-            The agent's, if it has parts that are not the toolkit's: a file holds no code, but a short name of it, to
-            compare.
+            The agent's method, if it has parts that are not the toolkit's. The file does not hold their code, only a
+            short name of it, to compare.
 
         Returns
         -------
@@ -403,21 +415,14 @@ class Agent:
                 )
             its_method = method or parse_method(name, planner)
             given = {"the method": its_method.name} | made_of(its_method)
-            if differ := first_difference(about["method"], given, "file"):
+            differ = first_difference(about["method"], given, "file")
+            if differ:
                 return f"this agent's method is not the one that was given: {differ} in this call"
-            agent = cls(
-                Size(about["shape"], about["n_actions"]),
-                its_method,
-                **about["settings"],
-            )
+            size = Size(about["shape"], about["n_actions"])
+            agent = cls(size, its_method, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
-            check_parts(
-                "agent",
-                [
-                    (name, arrays[name].shape == agent.q.shape)
-                    for name in ("q", "visits")
-                ],
-            )
+            for name, table in (("q", agent.q), ("visits", agent.visits)):
+                check_parts("agent", [(name, arrays[name].shape == table.shape)])
             np.copyto(agent.q, arrays["q"], casting="equiv")
             np.copyto(agent.visits, arrays["visits"], casting="equiv")
             check_parts("agent", [("q or visits", agent._is_sound())])
@@ -430,4 +435,5 @@ class Agent:
 
     def _is_sound(self) -> bool:
         """Whether learning can have left the tables like that."""
-        return bool((np.abs(self.q) <= LARGEST_KEPT).all() and (self.visits >= 0).all())
+        is_finite = (np.abs(self.q) <= LARGEST_KEPT).all()
+        return bool(is_finite and (self.visits >= 0).all())

@@ -82,8 +82,10 @@ class History:
         return len(self.rewards)
 
     def __repr__(self) -> str:
-        last = f", average reward {self.average_reward[-1]:.3f}" if len(self) else ""
-        return f"<History of {self.method}: {len(self)} steps{last}>"
+        text = f"History of {self.method}: {len(self)} steps"
+        if len(self):
+            text += f", average reward {self.average_reward[-1]:.3f}"
+        return f"<{text}>"
 
     @property
     def rewards(self) -> NDArray[np.float64]:
@@ -141,25 +143,29 @@ class History:
         """
         after, rest = self._rest()
         total = np.cumsum(self.rewards) + np.cumsum(after * rest)
-        return np.divide(total, np.arange(1, len(self) + 1) + np.cumsum(rest))
+        steps = np.arange(1, len(self) + 1) + np.cumsum(rest)
+        return np.divide(total, steps)
 
     @property
     def last_episode(self) -> np.ndarray:
         """The learning curve within the last finished episode, its goal counted as above; array (episode_steps,).
 
-        Where no episode has ended yet it is that of the steps so far. Of an episode that began before this history it
-        is what comes after the steps `before`, which count in each average.
+        If no episode has ended yet, it is the curve of the steps so far. If the episode began before this history, the
+        curve begins after the steps `before`, which count in each average.
         """
         ends = self._ends()
-        first = ends[-2] + 1 if len(ends) > 1 else 0
-        before = ResumePoint() if len(ends) > 1 else self.before
+        first = 0
+        before = self.before
+        if len(ends) > 1:
+            first = ends[-2] + 1
+            before = ResumePoint()
         last = ends[-1] if len(ends) else len(self) - 1
         after, rest = self._rest()
         goal = np.repeat(after[last : last + 1], rest[last : last + 1])
         rewards = np.append(self.rewards[first : last + 1], goal)
-        return (before.reward + np.cumsum(rewards)) / (
-            before.steps + np.arange(1, len(rewards) + 1)
-        )
+        total = before.reward + np.cumsum(rewards)
+        steps = before.steps + np.arange(1, len(rewards) + 1)
+        return total / steps
 
     @property
     def final_average_reward(self) -> float:
@@ -174,19 +180,15 @@ class History:
             raise ValueError(
                 "a history without steps has no average reward; learn for at least 1 step"
             )
-        return float(
-            (
-                self.average_reward
-                if self.size.episode_steps is None
-                else self.last_episode
-            )[-1]
-        )
+        if self.size.episode_steps is None:
+            return float(self.average_reward[-1])
+        return float(self.last_episode[-1])
 
     @property
     def returns(self) -> np.ndarray:
         """Sum of the rewards of each finished episode, from its first step, array (episodes,).
 
-        So an episode that was cut by resuming counts once, in the history in which it ends.
+        So an episode that was resumed counts once, in the history in which it ends.
         """
         totals = np.cumsum(self.rewards)[self._ends()]
         return np.diff(totals, prepend=-self.before.reward)
@@ -207,8 +209,11 @@ class History:
             If the file cannot be written.
         """
         about = {
-            name: getattr(self, name)
-            for name in ("method", "seconds", "size", "origin", "before")
+            "method": self.method,
+            "seconds": self.seconds,
+            "size": self.size,
+            "origin": self.origin,
+            "before": self.before,
         }
         arrays = {**self.transitions._asdict(), **self.learned._asdict()}
         save_arrays(path, "history", about, arrays, packed=False)  # packing takes long
@@ -238,9 +243,8 @@ class History:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             about["size"] = Size.of(Size(*about["size"]))
             about["before"] = ResumePoint(*about["before"])
-            transitions = Transitions._make(
-                arrays[name] for name in Transitions._fields
-            )
+            columns = [arrays[name] for name in Transitions._fields]
+            transitions = Transitions._make(columns)
             learned = Learned._make(arrays[name] for name in Learned._fields)
             history = cls(transitions=transitions, learned=learned, **about)
             check_parts("history", history._parts())
@@ -253,40 +257,40 @@ class History:
         yield "before", type(self.before.steps) is int and self.before.steps >= 0
         yield "before", np.isfinite(self.before.reward)
         n_states = self.size.n_states
-        limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
-        limits |= {
-            "pair": n_states * self.size.n_actions,
+        n_actions = self.size.n_actions
+        limits = {
+            "s": n_states,
+            "a": n_actions,
+            "s_next": n_states,
+            "pair": n_states * n_actions,
             "visits": np.iinfo(np.int64).max,
         }
-        for name, column in (
-            self.transitions._asdict() | self.learned._asdict()
-        ).items():
+        columns = self.transitions._asdict() | self.learned._asdict()
+        for name, column in columns.items():
+            dtype = np.dtype(DTYPES.get(name, np.int64))
+            yield name, column.dtype.kind == dtype.kind
             n = len(self.learned.pair if name in Learned._fields else self.rewards)
             is_left_out = name in ("s", "a", "s_next") and column.size == 0
-            is_typed = column.dtype.kind == np.dtype(DTYPES.get(name, np.int64)).kind
-            is_right = (
-                is_typed
-                and (is_left_out or column.shape == (n,))
-                and np.isfinite(column).all()
-            )
-            yield (
-                name,
-                is_right and (name not in limits or all_in_range(column, limits[name])),
-            )
+            yield name, is_left_out or column.shape == (n,)
+            yield name, np.isfinite(column).all()
+            if name in limits:
+                yield name, all_in_range(column, limits[name])
 
     def _ends(self) -> np.ndarray:
         """Numbers of the steps that ended an episode."""
         return np.flatnonzero(self.terminated | self.truncated)
 
     def _rest(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """For each step: the reward of a step after it, and how many such steps its terminated episode had left.
+        """How each step counts for the rest of its episode: the reward of a step of that rest, and its number of steps.
 
-        An end with a positive reward is the goal; any other end (a hole in the ice) repeats its reward.
+        There is a rest only if the step terminated the episode before its `episode_steps` were over. After a positive
+        reward, which is that of a goal, each step of the rest earns Rmax. Any other end (a hole in the ice) repeats
+        its reward.
         """
         ends = self._ends()
-        done = np.diff(ends, prepend=-1 - self.before.steps)  # length of each episode
+        lengths = np.diff(ends, prepend=-1 - self.before.steps)  # of the episodes
+        left = np.maximum((self.size.episode_steps or 0) - lengths, 0)
         rest = np.zeros(len(self), dtype=np.int64)
-        rest[ends] = (
-            np.maximum((self.size.episode_steps or 0) - done, 0) * self.terminated[ends]
-        )
-        return np.where(self.rewards > 0, self.size.r_max, self.rewards), rest
+        rest[ends] = left * self.terminated[ends]
+        after = np.where(self.rewards > 0, self.size.r_max, self.rewards)
+        return after, rest

@@ -1,4 +1,4 @@
-"""The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
+"""The loop in which an agent and its world take turns, step by step."""
 
 import time
 from collections.abc import Iterator
@@ -66,9 +66,10 @@ class Step(NamedTuple):
 def steps(
     agent: Agent, env: Env, steps: int, *, resume: bool = False
 ) -> Iterator[Step]:
-    """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
+    """Let `agent` learn in `env` and yield each step.
 
-    The environment is reset first, and whenever an episode has ended.
+    Agent and environment may be looked at between two steps. The environment is reset first, and whenever an episode
+    has ended.
 
     Parameters
     ----------
@@ -79,7 +80,7 @@ def steps(
     steps : int
         How many steps.
     resume : bool
-        The first episode is not a new one: it goes on where the last call left off, see `learn`.
+        Go on with the episode in which the last call left off, see `learn`.
 
     Returns
     -------
@@ -91,7 +92,7 @@ def steps(
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
     KeyboardInterrupt
-        After Ctrl-C: at once between two steps, else when the step is done, as in `learn`.
+        After Ctrl-C: at once between two steps, otherwise when the step is done, as in `learn`.
     """
     check_count("steps", steps, least=0)
     _prepare(agent, env, resume)
@@ -99,7 +100,7 @@ def steps(
 
 
 def _whole_steps(walk: Iterator[Step], interrupt: DelayedInterrupt) -> Iterator[Step]:
-    """The steps of `walk`, each of which Ctrl-C lets end. Between two steps it is heard at once."""
+    """The steps of `walk`. Ctrl-C waits for the end of a step; between two steps it acts at once."""
     while True:
         with interrupt:
             step = next(walk, None)
@@ -109,65 +110,66 @@ def _whole_steps(walk: Iterator[Step], interrupt: DelayedInterrupt) -> Iterator[
 
 
 def _delayed_interrupt(env: Env) -> DelayedInterrupt:
-    """What lets the steps in `env` end. A real robot must stop at once, even if nothing can be resumed then."""
+    """Makes Ctrl-C wait for the end of a step in `env`, but not for a real robot, which must stop at once."""
     inner = env.unwrapped
     must_stop = isinstance(inner, StopsAtOnce) and inner.stops_at_once
     return DelayedInterrupt(waits=not must_stop)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
-    """The loop itself, which `steps` and `learn` share. looks: whether a step tells how its action was chosen."""
+def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
+    """The loop itself, which `steps` and `learn` share."""
     state_number = state_numbers(env)
     for t in range(n_steps):
         before = _episode_so_far(agent)
-        # until the step is whole: a fault, or Ctrl-C that does not wait, may come anywhere within it
+        # A fault, or a Ctrl-C that does not wait, may come anywhere within the step. Then
+        # nobody knows whether the environment has moved, and nothing can be resumed.
         agent.resume_point = None
         if agent.pending is None:
-            s = state_number(_answer("reset", env.reset(), 2)[0])
-            agent.pending = s, agent.begin_episode(s)
+            observation, _ = _answer("reset", env.reset(), 2)
+            first = state_number(observation)
+            agent.pending = (first, agent.begin_episode(first))
         s, a = agent.pending
-        # as it was when it chose a: copies
-        selection = (
-            (
-                agent.probabilities.copy(),
-                copy(agent.bias),
-                float(agent.memory.now.temperature),
-            )
-            if looks
-            else (agent.probabilities, None, np.nan)
-        )
+        # Copies, because the agent changes them when it learns.
+        probabilities = agent.probabilities.copy()
+        bias = copy(agent.bias)
+        temperature = float(agent.memory.now.temperature)
+
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
-        step = Step(
-            t,
-            s,
-            a,
-            float(r),
-            s_next,
-            bool(terminated),
-            bool(truncated),
-            a_next,
-            delta,
-            *selection,
+
+        if a_next is None or truncated:
+            agent.pending = None
+        else:
+            agent.pending = (s_next, a_next)
+        reward = before.reward + float(r)
+        agent.resume_point = ResumePoint(before.steps + 1, reward, place_of(env))
+        yield Step(
+            t=t,
+            s=s,
+            a=a,
+            r=float(r),
+            s_next=s_next,
+            terminated=bool(terminated),
+            truncated=bool(truncated),
+            a_next=a_next,
+            delta=delta,
+            probabilities=probabilities,
+            bias=bias,
+            temperature=temperature,
         )
-        agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        agent.resume_point = ResumePoint(
-            before.steps + 1, before.reward + step.r, place_of(env)
-        )
-        yield step
 
 
 def _episode_so_far(agent: Agent) -> ResumePoint:
-    """Steps and rewards of the episode that still runs; none if there is no such."""
+    """Steps and rewards of the episode that is still running; zero if there is none."""
     if agent.pending is None or agent.resume_point is None:
         return ResumePoint()
     return agent.resume_point
 
 
 def _answer(asked: str, answer: Any, n: int) -> Any:
-    """The `n` values that an environment answered. Raises ValueError if it answers as those of the old Gym do."""
-    if not (isinstance(answer, tuple) and len(answer) == n):
+    """The `n` values that an environment answered. Raises ValueError for another number, as in the old Gym."""
+    if not isinstance(answer, tuple) or len(answer) != n:
         raise ValueError(
             f"{asked}() must return {n} values, as in Gymnasium, got {answer!r:.100}; {OLD_GYM}"
         )
@@ -184,9 +186,10 @@ def learn(
     progress: bool = True,
     resume: bool = False,
 ) -> History:
-    """Let `agent` learn in `env` for some steps or episodes and return what happened; what it had learned before stays.
+    """Let `agent` learn in `env` for some steps or episodes and return what happened.
 
-    An environment that can run the whole loop compiled does so (a sample model); the numbers are the same.
+    What the agent has learned before stays. An environment that can run the whole loop compiled does so (a sample
+    model, for example); the numbers are the same.
 
     Parameters
     ----------
@@ -195,12 +198,12 @@ def learn(
     env : gymnasium.Env
         An environment with states and actions that can be counted, see `make_env`.
     steps : int, optional
-        How many steps. With `episodes` it need not be given: then all episodes together may take 10,000 steps each,
-        or what the longest takes where they are cut off.
+        How many steps. It may be left out if `episodes` is given: then the limit is the number of episodes times
+        the steps after which one is cut off, or times 10,000 where nothing cuts them off.
     episodes : int, optional
         Stop sooner, once so many episodes have ended.
     keep : bool
-        The history keeps every transition, not the rewards alone.
+        Keep every transition in the history, not the rewards alone.
     progress : bool
         Show a progress bar.
     resume : bool
@@ -221,19 +224,19 @@ def learn(
 
     Notes
     -----
-    Ctrl-C lets the step end, so that a resumed call gives the numbers of one undisturbed call. Pressed a second time,
-    it interrupts the step, for example one that hangs. An environment whose attribute ``stops_at_once`` is true is
-    interrupted by the first Ctrl-C; one with a robot behind a link is such, because the robot has to stop.
+    Ctrl-C waits for the end of the step, so a resumed call gives the same numbers as one uninterrupted call. A second
+    Ctrl-C interrupts the step, for example one that hangs. In an environment whose attribute ``stops_at_once`` is true,
+    the first Ctrl-C interrupts the step. This is so with a robot behind a link, because it has to stop.
 
-    To resume is refused if it could give other numbers:
+    Resuming is refused if it could give other numbers:
 
-    - after a step that was interrupted or failed, for the robot may have moved without the agent knowing;
+    - after a step that was interrupted or failed, because the robot may have moved without the agent knowing;
     - in another environment, or after another agent has learned in this one;
-    - after anything else has reset or stepped it. This is seen by its state and the steps of its episode, if they are
-      attributes of the environment, as in the toolkit's, Gymnasium's own and its ``TimeLimit``.
+    - after anything else has reset or stepped it. We notice this by its state and the steps of its episode, if they
+      are attributes of the environment, as in the toolkit's, Gymnasium's own and its ``TimeLimit``.
 
-    A copy of the environment (`copy.deepcopy`, `pickle`) is as good, if it counts the steps of its episode. An agent's
-    copy can resume instead of the agent: where one of them has gone on, the other is refused.
+    A copy of the environment (`copy.deepcopy`, `pickle`) can take its place, if it counts the steps of its episode. A
+    copy of the agent can resume instead of the agent. When one of them has gone on, the other is refused.
     """
     check_count("steps", steps, least=0, or_none=True)
     check_count("episodes", episodes, or_none=True)
@@ -247,36 +250,37 @@ def learn(
     size = _prepare(agent, env, resume)
     before = _episode_so_far(agent)._replace(place=None)  # of no use in a history
     log = Transitions.empty(int(steps))
-    n = 0
+    n_done = 0
     start = time.perf_counter()
     try:
         with (
             progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar,
             _delayed_interrupt(env) as interrupt,
         ):
-            for done in _learn(agent, env, log, episodes):
-                n += done
+            for n_new in _learn(agent, env, log, episodes):
+                n_done += n_new
                 interrupt.raise_if_pressed()
-                bar.update(done)
+                bar.update(n_new)
     except KeyboardInterrupt:
         raise Interrupted(
-            f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept."
+            f"Stopped after about {n_done:,} of {steps:,} steps; what was learned is kept."
         ) from None
-    log = log.part(slice(n))
+    seconds = time.perf_counter() - start
+    log = log.part(slice(n_done))
     if not keep:
         log = log.without_states()
     return History(
         method=agent.method.name,
         transitions=log,
         learned=Learned.of(agent.q, agent.visits),
-        seconds=time.perf_counter() - start,
+        seconds=seconds,
         size=size,
         before=before,
     )
 
 
 def _longest(env: Env, episodes: int | None) -> int:
-    """The steps that so many episodes may take. Raises ValueError if it is not said how many."""
+    """The steps that so many episodes may take. Raises ValueError if their number is not given."""
     if episodes is None:
         raise ValueError("give steps= or episodes=: how long it takes")
     longest = Size.of(env).episode_steps or EPISODE_STEPS
@@ -292,7 +296,9 @@ def evaluate(
     keep: bool = False,
     progress: bool = True,
 ) -> History:
-    """Let a copy of `agent` act in `env` without learning, and return what happened; the agent stays as it is.
+    """Let a copy of `agent` act in `env` without learning, and return what happened.
+
+    The agent stays as it is.
 
     Parameters
     ----------
@@ -323,50 +329,64 @@ def _learn(
 ) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
-    Yields now and then how many steps have come since; the agent may be looked at meanwhile. A world of kernels runs
-    compiled; where it ends sooner, the loop goes on here.
+    Yields now and then the number of new steps; the agent may be looked at in between. A world of kernels runs
+    compiled. If it ends sooner, the loop goes on here.
     """
-    n, columns = 0, log._asdict()
-    if isinstance(env, KernelEnv):
-        world = env.kernel_world(len(log.r))
-        slices = run_slices(env, world, agent, log, episodes) if world else ()
-        for done in slices:
-            n += done
-            yield done
-    ended = np.count_nonzero(log.terminated[:n] | log.truncated[:n])
-    if ended == episodes:
+    n_done = 0
+    for n_new in _learn_compiled(agent, env, log, episodes):
+        n_done += n_new
+        yield n_new
+    is_end = log.terminated[:n_done] | log.truncated[:n_done]
+    n_ended = np.count_nonzero(is_end)
+    if n_ended == episodes:
         return
-    for step in _walk(agent, env, len(log.r) - n, looks=False):
-        for name, column in columns.items():
-            column[n + step.t] = getattr(step, name)
+    for step in _walk(agent, env, len(log.r) - n_done):
+        _write(log, n_done + step.t, step)
         yield 1
-        ended += step.terminated or step.truncated
-        if ended == episodes:
+        n_ended += step.terminated or step.truncated
+        if n_ended == episodes:
             return
 
 
-def _prepare(agent: Agent, env: Env, resume: bool) -> Size:
-    """Check that the agent fits the environment, whose size is returned, and that there is an episode to resume.
+def _learn_compiled(
+    agent: Agent, env: Env, log: Transitions, episodes: int | None
+) -> Iterator[int]:
+    """The part of `_learn` that a world of kernels runs compiled; nothing in any other world."""
+    if isinstance(env, KernelEnv):
+        world = env.kernel_world(len(log.r))
+        if world is not None:
+            yield from run_slices(env, world, agent, log, episodes)
 
-    Without `resume`, the last one is dropped.
-    """
+
+def _write(log: Transitions, row: int, step: Step) -> None:
+    log.s[row] = step.s
+    log.a[row] = step.a
+    log.r[row] = step.r
+    log.s_next[row] = step.s_next
+    log.terminated[row] = step.terminated
+    log.truncated[row] = step.truncated
+
+
+def _prepare(agent: Agent, env: Env, resume: bool) -> Size:
+    """Check that agent and environment fit, and begin anew or resume. Returns the environment's size."""
     check_pair_of(agent, env)
-    made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
     size = Size.of(env)
-    found = f"states {size.shape} and {size.n_actions} actions"
-    if made_for != found:
+    n_actions = agent.q.shape[1]
+    if agent.shape != size.shape or n_actions != size.n_actions:
         raise ValueError(
-            f"the agent was made for {made_for}, this world has {found}; make both of one task"
+            f"the agent was made for states {agent.shape} and {n_actions} actions, "
+            f"this world has states {size.shape} and {size.n_actions} actions; "
+            "make both from the same task"
         )
     if resume:
         _check_resumable(agent, env)
     left = agent.resume_point
-    agent.resume_point = None  # first, for Ctrl-C may come between these lines
+    agent.resume_point = None  # first, because Ctrl-C may come between these lines
     if left is None or not resume:
         agent.pending = None
         left = ResumePoint()
     agent.resume_point = left._replace(place=begin_walk(env))
-    agent.method = parse_method(agent.method)  # as its code is now
+    agent.method = parse_method(agent.method)  # with the code of own parts as it is now
     return size
 
 

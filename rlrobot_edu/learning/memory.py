@@ -14,12 +14,17 @@ from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 _NUMBERS: list[Any] = [
     (p.name, p.type) for p in fields(Parameters) if p.type in (float, bool, int)
 ]
-SETTINGS = np.dtype(
-    [*_NUMBERS, ("q_scale", float), ("smallest_trace", float)]
-)  # see Parameters
-_COUNTS = ["register_size", "queue_size", "queue_unique", "queue_end"]
+# See Parameters
+SETTINGS = np.dtype([*_NUMBERS, ("q_scale", float), ("smallest_trace", float)])
 NOW = np.dtype(
-    [("temperature", float), ("q_old", float), *((name, int) for name in _COUNTS)]
+    [
+        ("temperature", float),
+        ("q_old", float),
+        ("register_size", int),
+        ("queue_size", int),
+        ("queue_unique", int),
+        ("queue_end", int),
+    ]
 )
 
 
@@ -63,9 +68,9 @@ def trace_steps(gamma: float, lam: float, threshold: float = TRACE_THRESHOLD) ->
     decay = gamma * lam
     if decay == 0.0:
         return 0
-    return (
-        math.inf if decay >= 1.0 else math.floor(math.log(threshold) / math.log(decay))
-    )
+    if decay >= 1.0:
+        return math.inf
+    return math.floor(math.log(threshold) / math.log(decay))
 
 
 def new_memory(
@@ -75,9 +80,8 @@ def new_memory(
     n_states = math.prod(shape)
     n = trace_steps(parameters.gamma, parameters.lam)
     kept = n_states if parameters.traces == "full" else min(n + 1, n_states)
-    queue = int(
-        max(4, min(n, n_states // 4))
-    )  # LRLE: as many as there are traces, within [4, states/4]
+    # LRLE: as many as there are traces, within [4, states/4]
+    queue = int(max(4, min(n, n_states // 4)))
     memory = Memory(
         q=np.zeros((n_states, n_actions)),
         e=np.zeros((n_states, n_actions)),
@@ -100,15 +104,15 @@ def new_memory(
 def set_parameters(memory: Memory, parameters: Parameters) -> None:
     """Let the kernels see these parameters from now on."""
     for name in SETTINGS.names or ():
-        setattr(memory.parameters, name, SETTINGS[name].type(getattr(parameters, name)))
+        value = getattr(parameters, name)
+        setattr(memory.parameters, name, SETTINGS[name].type(value))
 
 
 def new_record(dtype: np.dtype) -> Any:
     """Numbers with these names, all zero. Compiled kernels know numpy's records, which plain Python reads slowly."""
     if IS_PLAIN:
-        return SimpleNamespace(
-            **{name: dtype[name].type(0) for name in dtype.names or ()}
-        )
+        zeros = {name: dtype[name].type(0) for name in dtype.names or ()}
+        return SimpleNamespace(**zeros)
     return np.zeros(1, dtype).view(np.recarray)[0]
 
 

@@ -70,12 +70,13 @@ class Method:
         )
         if planner is not None:
             check_function(f"the planner {planner.name}", planner.plan)
-        code = code_of(
-            tuple(tuple(part) for part in (algorithm, selection, planner or ()))
-        )
-        vars(self).update(
-            algorithm=algorithm, selection=selection, planner=planner, _code=code
-        )
+        parts = (algorithm, selection, planner or ())
+        code = code_of(tuple(tuple(part) for part in parts))
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "algorithm", algorithm)
+        object.__setattr__(self, "selection", selection)
+        object.__setattr__(self, "planner", planner)
+        object.__setattr__(self, "_code", code)
 
     @property
     def name(self) -> str:
@@ -117,14 +118,10 @@ def made_of(method: Method) -> dict[str, str | None]:
 
     The code is that of all it refers to. By these and by its own name, a file knows a method again.
     """
-    toolkits = {
-        code_of(tuple(part))
-        for kind in (ALGORITHMS, SELECTIONS, PLANNERS)
-        for part in kind.values()
-    }
-    parts = [
-        part for part in (method.algorithm, method.selection, method.planner) if part
-    ]
-    codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts}
+    brought = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
+    toolkits = {code_of(tuple(part)) for part in brought}
+    parts = (method.algorithm, method.selection, method.planner)
+    codes = {f"the code of {part.name}": code_of(tuple(part)) for part in parts if part}
     own = {name: code for name, code in codes.items() if code not in toolkits}
-    return {"planner": method.planner and method.planner.name, **own}
+    planner = method.planner.name if method.planner else None
+    return {"planner": planner, **own}

@@ -1,4 +1,4 @@
-"""The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
+"""The parameters of a learning agent: what each one is, which values it may take, and its default."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
@@ -11,10 +11,9 @@ from rlrobot_edu.checks import LARGEST_NUMBER
 INFINITE = float("inf")
 Traces = Literal["reduced", "full"]
 TRACES = get_args(Traces)
-R_MAX = "at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)"
-TRACE_THRESHOLD = (
-    0.01  # traces below this share of a fresh one are dropped (paper section 3)
-)
+R_MAX = "between 1e-100 and 1e100 (if all rewards are negative, give the magnitude of a typical one)"
+# Traces below this share of a fresh one are dropped (paper section 3)
+TRACE_THRESHOLD = 0.01
 
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
@@ -23,7 +22,7 @@ def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
 
 @dataclass(frozen=True)
 class Parameters:
-    """What can be set about the learning of an agent.
+    """The parameters of an agent.
 
     alpha: learning rate
     gamma: discount rate
@@ -55,9 +54,7 @@ class Parameters:
     loop_evasion: bool = _parameter(
         True, "True or False", lambda x: isinstance(x, bool)
     )
-    r_max: float = _parameter(
-        1.0, f"a finite number of {R_MAX}", lambda x: 1e-100 <= x <= LARGEST_NUMBER
-    )
+    r_max: float = _parameter(1.0, R_MAX, lambda x: 1e-100 <= x <= LARGEST_NUMBER)
     planning_steps: int = _parameter(
         10,
         "a whole number from 0 to 1,000,000",
@@ -70,7 +67,8 @@ class Parameters:
             value = getattr(self, name)
             if isinstance(value, np.generic):
                 value = value.item()  # files keep Python's own numbers
-                vars(self)[name] = value
+                # The dataclass is frozen: only object.__setattr__ can still set its fields.
+                object.__setattr__(self, name, value)
             if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
             if not parameter.metadata["holds"](value):
@@ -80,7 +78,7 @@ class Parameters:
 
     @property
     def smallest_trace(self) -> float:
-        """What a trace must not fall below to be kept; full traces go when they do not count any more."""
+        """Smaller traces are dropped; full traces only when they have become negligible."""
         return TRACE_THRESHOLD if self.traces == "reduced" else 1e-100
 
     @property

@@ -59,7 +59,10 @@ class Size(NamedTuple):
             )
         elif all(hasattr(world, name) for name in cls._fields):
             size = cls(
-                tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:])
+                tuple(world.shape),
+                world.n_actions,
+                world.r_max,
+                world.episode_steps,
             )
         else:
             kind = f"a {type(world).__name__}; {OLD_GYM}"
@@ -84,7 +87,8 @@ class Size(NamedTuple):
 
 def can_end(world: object) -> bool:
     """Whether episodes can end for good: of a task by its goal, of a model as recorded, of others as far as known."""
-    if task := task_of(world):
+    task = task_of(world)
+    if task is not None:
         return task.goal is not None
     inner = getattr(world, "unwrapped", world)
     recorded = getattr(getattr(inner, "model", inner), "terminated", None)
@@ -93,9 +97,8 @@ def can_end(world: object) -> bool:
 
 def task_of(world: object) -> Task | None:
     """The task that `world` is, or that an environment runs; None for a world without one."""
-    task = (
-        world
-        if isinstance(world, Task)
-        else getattr(getattr(world, "unwrapped", world), "task", None)
-    )
+    if isinstance(world, Task):
+        return world
+    inner = getattr(world, "unwrapped", world)
+    task = getattr(inner, "task", None)
     return task if isinstance(task, Task) else None

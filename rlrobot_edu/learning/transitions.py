@@ -37,7 +37,7 @@ class Transitions(NamedTuple):
     @classmethod
     def of_rows(cls, rows: Sequence[Sequence[Any]]) -> "Transitions":
         """The columns of rows (s, a, r, s', terminated, truncated)."""
-        return cls(*(np.array(column) for column in zip(*rows, strict=True)))
+        return cls._make(np.array(column) for column in zip(*rows, strict=True))
 
     def part(self, rows: slice) -> "Transitions":
         """These rows, the same numbers and not copies."""

@@ -4,6 +4,7 @@ from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
 from numpy.typing import NDArray
 
 from rlrobot_edu.checks import check_index
@@ -22,7 +23,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
     Parameters
     ----------
     model : SampleModel
-        What is acted in.
+        The model.
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
 
@@ -49,21 +50,26 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
         self._max_episode_steps = model.time_limit  # Gymnasium's word for it
-        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(
-            list(model.shape)
-        )
-        self.action_space = gymnasium.spaces.Discrete(model.n_actions)
+        bins = list(model.shape)
+        self.observation_space: gymnasium.Space[Any] = MultiDiscrete(bins)
+        self.action_space = Discrete(model.n_actions)
         self.np_random = generator(seed, ENVIRONMENT)
         self.state: int | None = None
         self.episode_step = 0
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
-        numbers = {
-            "shape": np.array(model.shape, dtype=np.int64),
-            "unseen": UNSEEN.index(model.unseen),
-        }
-        parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
         self._tables: Any = Tables(
-            **{name: part for name, part in parts.items() if name != "task"}
+            shape=np.array(model.shape, dtype=np.int64),
+            n_actions=model.n_actions,
+            offsets=model.offsets,
+            s_next=model.s_next,
+            r=model.r,
+            terminated=model.terminated,
+            cumulative=model.cumulative,
+            starts=model.starts,
+            rewards=model.rewards,
+            unseen=UNSEEN.index(model.unseen),
+            episode_steps=limit,
+            time_limit=limit,
         )
 
     def reset(
@@ -86,9 +92,8 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
-        return self.arrive(
-            for_python(draw_start)(self._tables, self.np_random.random())
-        )
+        start = for_python(draw_start)(self._tables, self.np_random.random())
+        return self.arrive(start)
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.
@@ -140,7 +145,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         return KernelWorld(begin, outcome, self._tables)
 
     def arrive(self, s: int) -> tuple[NDArray[np.int64], Info]:
-        """Be in state `s`, as after a loop that ran elsewhere.
+        """Take over the state that a compiled loop has reached.
 
         Parameters
         ----------
@@ -153,6 +158,5 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             The observation and the info there.
         """
         self.state = int(s)
-        return np.array(
-            np.unravel_index(self.state, self.model.shape), dtype=np.int64
-        ), {"state": self.state}
+        bins = np.unravel_index(self.state, self.model.shape)
+        return np.array(bins, dtype=np.int64), {"state": self.state}

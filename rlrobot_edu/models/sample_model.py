@@ -23,16 +23,13 @@ from rlrobot_edu.task.task import Task
 
 Unseen = Literal["uniform", "stay", "siblings"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
-ABOUT = (
-    "shape",
-    "n_actions",
-    "unseen",
-    "episode_steps",
-    "time_limit",
-)  # what JSON can hold
-COUNTS = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
+# The fields that JSON can hold
+ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")
 DTYPES: dict[str, Any] = {
-    **COUNTS,
+    "offsets": np.int64,
+    "s_next": np.int64,
+    "cumulative": np.int64,
+    "starts": np.int64,
     "r": np.float64,
     "terminated": np.bool_,
     "rewards": np.float64,
@@ -99,60 +96,45 @@ class SampleModel:
             raise ValueError(
                 f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}"
             )
-        vars(self)["shape"] = tuple(self.shape)  # a file holds it as a list
-        limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
-        numbers = (*self.shape, self.n_actions, *limits)
-        whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
-        check_parts(
-            "sample model", [("shape, n_actions, episode_steps or time_limit", whole)]
-        )
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "shape", tuple(self.shape))  # a file holds a list
+        check_parts("sample model", self._numbers())
         check_table(self.n_states, self.n_actions)
         for name, dtype in DTYPES.items():
             array = np.asarray(getattr(self, name))
-            check_parts(
-                "sample model",
-                [
-                    (
-                        name,
-                        array.ndim == 1
-                        and np.can_cast(array.dtype, dtype, "same_kind"),
-                    )
-                ],
-            )
-            vars(self)[name] = np.ascontiguousarray(
-                array, dtype
-            )  # one type for numba, compiled once
+            is_castable = np.can_cast(array.dtype, dtype, "same_kind")
+            check_parts("sample model", [(name, array.ndim == 1 and is_castable)])
+            # One type for numba, so that kernels are compiled once.
+            object.__setattr__(self, name, np.ascontiguousarray(array, dtype))
         check_parts("sample model", self._contents())
+
+    def _numbers(self) -> Iterator[tuple[str, bool]]:
+        """Whether the sizes and limits are whole numbers that a model can have."""
+        limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
+        for n in (*self.shape, self.n_actions, *limits):
+            is_whole = isinstance(n, int | np.integer) and 1 <= n < 2**53
+            yield "shape, n_actions, episode_steps or time_limit", is_whole
 
     def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
         outcomes = len(self.s_next)
-        yield (
-            "rewards",
-            len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all(),
-        )
+        pairs = self.n_states * self.n_actions
+        yield "rewards", len(self.rewards) > 0
+        yield "rewards", (np.abs(self.rewards) <= LARGEST_NUMBER).all()
         yield "rewards", (np.diff(self.rewards) > 0).all()
-        yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
+        yield "r", len(self.r) == outcomes
+        yield "r", np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_in_range(self.s_next, self.n_states)
-        yield (
-            "starts",
-            len(self.starts) > 0 and all_in_range(self.starts, self.n_states),
-        )
-        yield (
-            "offsets",
-            len(self.offsets) == self.n_states * self.n_actions + 1
-            and self.offsets[0] == 0,
-        )
-        yield (
-            "offsets",
-            self.offsets[-1] == outcomes and (np.diff(self.offsets) >= 0).all(),
-        )
-        # floats add numbers below 2**53, too, and differences of larger ones turn round
-        yield (
-            "cumulative",
-            len(self.cumulative) == outcomes and all_in_range(self.cumulative, 2**53),
-        )
+        yield "starts", len(self.starts) > 0
+        yield "starts", all_in_range(self.starts, self.n_states)
+        yield "offsets", len(self.offsets) == pairs + 1
+        yield "offsets", self.offsets[0] == 0
+        yield "offsets", self.offsets[-1] == outcomes
+        yield "offsets", (np.diff(self.offsets) >= 0).all()
+        yield "cumulative", len(self.cumulative) == outcomes
+        # Floats, too, add numbers below 2**53 exactly; differences of huge ones would wrap around.
+        yield "cumulative", all_in_range(self.cumulative, 2**53)
         yield "cumulative", (self.count >= 1).all()
 
     @classmethod
@@ -183,29 +165,39 @@ class SampleModel:
                 f"a sample model is made from a Recording, not from {recording!r:.200}"
             )
         source = recording.source
-        n_states, n_actions = source.states.n, source.actions.n
-        pairs = check_table(n_states, n_actions)
-        columns = [
+        n_actions = source.actions.n
+        pairs = check_table(source.states.n, n_actions)
+        steps = [
             recording.s * n_actions + recording.a,
             recording.s_next,
             recording.r,
             recording.terminated,
         ]
-        order = np.lexsort(columns[::-1])  # by pair first
-        columns = [column[order] for column in columns]
-        is_new = np.any([column[1:] != column[:-1] for column in columns], axis=0)
-        first = np.append(
-            0, np.flatnonzero(is_new) + 1
-        )  # row of each outcome among the sorted ones
-        pair, s_next, r, terminated = (column[first] for column in columns)
+        order = np.lexsort(steps[::-1])  # by pair first
+        steps = [column[order] for column in steps]
+        is_new = np.any([column[1:] != column[:-1] for column in steps], axis=0)
+        # The row of each outcome among the sorted steps, where it is seen first
+        first = np.append(0, np.flatnonzero(is_new) + 1)
+        pair, s_next, r, terminated = [column[first] for column in steps]
         offsets = np.searchsorted(pair, np.arange(pairs + 1))
+        # Steps up to the last one of each outcome, without those of the pairs before
         total = np.append(first[1:], len(recording))
-        cumulative = total - np.append(0, total)[offsets[pair]]
-        starts = recording.s[recording.step == 0]
-        rewards = np.unique(source.rewards)
-        outcomes = (offsets, s_next, r, terminated, cumulative)
-        about = (unseen, source.episode_steps, source.time_limit, recording.task)
-        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, *about)
+        before = np.append(0, total)[offsets[pair]]
+        return cls(
+            shape=source.states.shape,
+            n_actions=n_actions,
+            offsets=offsets,
+            s_next=s_next,
+            r=r,
+            terminated=terminated,
+            cumulative=total - before,
+            starts=recording.s[recording.step == 0],
+            rewards=np.unique(source.rewards),
+            unseen=unseen,
+            episode_steps=source.episode_steps,
+            time_limit=source.time_limit,
+            task=recording.task,
+        )
 
     def __repr__(self) -> str:
         seen = np.count_nonzero(np.diff(self.offsets))
@@ -225,26 +217,23 @@ class SampleModel:
     def count(self) -> NDArray[np.int64]:
         """How often each outcome was seen, int array (outcomes,)."""
         count = np.diff(self.cumulative, prepend=np.int64(0))
-        first = self.offsets[:-1][
-            np.diff(self.offsets) > 0
-        ]  # of each pair that was tried
+        was_tried = np.diff(self.offsets) > 0
+        first = self.offsets[:-1][was_tried]
         count[first] = self.cumulative[first]
         return count
 
     @property
     def pair(self) -> NDArray[np.intp]:
         """The pair s * n_actions + a that each outcome belongs to, int array (outcomes,)."""
-        return np.repeat(
-            np.arange(self.n_states * self.n_actions),
-            np.diff(self.offsets).astype(np.intp),
-        )
+        pairs = np.arange(self.n_states * self.n_actions)
+        outcomes = np.diff(self.offsets).astype(np.intp)
+        return np.repeat(pairs, outcomes)
 
     @property
     def pair_count(self) -> NDArray[np.int64]:
         """How often each pair was tried, int array (n_states, n_actions)."""
-        return (
-            self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
-        )
+        count = self.sum_by_pair(1).astype(np.int64)
+        return count.reshape(self.n_states, self.n_actions)
 
     def sum_by_pair(self, x: float | NDArray[Any]) -> NDArray[Any]:
         """Sum a quantity over the samples of each pair.
@@ -259,9 +248,8 @@ class SampleModel:
         float array (n_states * n_actions,)
             The sums, 0 for a pair that was never tried.
         """
-        return np.bincount(
-            self.pair, weights=self.count * x, minlength=len(self.offsets) - 1
-        )
+        pairs = len(self.offsets) - 1
+        return np.bincount(self.pair, weights=self.count * x, minlength=pairs)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).
@@ -281,13 +269,19 @@ class SampleModel:
         ValueError
             If there is no such state or action.
         """
-        s, a = (
-            check_index("state", s, self.n_states),
-            check_index("action", a, self.n_actions),
+        s = check_index("state", s, self.n_states)
+        a = check_index("action", a, self.n_actions)
+        pair = s * self.n_actions + a
+        rows = slice(self.offsets[pair], self.offsets[pair + 1])
+        return list(
+            zip(
+                self.s_next[rows].tolist(),
+                self.r[rows].tolist(),
+                self.terminated[rows].tolist(),
+                self.count[rows].tolist(),
+                strict=True,
+            )
         )
-        rows = slice(*self.offsets[s * self.n_actions + a :][:2])
-        columns = (self.s_next, self.r, self.terminated, self.count)
-        return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
     def diagnose(self) -> Diagnosis:
         """What the model does not know, and where it may promise too much.
@@ -346,9 +340,8 @@ class SampleModel:
             If the file cannot be written.
         """
         about = {name: getattr(self, name) for name in ABOUT}
-        save_arrays(
-            path, "sample model", about, {name: getattr(self, name) for name in DTYPES}
-        )
+        arrays = {name: getattr(self, name) for name in DTYPES}
+        save_arrays(path, "sample model", about, arrays)
 
     @classmethod
     def load(cls, path: str | Path) -> "SampleModel":
@@ -371,6 +364,8 @@ class SampleModel:
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(
-            path, "sample model", lambda about, arrays: cls(**{**about, **arrays})
-        )
+
+        def make(about: dict[str, Any], arrays: dict[str, Any]) -> SampleModel:
+            return cls(**(about | arrays))
+
+        return load_arrays(path, "sample model", make)

@@ -1,18 +1,32 @@
 """The compiled kernels of a sample model, which draw what happens."""
 
-from collections import namedtuple
-from dataclasses import fields
+from typing import Any, NamedTuple
 
 from rlrobot_edu.jit.dispatcher import compiled
-from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
+from rlrobot_edu.models.sample_model import UNSEEN
 
 STAY, SIBLINGS = UNSEEN.index("stay"), UNSEEN.index("siblings")
 
-# A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its
-# word in UNSEEN, and `episode_steps` are those after which an episode is cut off.
-Tables = namedtuple(
-    "Tables", [field.name for field in fields(SampleModel) if field.name != "task"]
-)
+
+class Tables(NamedTuple):
+    """A SampleModel in types that numba knows, without its task.
+
+    shape: array (inputs,) of int; unseen: the place of its word in UNSEEN
+    episode_steps, time_limit: steps after which an episode is cut off
+    """
+
+    shape: Any
+    n_actions: int
+    offsets: Any
+    s_next: Any
+    r: Any
+    terminated: Any
+    cumulative: Any
+    starts: Any
+    rewards: Any
+    unseen: int
+    episode_steps: int
+    time_limit: int
 
 
 @compiled

@@ -15,7 +15,8 @@ from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
-MOST_SWEEPS, LONGEST = 20_000, 100_000
+MOST_SWEEPS = 20_000
+LONGEST = 100_000  # steps of an episode that is planned
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
@@ -56,38 +57,40 @@ def expected_outcomes(model: SampleModel) -> Expected:
     pairs = n_states * n_actions
     seen = model.sum_by_pair(1)
     rewards = model.sum_by_pair(model.r)
-    after = model.sum_by_pair(
-        np.where(model.r > 0, model.r_max, model.r) * model.terminated
-    )
+    reward_after = np.where(model.r > 0, model.r_max, model.r)
+    after = model.sum_by_pair(reward_after * model.terminated)
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
-    counts = sparse.csr_array(
-        (model.count[goes_on].astype(float), where), shape=(pairs, n_states)
-    )
+    times = model.count[goes_on].astype(float)
+    counts = sparse.csr_array((times, where), shape=(pairs, n_states))
     if model.unseen == "siblings":
-        pool = sparse.kron(
-            _sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr"
-        )
-        pool = (
-            sparse.diags_array((seen == 0).astype(float)) @ pool
-        )  # for pairs that were never tried alone
-        counts, rewards, after, seen = (
-            total + pool @ total for total in (counts, rewards, after, seen)
-        )
+        pool = _pool_of_siblings(model, seen)
+        counts = counts + pool @ counts
+        rewards = rewards + pool @ rewards
+        after = after + pool @ after
+        seen = seen + pool @ seen
 
     unseen = np.flatnonzero(seen == 0)
     anywhere = np.zeros(pairs)
     if model.unseen == "stay":
         where = (unseen, unseen // n_actions)
-        counts += sparse.csr_array(
-            (np.ones(len(unseen)), where), shape=(pairs, n_states)
-        )
+        once = np.ones(len(unseen))
+        counts += sparse.csr_array((once, where), shape=(pairs, n_states))
     else:
         anywhere[unseen] = 1.0
     rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
     total = np.where(seen > 0, seen, 1.0)
     transitions = sparse.csr_array(sparse.diags_array(1 / total) @ counts)
     return Expected(transitions, anywhere, rewards / total, after / total)
+
+
+def _pool_of_siblings(model: SampleModel, seen: Numbers) -> sparse.csr_array:
+    """Array (pairs, pairs): for each pair that was never tried, how often each other one counts in its place."""
+    siblings = _sibling_matrix(model.shape)
+    actions = sparse.eye_array(model.n_actions)
+    pool = sparse.kron(siblings, actions, format="csr")
+    is_unseen = (seen == 0).astype(float)
+    return sparse.csr_array(sparse.diags_array(is_unseen) @ pool)
 
 
 def value_iteration(
@@ -102,7 +105,7 @@ def value_iteration(
     Parameters
     ----------
     model : SampleModel
-        What is planned in.
+        The model to plan in.
     gamma : float
         Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or
         earn nothing.
@@ -141,20 +144,20 @@ def _solve(
     v = np.zeros(n_states)
     rate = gamma / (1 - gamma) if gamma < 1 else math.inf
     for sweeps in range(1, MOST_SWEEPS + 1):
-        q = expected.reward + gamma * (
-            expected.transitions @ v + expected.anywhere * v.mean()
-        )
-        q = q.reshape(n_states, -1)
-        before, v = v, q.max(axis=1)
+        v_next = expected.transitions @ v + expected.anywhere * v.mean()
+        q = (expected.reward + gamma * v_next).reshape(n_states, -1)
+        before = v
+        v = q.max(axis=1)
         change = float(np.abs(v - before).max())
         # A sweep brings V at least γ times nearer to V*, so what is missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
-    fault = f"a value still changes by {change:.3g} in sweep {sweeps}"
-    advice = "choose others, and a gamma below 1 where an episode can go on for ever"
-    raise ValueError(f"with gamma={gamma}, tolerance={tolerance} {fault}; {advice}")
+    raise ValueError(
+        f"with gamma={gamma}, tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps}; "
+        "choose others, and a gamma below 1 where an episode can go on for ever"
+    )
 
 
 def _for_ever(
@@ -182,7 +185,7 @@ def best_average_reward(model: SampleModel) -> float:
     Parameters
     ----------
     model : SampleModel
-        What is planned in.
+        The model to plan in.
 
     Returns
     -------
@@ -205,28 +208,15 @@ def best_average_reward(model: SampleModel) -> float:
     Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
     """
     expected = expected_outcomes(model)
-    if steps := model.episode_steps:
-        if steps > LONGEST:
-            raise ValueError(
-                f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}"
-            )
-        v = np.zeros(model.n_states)
-        for steps_left in range(
-            steps
-        ):  # one sweep for each step of the episode, from the last to the first
-            ended = expected.reward + expected.after * steps_left
-            q = ended + expected.transitions @ v + expected.anywhere * v.mean()
-            v = q.reshape(model.n_states, -1).max(axis=1)
-        return float(v[model.starts].mean() / steps)
-    scale = (
-        np.abs(model.rewards).max() or 1.0
-    )  # the largest numbers there are could not be added up
+    if model.episode_steps:
+        return _best_of_an_episode(model, expected, model.episode_steps)
+    # Without this scale the largest numbers could not be added up.
+    scale = np.abs(model.rewards).max() or 1.0
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    starts = np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(
-        model.starts
-    )
-    again = sparse.kron(ends[:, None], starts[None, :])
+    starts = np.bincount(model.starts.astype(np.intp), minlength=model.n_states)
+    start_shares = starts / len(model.starts)
+    again = sparse.kron(ends[:, None], start_shares[None, :])
     restarting = expected._replace(
         transitions=expected.transitions + again, reward=expected.reward / scale
     )
@@ -235,9 +225,22 @@ def best_average_reward(model: SampleModel) -> float:
     return float(np.clip(average, model.rewards[0], model.rewards[-1]))
 
 
+def _best_of_an_episode(model: SampleModel, expected: Expected, steps: int) -> float:
+    """The largest average reward of an episode, by one sweep for each of its steps, from the last to the first."""
+    if steps > LONGEST:
+        raise ValueError(
+            f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}"
+        )
+    v = np.zeros(model.n_states)
+    for steps_left in range(steps):
+        ended = expected.reward + expected.after * steps_left
+        q = ended + expected.transitions @ v + expected.anywhere * v.mean()
+        v = q.reshape(model.n_states, -1).max(axis=1)
+    return float(v[model.starts].mean() / steps)
+
+
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many families two states are together, see `StateSpace.siblings`."""
     families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
-    return sparse.csr_array(
-        reduce(lambda before, after: sparse.kronsum(after, before), families)
-    )
+    total = reduce(lambda before, after: sparse.kronsum(after, before), families)
+    return sparse.csr_array(total)

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from numbers import Real
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 Engine = Literal[
     "pymunk", "pybullet", "kinematic", "python"
@@ -58,26 +58,24 @@ class RobotCard(NamedTuple):
 
 
 def _read(path: Path) -> dict[str, RobotCard]:
-    """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
+    """The cards in a file. A robot's sensors and commands are on its own card, or on those that it is `like`."""
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
     def quantities(robot: str, kind: str) -> dict[str, Quantity]:
-        parts = [
-            cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])
-        ]
-        return {
-            name: Quantity(*quantity)
-            for part in parts
-            for name, quantity in part.items()
-        }
+        found: dict[str, Any] = {}
+        for name in cards[robot].get("like", [robot]):
+            found |= cards[name].get(kind, {})
+        return {name: Quantity(*quantity) for name, quantity in found.items()}
 
     read = {}
     for robot, card in cards.items():
-        sensors, commands, stops = (
-            quantities(robot, kind) for kind in ("sensors", "commands", "stops")
-        )
         read[robot] = RobotCard(
-            sensors, commands, stops, card["scenes"], card["engines"], card.get("size")
+            sensors=quantities(robot, "sensors"),
+            commands=quantities(robot, "commands"),
+            stops=quantities(robot, "stops"),
+            scenes=card["scenes"],
+            engines=card["engines"],
+            size=card.get("size"),
         )
     return read
 

@@ -34,11 +34,12 @@ class Room:
 
     def __post_init__(self) -> None:
         for x_min, y_min, x_max, y_max in (*self.walls, self.bounds):
-            finite = all(map(isfinite, (x_min, y_min, x_max, y_max)))
-            if not finite or x_min >= x_max or y_min >= y_max:
+            box = (x_min, y_min, x_max, y_max)
+            is_finite = all(map(isfinite, box))
+            if not is_finite or x_min >= x_max or y_min >= y_max:
                 raise ValueError(
                     "each wall of a room is x_min, y_min, x_max, y_max in finite metres, and so are its bounds; "
-                    f"got {(x_min, y_min, x_max, y_max)}"
+                    f"got {box}"
                 )
         for place in filter(None, (self.start, self.goal)):
             if len(place) != 3 or not all(map(isfinite, place)):

@@ -16,28 +16,22 @@ from rlrobot_edu.checks import check_index
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
 
-def _span(
-    space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]
-) -> None:
-    """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
+def _check_names(kind: str, variables: Sequence[Variable]) -> None:
+    """Raises ValueError unless there are variables, each with a name of its own."""
     names = [v.name for v in variables]
     if not names:
         raise ValueError(
             f"a task needs at least one {kind} variable, else it has no states or no actions"
         )
-    if twice := [name for name in names if names.count(name) > 1]:
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
         raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
-    vars(space).update(
-        {f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)}
-    )
 
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Place along each axis of `shape` of the state or action (`kind`) with this number."""
-    return tuple(
-        int(i)
-        for i in np.unravel_index(check_index(kind, number, math.prod(shape)), shape)
-    )
+    number = check_index(kind, number, math.prod(shape))
+    return tuple(int(i) for i in np.unravel_index(number, shape))
 
 
 @dataclass(frozen=True)
@@ -52,7 +46,12 @@ class StateSpace:
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        _span(self, "input", self.inputs, tuple(v.n_bins for v in self.inputs))
+        _check_names("input", self.inputs)
+        shape = tuple(v.n_bins for v in self.inputs)
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "inputs", tuple(self.inputs))
+        object.__setattr__(self, "shape", shape)
+        object.__setattr__(self, "n", math.prod(shape))
 
     def encode(self, readings: Mapping[str, float]) -> int:
         """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
@@ -74,7 +73,8 @@ class StateSpace:
     def number(self, bins: Sequence[int]) -> int:
         """State number of one bin an input. Raises ValueError if there is no such bin, or not one for each input."""
         try:
-            return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
+            whole = tuple(index(bin) for bin in bins)
+            return int(np.ravel_multi_index(whole, self.shape))
         except (TypeError, ValueError, OverflowError):
             names = ", ".join(f"{v.name} (0 to {v.n_bins - 1})" for v in self.inputs)
             raise ValueError(
@@ -83,9 +83,8 @@ class StateSpace:
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""
-        return {
-            v.name: v.decode(i) for v, i in zip(self.inputs, self.bins(s), strict=True)
-        }
+        bins = zip(self.inputs, self.bins(s), strict=True)
+        return {v.name: v.decode(i) for v, i in bins}
 
     def siblings(self, s: int) -> dict[str, np.ndarray]:
         """For each input, the states that share every *other* input with `s`, in bin order, `s` itself included.
@@ -94,10 +93,11 @@ class StateSpace:
         """
         states: Any = np.arange(self.n).reshape(self.shape)
         bins = self.bins(s)
-        return {
-            v.name: states[(*bins[:i], slice(None), *bins[i + 1 :])]
-            for i, v in enumerate(self.inputs)
-        }
+        siblings = {}
+        for i, v in enumerate(self.inputs):
+            row = (*bins[:i], slice(None), *bins[i + 1 :])
+            siblings[v.name] = states[row]
+        return siblings
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,12 @@ class ActionSpace:
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        _span(self, "output", self.outputs, tuple(len(v.values) for v in self.outputs))
+        _check_names("output", self.outputs)
+        shape = tuple(len(v.values) for v in self.outputs)
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "outputs", tuple(self.outputs))
+        object.__setattr__(self, "shape", shape)
+        object.__setattr__(self, "n", math.prod(shape))
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
@@ -125,11 +130,12 @@ class ActionSpace:
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
-        return ", ".join(
-            v.words[i] if v.words else f"{v.name} {v.values[i]:g}"
-            for v, i in self._values(a)
-        )
+        parts = []
+        for v, i in self._values(a):
+            parts.append(v.words[i] if v.words else f"{v.name} {v.values[i]:g}")
+        return ", ".join(parts)
 
     def _values(self, a: int) -> Iterable[tuple[OutputVariable, int]]:
         """Each output, and which of its values it has in action `a`."""
-        return zip(self.outputs, _places("action", a, self.shape), strict=True)
+        places = _places("action", a, self.shape)
+        return zip(self.outputs, places, strict=True)

@@ -95,10 +95,8 @@ class Task:
     actions: ActionSpace = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        card, owner = (
-            ROBOTS[check_name(self.robot, ROBOTS, "robot", "a task")],
-            f"robot {self.robot!r}",
-        )
+        card = ROBOTS[check_name(self.robot, ROBOTS, "robot", "a task")]
+        owner = f"robot {self.robot!r}"
         if isinstance(self.scene, Room) and card.size:
             self.scene.check_start(*card.size)
         else:
@@ -106,31 +104,35 @@ class Task:
         inputs = []
         for v in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, v, owner)
-            inputs.append(
-                replace(v, low=max(v.low, sensor.low), high=min(v.high, sensor.high))
-            )
+            low = max(v.low, sensor.low)
+            high = min(v.high, sensor.high)
+            inputs.append(replace(v, low=low, high=high))
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
                 _quantity("command", card.commands, output, owner)
         for name in ("reward", "command", "goal"):
             function = getattr(self, name)
-            if not callable(function) and (function is not None or name == "reward"):
+            is_left_out = function is None and name != "reward"
+            if not callable(function) and not is_left_out:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = check_numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            advice = f"add a number to {rewards!s:.200}"
             raise ValueError(
-                f"the largest reward scales Q: it must be above 0; {advice}"
+                f"at least one of rewards must be above 0, because the largest scales Q; got {rewards!s:.200}"
             )
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
-        states, actions = StateSpace(inputs), ActionSpace(outputs)
+        states = StateSpace(inputs)
+        actions = ActionSpace(outputs)
         check_table(states.n, actions.n)
-        # as they are from now on: the dataclass is frozen for everybody else
-        vars(self).update(states=states, actions=actions, rewards=rewards)
-        vars(self).update(inputs=states.inputs, outputs=actions.outputs)
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "states", states)
+        object.__setattr__(self, "actions", actions)
+        object.__setattr__(self, "rewards", rewards)
+        object.__setattr__(self, "inputs", states.inputs)
+        object.__setattr__(self, "outputs", actions.outputs)
 
     @property
     def commands(self) -> list[dict[str, float]]:
@@ -161,13 +163,10 @@ class Task:
         ValueError
             If there is no such action, the task's function fails, or the robot cannot carry out what it returns.
         """
-        values, what = (
-            self.actions.decode(a),
-            f"command of action {a} ({self.actions.label(a)})",
-        )
-        command = (
-            values if self.command is None else self._ask(what, self.command, values)
-        )
+        command = self.actions.decode(a)
+        what = f"command of action {a} ({self.actions.label(a)})"
+        if self.command is not None:
+            command = self._ask(what, self.command, command)
         try:
             ROBOTS[self.robot].check_command(command)
         except ValueError as error:
@@ -212,7 +211,7 @@ class Task:
         Returns
         -------
         bool
-            What `goal` says; False for a task without one.
+            What `goal` returns; False for a task without one.
 
         Raises
         ------
@@ -220,31 +219,31 @@ class Task:
             If the task's function fails.
         """
         goal = self.goal
-        return goal is not None and self._ask(
-            "goal", lambda readings: bool(goal(readings)), readings
-        )
+        if goal is None:
+            return False
+        return bool(self._ask("goal", lambda given: bool(goal(given)), readings))
 
     def _ask(
         self, what: str, function: Callable[..., Any], *given: Mapping[str, float]
     ) -> Any:
-        """What one of the task's own functions says. Raises ValueError that names the file and the line."""
+        """What one of the task's own functions returns. Raises ValueError that names the file and the line."""
         try:
             return function(*given)
-        except (
-            Exception,
-            SystemExit,
-        ) as error:  # the task's own function may raise anything
+        # The task's own function may raise anything.
+        except (Exception, SystemExit) as error:
             mistake = describe_error(error, given[-1])
             raise ValueError(
                 f"{file_and_line(self.path, error)}: {what} failed: {mistake}"
             ) from error
 
     def __getstate__(self) -> bytes:
-        # Its functions go along by value: another process may not have the task's file, or not with this content.
+        # Its functions are pickled by value: another process may lack the task's file, or have it with other content.
         return bytes(cloudpickle.dumps(vars(self)))
 
     def __setstate__(self, packed: bytes) -> None:
-        vars(self).update(pickle.loads(packed))
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        for name, value in pickle.loads(packed).items():
+            object.__setattr__(self, name, value)
 
     def __deepcopy__(self, memo: object) -> "Task":
         return self  # nothing of it can be changed
@@ -252,9 +251,8 @@ class Task:
 
 def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:
     """The list of given variables. Raises ValueError if there is anything else in it."""
-    if not isinstance(given, Sequence) or not all(
-        isinstance(variable, kind) for variable in given
-    ):
+    is_list = isinstance(given, Sequence)
+    if not is_list or not all(isinstance(variable, kind) for variable in given):
         raise ValueError(
             f"{what} must be a list of {kind.__name__}, got {given!r:.200}"
         )
@@ -267,6 +265,7 @@ def _quantity(
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[check_name(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
-        units = f"the robot's unit is {quantity.unit!r}, not {variable.unit!r}"
-        raise ValueError(f"{kind} {variable.name!r}: {units}")
+        raise ValueError(
+            f"{kind} {variable.name!r}: the robot's unit is {quantity.unit!r}, not {variable.unit!r}"
+        )
     return quantity

@@ -20,9 +20,8 @@ def available_tasks() -> list[str]:
         Their names, in alphabetical order; `load_task` takes each.
     """
     names = (path.stem for path in shipped("tasks").glob("[a-z]*.py"))
-    return sorted(
-        name for name in names if name.isidentifier()
-    )  # a "wander copy.py" is none
+    # A "wander copy.py" is no task.
+    return sorted(name for name in names if name.isidentifier())
 
 
 def load_task(task: str | Path | Task) -> Task:
@@ -57,10 +56,8 @@ def load_task(task: str | Path | Task) -> Task:
     path = Path(task)
     is_own = path.suffix == ".py"
     if not is_own:
-        path = (
-            shipped("tasks")
-            / f"{check_name(str(task), available_tasks(), 'task', 'the toolkit')}.py"
-        )
+        name = check_name(str(task), available_tasks(), "task", "the toolkit")
+        path = shipped("tasks") / f"{name}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
     # A file of one's own is run each time, for what it imports may have been edited, too.
@@ -77,9 +74,8 @@ def _task_of(path: Path, text: bytes) -> Task:
     try:
         # Not a regular import: that would keep bytecode next to the file and miss an edit made within the same second.
         exec(compile(text, str(path), "exec"), vars(module))
-    except (
-        ValueError
-    ) as error:  # most likely one of our own sentences, which says it all
+    except ValueError as error:
+        # Most likely it is one of our own sentences, which needs no more words.
         raise ValueError(f"{file_and_line(path, error)}: {error}") from None
     except (Exception, SystemExit) as error:  # a task's file may raise anything
         raise ValueError(
@@ -92,9 +88,8 @@ def _task_of(path: Path, text: bytes) -> Task:
         raise ValueError(
             f"{path}: the file must define task = Task(...), found {defined!r:.200}"
         )
-    fingerprint = sha256(
-        text.replace(b"\r\n", b"\n")
-    )  # the same for each copy that version control makes
+    # Version control may change the ends of lines: they do not count.
+    fingerprint = sha256(text.replace(b"\r\n", b"\n"))
     description = str(module.__doc__ or "").strip()
     return replace(
         defined,

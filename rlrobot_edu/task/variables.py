@@ -42,11 +42,9 @@ class Bin:
     reading: float
 
     def __str__(self) -> str:
-        span = (
-            f"{self.reading:g}"
-            if self.low == self.high
-            else f"{self.low:g}–{self.high:g}"
-        )
+        span = f"{self.low:g}–{self.high:g}"
+        if self.low == self.high:
+            span = f"{self.reading:g}"
         return f"{span} {self.unit}" if self.unit else span
 
 
@@ -98,9 +96,9 @@ class InputVariable:
                 f"{owner}: give exactly one of cuts, sectors and values, not {found}"
             )
         if self.cuts is not None:
-            vars(self)["cuts"] = cuts = check_numbers(
-                f"{owner}: cuts", self.cuts, finite=True
-            )
+            cuts = check_numbers(f"{owner}: cuts", self.cuts, finite=True)
+            # The dataclass is frozen: only object.__setattr__ can still set its fields.
+            object.__setattr__(self, "cuts", cuts)
             got = f"got {list(cuts)!s:.200}"
             if any(b <= a for a, b in pairwise(cuts)):
                 raise ValueError(
@@ -111,7 +109,8 @@ class InputVariable:
                     f"{owner}: cuts must lie inside the sensor's range {self._range}, {got}"
                 )
         elif self.values is not None:
-            vars(self)["values"] = _different(f"{owner}: values", self.values)
+            values = _different(f"{owner}: values", self.values)
+            object.__setattr__(self, "values", values)
         elif not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
             limits = f"an integer of at least 2 and at most {MOST_BINS:,}"
             raise ValueError(
@@ -135,7 +134,7 @@ class InputVariable:
         Parameters
         ----------
         reading : float [unit]
-            What the sensor says.
+            The sensor's number.
 
         Returns
         -------
@@ -153,17 +152,16 @@ class InputVariable:
             raise ValueError(
                 f"input {self.name!r}: reading {reading!r:.200} is not a number"
             ) from None
-        if not (
-            self.low <= reading <= self.high and math.isfinite(reading)
-        ):  # false for NaN as well
-            fault = f"is outside {self._range}; check the sensor"
-            raise ValueError(f"input {self.name!r}: reading {reading:g} {fault}")
+        is_inside = self.low <= reading <= self.high  # false for NaN as well
+        if not (is_inside and math.isfinite(reading)):
+            raise ValueError(
+                f"input {self.name!r}: reading {reading:g} is outside {self._range}; check the sensor"
+            )
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
-            return (
-                math.ceil(reading * self.sectors / (2 * math.pi) - 0.5) % self.sectors
-            )
+            turned = reading * self.sectors / (2 * math.pi)
+            return math.ceil(turned - 0.5) % self.sectors
         if self.values is None or reading not in self.values:
             raise ValueError(
                 f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}"
@@ -196,12 +194,11 @@ class InputVariable:
             width = 2 * math.pi / self.sectors
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
-        low, high = (self.low, *(self.cuts or ()), self.high)[index : index + 2]
-        reading = (
-            high
-            if math.isfinite(high)
-            else max(low + 1.0, math.nextafter(low, math.inf))
-        )
+        limits = (self.low, *(self.cuts or ()), self.high)
+        low, high = limits[index : index + 2]
+        reading = high
+        if not math.isfinite(high):
+            reading = max(low + 1.0, math.nextafter(low, math.inf))
         return Bin(index, low, high, self.unit, reading)
 
 
@@ -234,17 +231,18 @@ class OutputVariable:
     def __post_init__(self) -> None:
         owner = f"output {self.name!r:.200}"
         _check_texts(owner, self.name, self.unit)
-        vars(self)["values"] = values = _different(f"{owner}: values", self.values)
+        values = _different(f"{owner}: values", self.values)
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "values", values)
         if self.words is not None:
             words = tuple(self.words) if isinstance(self.words, list | tuple) else ()
-            if len(words) != len(values) or not all(
-                isinstance(word, str) for word in words
-            ):
+            are_texts = all(isinstance(word, str) for word in words)
+            if len(words) != len(values) or not are_texts:
                 expected = f"one text for each of the {len(values)} values"
                 raise ValueError(
                     f"{owner}: words must be {expected}, got {self.words!r:.200}"
                 )
-            vars(self)["words"] = words
+            object.__setattr__(self, "words", words)
 
 
 Variable = InputVariable | OutputVariable

@@ -1,7 +1,7 @@
-"""What is worth a look in a task file: the robot is let loose, and agents try to learn."""
+"""What is worth a look in a task file: its robot acts at random, and agents try to learn."""
 
 import html
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -31,15 +31,25 @@ from rlrobot_edu.tools.task_tables import (
 from rlrobot_edu.tools.trial import Trial, acting, learning
 
 LEARNERS = 8  # of each kind, to tell learning from luck
-METHOD, CHANCE, SEES_NOTHING = "TOSL+QBIASSR", "Q+RANDOM", "TOSL+SR that sees nothing"
+METHOD = "TOSL+QBIASSR"
+CHANCE = "Q+RANDOM"
+SEES_NOTHING = "TOSL+SR that sees nothing"
 WITHOUT = f"{METHOD} without "
 SIGNIFICANT = 0.05
+REWARD_COLUMNS = ("reward", "", "steps", "share", "most often from the state")
+LEARNER_COLUMNS = (
+    "method",
+    "average reward at the end",
+    "standard deviation",
+    f"than {METHOD}",
+    "p",
+)
 RARE = 0.05  # share of the steps; a reward that is given less often may be too rare to be learned from
 
 
 @dataclass(frozen=True, repr=False)
 class TaskCheck:
-    """What was seen of a task, and what is worth a look; `print` and notebooks show it all.
+    """The report on a task, with what is worth a look; `print` and notebooks show it all.
 
     task: its name and size; findings: sentences, none for a task in which nothing is odd
     speed: whether reward and goal are plain functions, see `rlrobot_edu.task.plain`; an empty text for a robot without
@@ -57,17 +67,14 @@ class TaskCheck:
     learner: Table
 
     def __repr__(self) -> str:
-        return "\n\n".join(
-            [
-                self._head,
-                *map(str, self._tables),
-                "\n- ".join(["Worth a look:", *self._told]),
-            ]
-        )
+        parts = [self._head]
+        parts += [str(table) for table in self._tables]
+        parts.append("\n- ".join(["Worth a look:", *self._sentences]))
+        return "\n\n".join(parts)
 
     def _repr_html_(self) -> str:
         tables = "".join(table._repr_html_() for table in self._tables)
-        items = "".join(f"<li>{html.escape(finding)}</li>" for finding in self._told)
+        items = "".join(f"<li>{html.escape(text)}</li>" for text in self._sentences)
         return f"<p>{html.escape(self._head)}</p>{tables}<p>Worth a look:</p><ul>{items}</ul>"
 
     @property
@@ -79,8 +86,10 @@ class TaskCheck:
         return self.readings, self.inputs, self.rewards, self.actions, self.learner
 
     @property
-    def _told(self) -> tuple[str, ...]:
-        return self.findings or (
+    def _sentences(self) -> tuple[str, ...]:
+        if self.findings:
+            return self.findings
+        return (
             "nothing: each bin and reward was met, each input is needed, and looking pays.",
         )
 
@@ -93,22 +102,23 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     task : Task, str or Path
         A task, its name, or the path of your own task file.
     steps : int
-        Length of each trial, at least 100: one at random, one with an agent that learns, eight each with the kinds of
-        agents of the last table, and eight with the best single action, which is found in trials of a quarter of it.
+        Length of each trial, at least 100. There is one trial at random, one with an agent that learns, eight for
+        each kind of agent in the last table, and eight with the best single action. That action is found in trials of
+        a quarter of this length.
     seed : int
         The same seed gives the same report.
 
     Returns
     -------
     TaskCheck
-        How far the readings go, bins never reached, how often and where each reward was given, actions without effect,
-        and whether the default method is shown to beat chance, agents that see nothing, the best single action, and
-        itself without each of its inputs.
+        The range of the readings, bins never reached, how often and where each reward was given, and actions without
+        effect. Also whether the default method is shown to beat chance, agents that see nothing, the best single
+        action, and itself without each of its inputs.
 
     Raises
     ------
     ValueError
-        If there is something wrong in the task's file: it says which file, line and what.
+        If something is wrong in the task's file; the message names the file, the line and the mistake.
     FileNotFoundError
         If there is no such task file.
     ImportError
@@ -120,66 +130,90 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     episodic task, over its last episode. A task passes only if the default method earns significantly more than chance
     and than each robot that does not look: agents that see nothing, and one action repeated. If one of these earns
     significantly more, it pays not to look. An input is shown to be needed if agents without it earn significantly
-    less. The report says nothing of inputs while agents do not beat chance. Of true differences of one standard
-    deviation, eight agents each miss about every other. An input may also pay later, for it makes the table larger.
-    Longer trials may find more. These are hints, not errors.
+    less. The report says nothing about inputs while agents do not beat chance. With eight agents each, about every
+    other true difference of one standard deviation is missed. An input may also pay only later, because it makes the
+    table larger. Longer trials may find more. These are hints, not errors.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)
     check_count("seed", seed, least=0)
-    few, (drawn, learned, repeated) = steps // 4, np.random.SeedSequence(seed).spawn(3)
+    few = steps // 4
+    drawn, learned, repeated = np.random.SeedSequence(seed).spawn(3)
     trials = {
         "at random": learning(task, steps, drawn, CHANCE),
         "while learning": learning(task, steps, learned),
     }
     alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
     seen = [*trials.values(), *alone]
-    # which one to repeat for as long as agents learn: not by what it earns on its way from the start
-    _, best = max(
-        (float(trial.transitions.r[few // 2 :].mean()), a)
-        for a, trial in enumerate(alone)
-    )
-    moving = [
-        v.name
-        for i, v in enumerate(task.inputs)
-        if np.count_nonzero(shares_of_bins(task, seen, i)) > 1
-    ]
-    earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
-    same = [
-        acting(task, [best] * steps, each).transitions
-        for each in repeated.spawn(LEARNERS)
-    ]
+    earned = _earned(task, _inputs_to_leave_out(task, seen), steps, seed)
+    best = _best_alone(alone)
+    repeating = f"action {best} ({task.actions.label(best)}) for ever"
     like = earned[METHOD][0]  # measured as an agent is
-    earned[f"action {best} ({task.actions.label(best)}) for ever"] = Runs(
-        replace(like, transitions=x) for x in same
-    )
-    final = dict(
-        zip(
-            earned,
-            without_rounding([runs.final for runs in earned.values()]),
-            strict=True,
-        )
-    )
-    compared = [
-        (who, float(x.mean()), float(x.std(ddof=1)), *_against(x, final[METHOD]))
-        for who, x in final.items()
-    ]
-    rewards = [
-        (f"{r:g}", who, *when_given(task, trial, r))
-        for r in sorted(task.rewards)
-        for who, trial in trials.items()
-    ]
+    runs = Runs()
+    for its_seed in repeated.spawn(LEARNERS):
+        trial = acting(task, [best] * steps, its_seed)
+        runs.append(replace(like, transitions=trial.transitions))
+    earned[repeating] = runs
+    compared = _compared(earned)
+    rewards = []
+    for r in sorted(task.rewards):
+        for who, trial in trials.items():
+            rewards.append((f"{r:g}", who, *when_given(task, trial, r)))
     return TaskCheck(
-        f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
-        _speed(task),
-        (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials["at random"]),
-         *_odd_learning(compared, steps, _advice(rewards, steps))),
-        readings_table(task, seen), inputs_table(task, trials.values()),
-        Table("What it is given", ("reward", "", "steps", "share", "most often from the state"), rewards),
-        actions_table(task, trials["at random"]),
-        Table(f"Does it learn? {LEARNERS} agents each, {steps} steps; p: one-sided Mann–Whitney test",
-              ("method", "average reward at the end", "standard deviation", f"than {METHOD}", "p"), compared),
-    )  # fmt: skip
+        task=f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
+        speed=_speed(task),
+        findings=(
+            *_odd_inputs(task, seen),
+            *_odd_rewards(task, seen),
+            *_odd_actions(task, trials["at random"]),
+            *_odd_learning(compared, steps, _advice(rewards, steps)),
+        ),
+        readings=readings_table(task, seen),
+        inputs=inputs_table(task, trials.values()),
+        rewards=Table("What it is given", REWARD_COLUMNS, rewards),
+        actions=actions_table(task, trials["at random"]),
+        learner=Table(
+            f"Does it learn? {LEARNERS} agents each, {steps} steps; p: one-sided Mann–Whitney test",
+            LEARNER_COLUMNS,
+            compared,
+        ),
+    )
+
+
+def _best_alone(alone: Sequence[Trial]) -> int:
+    """The action that earns most if it is repeated, the last of several alike.
+
+    What it earns on the way from the start does not count, because it will be repeated for longer.
+    """
+    means = []
+    for trial in alone:
+        rewards = trial.transitions.r
+        means.append(float(rewards[len(rewards) // 2 :].mean()))
+    _, best = max((mean, a) for a, mean in enumerate(means))
+    return best
+
+
+def _inputs_to_leave_out(task: Task, seen: Sequence[Trial]) -> list[str]:
+    """The inputs without which agents try to learn, one by one: those that were in more than one bin."""
+    if len(task.inputs) == 1:
+        return []
+    moving = []
+    for i, variable in enumerate(task.inputs):
+        if np.count_nonzero(shares_of_bins(task, seen, i)) > 1:
+            moving.append(variable.name)
+    return moving
+
+
+def _compared(earned: Mapping[str, Runs]) -> list[tuple[Any, ...]]:
+    """Mean and standard deviation of the final rewards of each kind, and whether they differ from those of METHOD."""
+    final = without_rounding([runs.final for runs in earned.values()])
+    its_final = dict(zip(earned, final, strict=True))
+    rows: list[tuple[Any, ...]] = []
+    for who, x in its_final.items():
+        mean = float(x.mean())
+        deviation = float(x.std(ddof=1))
+        rows.append((who, mean, deviation, *_against(x, its_final[METHOD])))
+    return rows
 
 
 def _earned(
@@ -215,9 +249,9 @@ def _speed(task: Task) -> str:
 def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
     for i, variable in enumerate(task.states.inputs):
         met = shares_of_bins(task, seen, i)
-        if never := [
-            f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(met == 0).tolist()
-        ]:
+        missed = np.flatnonzero(met == 0).tolist()
+        if missed:
+            never = [f"bin {k} ({variable.decode(k)})" for k in missed]
             low, high = extremes(seen, variable.name)
             span = f"{low:.3g} to {high:.3g} {variable.unit}".strip()
             yield f"{variable.name}: {', '.join(never)} was never reached; it read {span}."
@@ -226,7 +260,9 @@ def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
 
 
 def _odd_rewards(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
-    given = {float(r) for trial in seen for r in np.unique(trial.transitions.r)}
+    given: set[float] = set()
+    for trial in seen:
+        given.update(trial.transitions.r.tolist())
     for r in sorted(set(task.rewards) - given):
         yield f"the reward {r:g} was never given."
     if len(given) == 1:
@@ -244,41 +280,38 @@ def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
 
 
 def _against(these: np.ndarray, those: np.ndarray) -> tuple[str, float | None]:
-    """Whether these are significantly less or more, and the one-sided p of the side seen; nothing beside themselves."""
-    (p, side), _ = sorted(
-        (stats.mannwhitneyu(these, those, alternative=x).pvalue, x)
-        for x in ("less", "greater")
-    )
-    return (
-        ("", None)
-        if these is those
-        else (side if p < SIGNIFICANT else "not shown", float(p))
-    )
+    """Whether these are significantly less or more than those, and the one-sided p of that side.
+
+    Nothing if both are the same.
+    """
+    if these is those:
+        return "", None
+    less = stats.mannwhitneyu(these, those, alternative="less").pvalue
+    greater = stats.mannwhitneyu(these, those, alternative="greater").pvalue
+    p, side = min((less, "less"), (greater, "greater"))
+    return side if p < SIGNIFICANT else "not shown", float(p)
 
 
 def _odd_learning(
     compared: Sequence[Sequence[Any]], steps: int, advice: str
 ) -> Iterator[str]:
     """What agents are not shown to beat, with advice; inputs that they are not shown to need."""
-    (_, mine, *_), *others = compared
-    unbeaten = [
-        who
-        for who, _, _, side, _ in others
-        if side != "less" and not who.startswith(WITHOUT)
-    ]
+    method, *others = compared
+    mine = method[1]
+    unbeaten = []
+    for who, _, _, side, _ in others:
+        if side != "less" and not who.startswith(WITHOUT):
+            unbeaten.append(who)
     for who, mean, _, side, p in others:
+        is_better = side == "greater"
         after = f"after {steps} steps (p = {p:.2g})"
         if who in unbeaten:
-            verdict = (
-                "it pays not to look"
-                if side == "greater"
-                else "looking is not shown to pay"
-            )
+            verdict = "looking is not shown to pay"
+            if is_better:
+                verdict = "it pays not to look"
             yield f"{who} earns {mean:.2f}, {METHOD} {mine:.2f} {after}: {verdict}."
         elif side != "less" and CHANCE not in unbeaten:
-            verdict = (
-                "hinders so far" if side == "greater" else "is not shown to be needed"
-            )
+            verdict = "hinders so far" if is_better else "is not shown to be needed"
             means = f"without it agents earn {mean:.2f}, with it {mine:.2f} {after}"
             yield f"{who.removeprefix(WITHOUT)} {verdict}: {means}. Leave it out, or give more steps."
     if unbeaten:
@@ -287,8 +320,15 @@ def _odd_learning(
 
 def _advice(rewards: Sequence[Sequence[Any]], steps: int) -> str:
     """What to do if agents are no better than robots that do not look; it depends on how rare the best reward is."""
-    (best, _, drawn, *_), (_, _, learned, _, where) = rewards[-2:]
-    times = f"{drawn} of {steps} steps at random, {learned} while learning{', most often from: ' * bool(where)}{where}"
-    rare = f"the reward {best} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."
-    usual = "give more steps, pay for what only a robot that looks can do, or let it perceive what decides the reward."
-    return rare if max(drawn, learned) < RARE * steps else usual
+    at_random, while_learning = rewards[-2:]
+    best, _, drawn, _, _ = at_random
+    _, _, learned, _, where = while_learning
+    if max(drawn, learned) >= RARE * steps:
+        return (
+            "give more steps, pay for what only a robot that looks can do, "
+            "or let it perceive what decides the reward."
+        )
+    times = f"{drawn} of {steps} steps at random, {learned} while learning"
+    if where:
+        times += f", most often from: {where}"
+    return f"the reward {best} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."

@@ -31,10 +31,8 @@ def list_tasks() -> None:
     for name in available_tasks():
         try:
             task = rl.load_task(name)
-            size, about = (
-                f"{task.states.n} × {task.actions.n}",
-                task.description.partition("\n")[0],
-            )
+            size = f"{task.states.n} × {task.actions.n}"
+            about = task.description.partition("\n")[0]
             print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
         except (ValueError, OSError) as error:  # the others are shown all the same
             print(f"{name:<16} cannot be loaded: {error}")
@@ -62,12 +60,13 @@ def doctor() -> None:
     """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
     from rlrobot_edu.tools.doctor import examine
 
-    print(diagnosis := examine())
+    diagnosis = examine()
+    print(diagnosis)
     sys.exit(diagnosis.is_broken)
 
 
 class Commands:
-    """What can be typed after a program's name, and what --help says about it; `parser` reads it."""
+    """The commands after a program's name, and their help; `parser` reads the command line."""
 
     def __init__(self) -> None:
         name = "rlrobot-edu"
@@ -115,7 +114,7 @@ def add_commands(commands: Commands) -> None:
 
 
 def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
-    """The function of the command that is given, and its arguments. Ends the program where there is no such command.
+    """The function of the given command, and its arguments. Ends the program if there is no such command.
 
     A command whose parser sets `passes_on` gets all arguments that it does not know under that name.
     """
@@ -125,7 +124,8 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
         package.load()(commands)
     known, unknown = commands.parser.parse_known_args(given)
     arguments = vars(known)
-    run, passes_on = arguments.pop("run"), arguments.pop("passes_on")
+    run = arguments.pop("run")
+    passes_on = arguments.pop("passes_on")
     if passes_on:
         arguments[passes_on] = unknown
     elif unknown:

@@ -1,7 +1,7 @@
-"""What is installed, what is missing, and what that disables: what ``python -m rlrobot_edu doctor`` says.
+"""The report of ``python -m rlrobot_edu doctor``: what is installed, what is missing, and what that disables.
 
-What is needed comes from the package's own metadata, which pip has written from pyproject.toml; only the words for what
-an extra brings are ours.
+The requirements come from the package's own metadata, which pip has written from pyproject.toml. Only the words for
+what an extra brings are ours.
 """
 
 import importlib.util
@@ -11,6 +11,7 @@ import tempfile
 import textwrap
 from collections.abc import Iterator
 from importlib import metadata
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,10 +21,10 @@ import rlrobot_edu
 from rlrobot_edu.jit import dispatcher
 
 NAME = "rlrobot-edu"
-WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
-PIP = (
-    "python -m pip" if importlib.util.find_spec("pip") else "uv pip"
-)  # uv makes environments without pip
+WIDTH = 100  # of a line
+INDENT = 15  # of the text beside a name
+# uv makes environments without pip.
+PIP = "python -m pip" if importlib.util.find_spec("pip") else "uv pip"
 ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 
 # What is missing without an extra of pyproject.toml.
@@ -38,8 +39,8 @@ WITHOUT = {
 class Finding(NamedTuple):
     """One line of the report.
 
-    name: what was looked at; says: what is there
-    to_do: a sentence if something should be done about it; is_broken: whether the toolkit cannot work without that
+    name: of the thing examined; says: what was found
+    to_do: a sentence if something should be done about it; is_broken: whether the toolkit cannot work like this
     """
 
     name: str
@@ -56,44 +57,40 @@ class Diagnosis(NamedTuple):
     @property
     def is_broken(self) -> bool:
         """Whether something is wrong without which the toolkit cannot work."""
-        return any(
-            finding.is_broken
-            for findings in self.sections.values()
-            for finding in findings
-        )
+        return any(finding.is_broken for finding in self._findings)
+
+    @property
+    def _findings(self) -> Iterator[Finding]:
+        return chain.from_iterable(self.sections.values())
 
     def __str__(self) -> str:
         lines = []
         for heading, findings in self.sections.items():
-            lines += [heading, *map(_line, findings), ""]
-        to_do = dict.fromkeys(
-            one.to_do
-            for findings in self.sections.values()
-            for one in findings
-            if one.to_do
-        )
-        if not to_do:
-            return "\n".join(
-                [
-                    *lines,
-                    "All is well. What is said to be missing is needed only for what is said there.",
-                ]
+            lines.append(heading)
+            lines += [_line(finding) for finding in findings]
+            lines.append("")
+        to_do = dict.fromkeys(one.to_do for one in self._findings if one.to_do)
+        if to_do:
+            lines.append("What to do:")
+            for i, text in enumerate(to_do, 1):
+                task = f"{i}. {text}"
+                lines.append(textwrap.fill(task, WIDTH, subsequent_indent="   "))
+        else:
+            lines.append(
+                "All is well. What is said to be missing is needed only for what is said there."
             )
-        tasks = (
-            textwrap.fill(f"{i}. {text}", WIDTH, subsequent_indent="   ")
-            for i, text in enumerate(to_do, 1)
-        )
-        return "\n".join([*lines, "What to do:", *tasks])
+        return "\n".join(lines)
 
 
 def examine() -> Diagnosis:
     """Look at this Python, at what is installed, and at this folder; nothing is fetched from anywhere."""
     package = _package()
+    extras = [] if package.is_broken else list(WITHOUT)
     return Diagnosis(
         {
             "This computer": [_python(), package, _kernels(), _arms(), _folder()],
             "Needed by everything": list(_core()),
-            "Extras": [*map(_extra, () if package.is_broken else WITHOUT)],
+            "Extras": [_extra(name) for name in extras],
         }
     )
 
@@ -114,7 +111,7 @@ def _python() -> Finding:
 
 
 def _package() -> Finding:
-    """The package's version, and where it lies; what pip knows of it may be older than what runs."""
+    """The package's version and place; the version that pip knows may be older than the one that runs."""
     says = f"{rlrobot_edu.__version__} in {dispatcher.PACKAGE}"
     try:
         version = metadata.version(NAME)
@@ -134,9 +131,9 @@ def _package() -> Finding:
 
 def _kernels() -> Finding:
     if dispatcher.numba is None or dispatcher.IS_PLAIN:
-        why = (
-            "without numba" if dispatcher.numba is None else "as NUMBA_DISABLE_JIT says"
-        )
+        why = "as NUMBA_DISABLE_JIT says"
+        if dispatcher.numba is None:
+            why = "without numba"
         return Finding(
             "kernels", f"plain Python, {why}: the same numbers, some 100 times as slow"
         )
@@ -195,11 +192,10 @@ def _core() -> Iterator[Finding]:
     """What the toolkit itself needs: each is imported, because one that is damaged is no better than none."""
     for requirement in _needed():
         fault = _fault(requirement)
+        module = requirement.name.replace("-", "_")  # each is named like its module
         try:
             if not fault:
-                importlib.import_module(
-                    requirement.name.replace("-", "_")
-                )  # each is named like its module
+                importlib.import_module(module)
         except Exception as error:  # a damaged package may raise anything
             fault = f"cannot be imported: {type(error).__name__}: {error}"
         if fault:
@@ -213,7 +209,8 @@ def _core() -> Iterator[Finding]:
 def _extra(name: str) -> Finding:
     """What an extra needs, and with which versions it is there."""
     requirements = _needed(name)
-    versions, faults = [], []
+    versions = []
+    faults = []
     for requirement in requirements:
         fault = _fault(requirement)
         if fault:

@@ -14,7 +14,7 @@ from rlrobot_edu.task.room import Box, Room
 WALL, FREE, GOAL = "#", ".", "G"
 HEADINGS = {">": 0.0, "^": math.pi / 2, "<": math.pi, "v": -math.pi / 2}  # [rad]
 ALSO = str.maketrans("+-| ", "###.")  # what may stand for walls and for free floor, too
-MOST = 80  # lines, and characters in a line: a page
+MOST = 80  # lines, and characters in a line
 CELL = (0.05, 10.0)  # the smallest and the largest [m]
 
 
@@ -66,59 +66,72 @@ def draw_room(text: str, cell: float = 0.6) -> Room:
         raise ValueError(f"a drawing is a text of lines, got {text!r:.200}")
     check_between("the cell of a drawing", cell, *CELL, unit=" of metres")
     grid = _grid(text)
-    starts = np.argwhere(np.isin(grid, [*HEADINGS])).tolist()
+    starts = np.argwhere(np.isin(grid, list(HEADINGS))).tolist()
     goals = np.argwhere(grid == GOAL).tolist()
     if len(starts) != 1 or len(goals) > 1:
-        expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
         raise ValueError(
-            f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}"
+            f"a drawing needs one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}; "
+            f"this one has {len(starts)} and {len(goals)}"
         )
     _check_room(grid, *starts, *goals)
     height, width = grid.shape
 
     def point(line: float, column: float) -> tuple[float, float]:
-        x, y = (column - width / 2) * cell, (height / 2 - line) * cell
+        x = (column - width / 2) * cell
+        y = (height / 2 - line) * cell
         return round(x, 9), round(y, 9)
 
-    def middle(line: int, column: int) -> tuple[float, float]:
-        return point(line + 0.5, column + 0.5)
-
     def box(top: int, left: int, bottom: int, right: int) -> Box:
-        return *point(bottom, left), *point(top, right)
+        x_min, y_min = point(bottom, left)
+        x_max, y_max = point(top, right)
+        return x_min, y_min, x_max, y_max
 
+    line, column = starts[0]
+    x, y = point(line + 0.5, column + 0.5)
+    start = (x, y, HEADINGS[grid[line, column]])
+    goal = None
+    for line, column in goals:
+        x, y = point(line + 0.5, column + 0.5)
+        goal = (x, y, cell / 2)
     return Room(
         walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
         bounds=box(1, 1, height - 1, width - 1),
-        start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]),
-        goal=(*middle(*goals[0]), cell / 2) if goals else None,
+        start=start,
+        goal=goal,
     )
 
 
 def _grid(text: str) -> np.ndarray:
-    """The characters of a drawing, array (lines, columns), in their one form. Raises ValueError if it is none."""
+    """The characters of a drawing in their standard form, array (lines, columns).
+
+    Raises ValueError if it is not a drawing.
+    """
     text = "\n".join(text.expandtabs().splitlines())
     # A first line that follows the quotes at once lacks the indentation of the others, as in a docstring.
-    lines = (
-        inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
-    )
+    if text[:1].isspace():
+        text = "\n" + text
+    lines = inspect.cleandoc(text).translate(ALSO).split("\n")
     width = max(len(line.rstrip(FREE)) for line in lines)
     if len(lines) > MOST or width > MOST:
         raise ValueError(
             f"the drawing is too big: {len(lines)} lines of {width} characters; at most {MOST}"
         )
-    grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
+    grid = np.array([list(line[:width].ljust(width, FREE)) for line in lines])
     drawn = np.argwhere(grid != FREE)
     if not len(drawn):
         raise ValueError(
             "the drawing is empty: draw walls around a free floor, on which the robot starts"
         )
-    (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
+    top, left = drawn.min(axis=0)
+    bottom, right = drawn.max(axis=0) + 1
     grid = grid[top:bottom, left:right]
     signs = [WALL, FREE, *HEADINGS, GOAL]
-    for at in np.argwhere(~np.isin(grid, signs)):
-        expected = f"expected one of {' '.join(signs)}"
+    unknown = np.argwhere(~np.isin(grid, signs)).tolist()
+    if unknown:
+        line, column = unknown[0]
         raise ValueError(
-            f"{_place(*at)} of the drawing is {grid.item(*at)!r}, {expected}"
+            f"{_place(line, column)} of the drawing is {grid.item(line, column)!r}, "
+            f"expected one of {' '.join(signs)}"
         )
     return grid
 
@@ -131,16 +144,18 @@ def _check_room(
     grid: np.ndarray, start: list[int], goal: list[int] | None = None
 ) -> None:
     """Raises ValueError unless walls close the room around the start, and the goal is in it."""
-    region = ndimage.label(grid != WALL)[0]
+    region, _ = ndimage.label(grid != WALL)
     reached = region == region[*start]
     if goal and not reached[*goal]:
         raise ValueError(
             f"the goal, in {_place(*goal)} of the drawing, is walled off from the start"
         )
-    reached[1:-1, 1:-1] = False
-    for gap in np.argwhere(reached):
+    on_the_edge = np.ones_like(reached)
+    on_the_edge[1:-1, 1:-1] = False
+    gaps = np.argwhere(reached & on_the_edge).tolist()
+    if gaps:
         raise ValueError(
-            f"the room is not closed: it can be left in {_place(*gap)}; put a # there"
+            f"the room is not closed: it can be left in {_place(*gaps[0])}; put a # there"
         )
 
 
@@ -149,26 +164,29 @@ def _walls(grid: np.ndarray) -> np.ndarray:
 
     They overlap at corners, so that no straight face of a wall has a seam.
     """
-    across = (
-        (top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T)
-    )
-    boxes = np.array(sorted({*_blocks(grid), *across}))
-    # is the box of the row in the column's?
-    inside = (boxes[:, None, :2] >= boxes[:, :2]).all(2) & (
-        boxes[:, None, 2:] <= boxes[:, 2:]
-    ).all(2)
-    return np.asarray(
-        boxes[inside.sum(1) == 1]
-    )  # those that are in no box but themselves
+    found = set(_blocks(grid))
+    for left, top, right, bottom in _blocks(grid.T):
+        found.add((top, left, bottom, right))
+    boxes = np.array(sorted(found))
+    # Array (boxes, boxes): whether the box of the row is inside the box of the column
+    begins_inside = (boxes[:, None, :2] >= boxes[:, :2]).all(2)
+    ends_inside = (boxes[:, None, 2:] <= boxes[:, 2:]).all(2)
+    containers = (begins_inside & ends_inside).sum(1)
+    is_only_in_itself = containers == 1
+    return np.asarray(boxes[is_only_in_itself])
 
 
 def _blocks(grid: np.ndarray) -> Iterator[tuple[int, int, int, int]]:
-    """Wall cells side by side in a line; where the next lines have the same, they are one block."""
-    begun: dict[
-        tuple[int, int], int
-    ] = {}  # first line of the block between two columns
-    for i, line in enumerate([*map("".join, grid), ""]):
+    """The blocks of wall cells, as top, left, bottom and right.
+
+    Cells side by side in a line are one block, and so are the same cells of the lines below.
+    """
+    lines = ["".join(cells) for cells in grid]
+    begun: dict[tuple[int, int], int] = {}  # the top of each block, by left and right
+    for i, line in enumerate([*lines, ""]):
         spans = {run.span() for run in re.finditer(f"{WALL}+", line)}
         for left, right in begun.keys() - spans:
-            yield begun.pop((left, right)), left, i, right
-        begun = dict.fromkeys(spans, i) | begun
+            top = begun.pop((left, right))
+            yield top, left, i, right
+        for span in spans:
+            begun.setdefault(span, i)

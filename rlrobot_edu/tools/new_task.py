@@ -8,9 +8,8 @@ from rlrobot_edu.checks import check_name
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
-TEMPLATES = (
-    Path(__file__).parent / "templates"
-)  # how each file begins, and how it goes on for each robot
+# How each file begins, and how it goes on for each robot
+TEMPLATES = Path(__file__).parent / "templates"
 
 
 def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") -> Path:
@@ -38,37 +37,37 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
         If there is such a file already (FileExistsError), or it cannot be written.
     """
     if not (isinstance(name, str) and name.isidentifier() and name.islower()):
-        expected = (
-            "small letters, digits and underscores, a letter first, as in follow_wall"
+        raise ValueError(
+            "the name of a task is made of small letters, digits and underscores, a letter first, as in follow_wall; "
+            f"got {name!r:.200}"
         )
-        raise ValueError(f"the name of a task is made of {expected}; got {name!r:.200}")
-    card, path = (
-        ROBOTS[check_name(robot, ROBOTS, "robot", "a task")],
-        Path(folder, f"{name}.py"),
-    )
+    card = ROBOTS[check_name(robot, ROBOTS, "robot", "a task")]
+    path = Path(folder, f"{name}.py")
     if path.exists():
         raise FileExistsError(
             f"{path} is there already; choose another name, or move it away"
         )
-    template = "".join(
-        (TEMPLATES / f"{part}.txt").read_text(encoding="utf-8")
-        for part in ("head", robot)
-    )
+    head = (TEMPLATES / "head.txt").read_text(encoding="utf-8")
+    body = (TEMPLATES / f"{robot}.txt").read_text(encoding="utf-8")
     scenes = list(card.scenes)
     if card.size:
         scenes.append("rooms that you draw (rlrobot_edu.tools.drawing)")
-    text = Template(template).substitute(
-        title=name.replace("_", " ").capitalize(), file=path.name, robot=robot, scene=card.scenes[0],
+    text = Template(head + body).substitute(
+        title=name.replace("_", " ").capitalize(),
+        file=path.name,
+        robot=robot,
+        scene=card.scenes[0],
         scenes=", ".join(scenes),
-        sensors=_listed(card.sensors | card.stops), commands=_listed(card.commands),
-    )  # fmt: skip
+        sensors=_listed(card.sensors | card.stops),
+        commands=_listed(card.commands),
+    )
     write_whole(path, text)
     return path
 
 
 def _listed(quantities: Mapping[str, Quantity]) -> str:
     """One comment line each: name, unit and range."""
-    return "\n".join(
-        f"#   {name:<18} {q.low:g} to {q.high:g} {q.unit}"
-        for name, q in quantities.items()
-    )
+    lines = []
+    for name, (unit, low, high) in quantities.items():
+        lines.append(f"#   {name:<18} {low:g} to {high:g} {unit}")
+    return "\n".join(lines)

@@ -7,39 +7,40 @@ import numpy as np
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.variables import InputVariable
 from rlrobot_edu.tools.trial import Trial
 
 
 def shares_of_bins(task: Task, seen: Iterable[Trial], i: int) -> np.ndarray:
-    """In which part of the steps each bin of input `i` was met."""
+    """The share of the steps in which each bin of input `i` was reached."""
     states = np.concatenate([trial.transitions.s_next for trial in seen])
-    return np.bincount(
-        np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i]
-    ) / len(states)
+    shape = task.states.shape
+    bins = np.unravel_index(states, shape)[i]
+    return np.bincount(bins, minlength=shape[i]) / len(states)
 
 
 def extremes(seen: Sequence[Trial], name: str) -> tuple[float, float]:
-    """The smallest and the largest that a reading was."""
-    low, high = zip(*(trial.read[name] for trial in seen), strict=True)
-    return min(low), max(high)
+    """The smallest and the largest value of a reading."""
+    spans = [trial.read[name] for trial in seen]
+    return min(low for low, _ in spans), max(high for _, high in spans)
 
 
 def readings_table(task: Task, seen: Sequence[Trial]) -> Table:
     """The lowest and highest of each reading, beside its limits and cuts."""
-    card, rows = ROBOTS[task.robot], []
-    cut = {
-        v.name: f"{v.sectors} sectors"
-        if v.sectors
-        else str(v.cuts or v.values).strip("(,)")
-        for v in task.inputs
-    }
-    for name, (unit, low, high) in (card.sensors | card.stops).items():
+    card = ROBOTS[task.robot]
+    cuts = {variable.name: _cuts_of(variable) for variable in task.inputs}
+    rows = []
+    for name, quantity in (card.sensors | card.stops).items():
+        lowest, highest = extremes(seen, name)
         rows.append(
             (
                 name,
-                unit,
-                *map("{:.3g}".format, (*extremes(seen, name), low, high)),
-                cut.get(name, ""),
+                quantity.unit,
+                f"{lowest:.3g}",
+                f"{highest:.3g}",
+                f"{quantity.low:.3g}",
+                f"{quantity.high:.3g}",
+                cuts.get(name, ""),
             )
         )
     head = (
@@ -54,34 +55,36 @@ def readings_table(task: Task, seen: Sequence[Trial]) -> Table:
     return Table("What it reads, in all trials", head, rows)
 
 
+def _cuts_of(variable: InputVariable) -> str:
+    """How an input is cut into bins."""
+    if variable.sectors:
+        return f"{variable.sectors} sectors"
+    return str(variable.cuts or variable.values).strip("(,)")
+
+
 def inputs_table(task: Task, trials: Iterable[Trial]) -> Table:
-    """How often each bin of an input was met, in each trial."""
+    """How often each bin of an input was reached, in each trial."""
     rows = []
     for i, variable in enumerate(task.states.inputs):
-        met = (
-            map("{:.0%}".format, shares_of_bins(task, [trial], i)) for trial in trials
-        )
-        rows.append((variable.name, *map(" ".join, met)))
-    return Table(
-        "What it perceives: share of the steps in each bin",
-        ("input", "at random", "while learning"),
-        rows,
-    )
+        cells = [variable.name]
+        for trial in trials:
+            shares = shares_of_bins(task, [trial], i)
+            cells.append(" ".join(f"{share:.0%}" for share in shares))
+        rows.append(cells)
+    title = "What it perceives: share of the steps in each bin"
+    return Table(title, ("input", "at random", "while learning"), rows)
 
 
 def when_given(task: Task, trial: Trial, r: float) -> tuple[int, str, str]:
     """In how many steps a reward was given, their share, and the state in which most of them began."""
     states = trial.transitions.s[trial.transitions.r == r]
-    times = np.bincount(states, minlength=1)
-    place = ", ".join(
-        f"{name} {part}"
-        for name, part in task.states.decode(int(times.argmax())).items()
-    )
-    return (
-        len(states),
-        f"{len(states) / len(trial.moved):.1%}",
-        f"{place} ({times.max()})" if len(states) else "",
-    )
+    share = f"{len(states) / len(trial.moved):.1%}"
+    if not len(states):
+        return 0, share, ""
+    times = np.bincount(states)
+    parts = task.states.decode(int(times.argmax()))
+    place = ", ".join(f"{name} {part}" for name, part in parts.items())
+    return len(states), share, f"{place} ({times.max()})"
 
 
 def actions_table(task: Task, trial: Trial) -> Table:
@@ -89,17 +92,11 @@ def actions_table(task: Task, trial: Trial) -> Table:
     rows = []
     for a in range(task.actions.n):
         mine = trial.transitions.a == a
-        mean = float(trial.transitions.r[mine].mean()) if mine.any() else None
-        rows.append(
-            (
-                a,
-                task.actions.label(a),
-                f"{trial.moved[mine].mean():.0%}" if mine.any() else "",
-                mean,
-            )
-        )
-    return Table(
-        "What it does, at random",
-        ("action", "", "changes a reading", "average reward"),
-        rows,
-    )
+        moved = ""
+        mean = None
+        if mine.any():
+            moved = f"{trial.moved[mine].mean():.0%}"
+            mean = float(trial.transitions.r[mine].mean())
+        rows.append((a, task.actions.label(a), moved, mean))
+    columns = ("action", "", "changes a reading", "average reward")
+    return Table("What it does, at random", columns, rows)

@@ -1,4 +1,4 @@
-"""What is seen while a task's robot acts: states, actions, rewards, readings, and what the actions did."""
+"""A record of a task's robot while it acts: states, actions, rewards, readings, and what the actions did."""
 
 from typing import Any, NamedTuple
 
@@ -17,7 +17,7 @@ Seed = int | np.random.SeedSequence
 
 
 class Trial(NamedTuple):
-    """So many steps of a robot.
+    """Some steps of a robot.
 
     transitions: columns (steps,); states and actions by number
     moved: whether any reading changed in each step, array (steps,) of bool
@@ -30,7 +30,7 @@ class Trial(NamedTuple):
 
 
 class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
-    """A task's robot, and what it lives through."""
+    """A task's robot, and a record of what it does."""
 
     def __init__(self, task: Task, seed: Seed) -> None:
         super().__init__(make_env(task, seed))
@@ -44,55 +44,43 @@ class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
 
     def step(self, action: int) -> tuple[np.ndarray, Any, bool, bool, dict[str, Any]]:
         """Act, and note it down."""
-        before, taken = self._info, super().step(action)
-        _, r, terminated, truncated, self._info = taken
-        self._rows.append(
-            (
-                before["state"],
-                action,
-                float(r),
-                self._info["state"],
-                terminated,
-                truncated,
-            )
-        )
-        self._readings.append(
-            ([*before["readings"].values()], [*self._info["readings"].values()])
-        )
-        return taken
+        before = self._info
+        observation, r, terminated, truncated, after = super().step(action)
+        self._info = after
+        ends = (terminated, truncated)
+        self._rows.append((before["state"], action, float(r), after["state"], *ends))
+        readings = ([*before["readings"].values()], [*after["readings"].values()])
+        self._readings.append(readings)
+        return observation, r, terminated, truncated, after
 
     @property
     def trial(self) -> Trial:
         """All that has been noted down."""
         readings = np.array(self._readings)  # (steps, before and after, names)
         moved = (abs(readings[:, 1] - readings[:, 0]) > LEAST_CHANGE).any(axis=1)
-        spans = (
-            np.stack(
-                [readings.min(axis=(0, 1)), readings.max(axis=(0, 1))], axis=1
-            ).round(4)
-            + 0.0
-        )  # no -0
-        read = dict(
-            zip(self._info["readings"], map(tuple, spans.tolist()), strict=True)
-        )
+        low = readings.min(axis=(0, 1)).round(4) + 0.0  # never −0
+        high = readings.max(axis=(0, 1)).round(4) + 0.0
+        spans = zip(low.tolist(), high.tolist(), strict=True)
+        read = dict(zip(self._info["readings"], spans, strict=True))
         return Trial(Transitions.of_rows(self._rows), moved, read)
 
 
 def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
     """The robot does these actions, one after the other."""
     with Watched(task, seed) as env:
-        ended = True
+        has_ended = True
         for a in actions:
-            if ended:
+            if has_ended:
                 env.reset()
-            ended = any(env.step(a)[2:4])
+            _, _, terminated, truncated, _ = env.step(a)
+            has_ended = terminated or truncated
     return env.trial
 
 
 def learning(
     task: Task, steps: int, seed: np.random.SeedSequence, method: str = "TOSL+QBIASSR"
 ) -> Trial:
-    """An agent learns with the defaults, or acts at random if that is its method; what it sees there."""
+    """An agent learns with its default parameters; with the method Q+RANDOM it acts at random."""
     agent_seed, env_seed = seed.spawn(2)
     with Watched(task, env_seed) as env:
         learn(Agent(task, method, seed=agent_seed), env, steps, progress=False)

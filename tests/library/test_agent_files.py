@@ -68,7 +68,7 @@ def test_a_saved_agent_comes_back_and_its_next_episode_is_the_same_bit_for_bit(
     try:
         agent.save(path)
     except ValueError as error:
-        assert "could not be read again" in str(error) and not path.exists()
+        assert "nothing was saved" in str(error) and not path.exists()
         return
     loaded = rl.Agent.load(path)
     assert loaded.parameters == agent.parameters and lived(loaded, []) == now
@@ -97,7 +97,7 @@ def test_an_agent_whose_values_have_no_end_keeps_the_file_that_it_had(tmp_path):
     agent.q[0, 0] = 1e308
     with pytest.raises(
         ValueError,
-        match="q of this agent is out of range, so it could not be read again",
+        match="an action value is not finite or exceeds 1e300",
     ):
         agent.save(path)
     assert rl.Agent.load(path).visits.sum() == 0

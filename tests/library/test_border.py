@@ -304,8 +304,8 @@ def test_a_number_of_episodes_means_the_same_on_a_robot_and_on_a_model(
 @pytest.mark.parametrize(
     ("settings", "match"),
     [
-        ({"r_max": 1e-320}, "r_max must be a finite number of at least 1e-100"),
-        ({"r_max": -1}, "where no reward is above 0, give the size of a large one"),
+        ({"r_max": 1e-320}, "r_max must be between 1e-100 and 1e100"),
+        ({"r_max": -1}, "if all rewards are negative, give the magnitude"),
         ({"epsilon": "0.1"}, "epsilon must be a number"),
         ({"loop_evasion": "no"}, "loop_evasion must be True or False"),
         ({"traces": np.array(["full"])}, "traces must be"),
@@ -320,7 +320,7 @@ def test_a_world_without_a_reward_above_zero_asks_for_r_max():
     model = rl.SampleModel.from_recording(
         recording_of([(0, 0, -1.0, 1, 0)], rewards=(-1.0,))
     )
-    with pytest.raises(ValueError, match="give the size of a large one"):
+    with pytest.raises(ValueError, match="give the magnitude of a typical one"):
         rl.Agent(model)
     rl.learn(rl.Agent(model, r_max=1), rl.make_env(model), 10, progress=False)
 

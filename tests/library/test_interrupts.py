@@ -85,7 +85,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
 
     monkeypatch.setattr(compiled_loop, "make_run", lambda *of: run_and_press)
     with pytest.raises(
-        KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps"
+        KeyboardInterrupt, match=r"Stopped after about [0-9]+ of 1,000 steps"
     ) as stopped:
         rl.learn(agent, env, 1000, progress=False)
     assert stopped.value._render_traceback_() == [str(stopped.value)], (
