@@ -111,16 +111,15 @@ class BulletSimulation:
     def add(self, solid: Solid) -> int:
         """Put a solid that nothing can move, a box or a cylinder, to its place; returns the number of its body."""
         if solid.shape == "box":
-            shape = self.createCollisionShape(
-                self.GEOM_BOX, halfExtents=[v / 2 for v in solid.size]
-            )
+            half = [length / 2 for length in solid.size]
+            shape = self.createCollisionShape(self.GEOM_BOX, halfExtents=half)
         else:
+            radius, height = solid.size
             shape = self.createCollisionShape(
-                self.GEOM_CYLINDER, radius=solid.size[0], height=solid.size[1]
+                self.GEOM_CYLINDER, radius=radius, height=height
             )
-        turn = self.getQuaternionFromEuler(
-            (0, 0, float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0])))
-        )
+        yaw = float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0]))
+        turn = self.getQuaternionFromEuler((0, 0, yaw))
         # "maximal coordinates": a plain rigid body; the other kind would be solved like a robot in every step
         body: int = self.createMultiBody(
             0, shape, -1, solid.pose[:3, 3].tolist(), turn, useMaximalCoordinates=1
@@ -149,9 +148,9 @@ class BulletSimulation:
         """Homogeneous transform of a link's frame, −1 for the base; array (4, 4) [m]."""
         if link == -1:
             return transform(*self.getBasePositionAndOrientation(body))
-        return transform(
-            *self.getLinkState(body, link, computeForwardKinematics=True)[4:6]
-        )
+        state = self.getLinkState(body, link, computeForwardKinematics=True)
+        position, quaternion = state[4:6]
+        return transform(position, quaternion)
 
 
 def transform(position: tuple[float, ...], quaternion: tuple[float, ...]) -> np.ndarray:
