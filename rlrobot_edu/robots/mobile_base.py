@@ -141,8 +141,7 @@ class MobileBase(SimulatedRobot):
     def _keep_push_as_velocity(self) -> None:
         """Add to the body's velocities the speeds at which a wall pushes it out, because pymunk does not copy those.
 
-        pymunk uses only the sums of both, and does not tell them. They are how far the body gets in 1 s from position
-        0 and angle 0.
+        pymunk can only move a body by the sums of both. The motion of 1 s, from position 0 and angle 0, is these sums.
         """
         body = self._body
         position, angle = body.position, body.angle

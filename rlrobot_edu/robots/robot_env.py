@@ -32,7 +32,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     task : Task
         What is observed, done and rewarded.
     seed : int or numpy.random.SeedSequence, optional
-        Makes the resets without a seed of their own repeatable too.
+        Makes resets without a seed repeatable, too.
     engine : Engine, optional
         The simulator of the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
@@ -42,7 +42,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     link : LinkedRobot, optional
         A robot that exists already, such as a real one; then nothing is simulated.
     **options
-        Further arguments of the robot's class.
+        Other arguments of the robot's class.
 
     Raises
     ------
@@ -61,7 +61,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
     - Reward: `task.reward` of the readings before and after the step
     - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
-    - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
+    - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in its own world
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
@@ -122,7 +122,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     @cached_property
     def _camera(self) -> Any:
-        # Imported here: few environments are asked for pictures.
+        # Imported here, because few environments draw pictures.
         from rlrobot_edu.show.top_down import Camera
 
         return Camera(self.robot.scene())
@@ -279,7 +279,7 @@ def default_engine(robot: str) -> Engine:
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If it is not, a line on stderr says once what replaces it."""
+    """Whether PyBullet is installed. If it is not, one line on stderr names its replacement."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:

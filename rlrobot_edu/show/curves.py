@@ -175,8 +175,8 @@ def _draw(ax: Axes, curve: Curve, colour: str, dashes: Dashes) -> list[float]:
         all_alike = not np.ptp(repetitions, axis=0).any()
         alike = ", all alike" if all_alike else ""
         name = f"{name} ({n} repetitions{alike})"
-    look = {"color": colour, "linestyle": dashes, "linewidth": 1.8}
-    ax.plot(steps, mean, label=plain(name), **look)
+    label = plain(name)
+    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=label)
     is_later = steps > BEGINNING * length
     return [*low[is_later].tolist(), *high[is_later].tolist()]
 

@@ -154,12 +154,13 @@ def _numbers(text: str) -> np.ndarray:
 def _origin(part: ET.Element) -> np.ndarray:
     """The place and the turn of an element in its link."""
     origin = _one(part, "origin").attrib
-    place = pose(*_numbers(origin["xyz"]))
+    place: np.ndarray = pose(*_numbers(origin["xyz"]))
     about_x, about_y, about_z = _numbers(origin.get("rpy", "0 0 0"))
     x_axis, y_axis, z_axis = np.eye(3)
-    return (
-        place @ _turn(z_axis, about_z) @ _turn(y_axis, about_y) @ _turn(x_axis, about_x)
-    )
+    place = place @ _turn(z_axis, about_z)
+    place = place @ _turn(y_axis, about_y)
+    place = place @ _turn(x_axis, about_x)
+    return place
 
 
 def _turn(axis: np.ndarray, angle: float) -> np.ndarray:

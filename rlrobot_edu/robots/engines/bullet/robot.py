@@ -96,7 +96,7 @@ class BulletRobot(SimulatedRobot):
         self._beginning = simulation.saveState()
         self._readings = self._sense()
 
-    # A copy, or a robot in another process, is built anew in a simulation of its own and then goes on from here.
+    # A copy, or a robot in another process, is built in a simulation of its own and then goes on from this state.
     def __reduce__(self) -> tuple[Any, ...]:
         return self._built, (), (self._simulation.state(), self._readings)
 
@@ -120,7 +120,7 @@ class BulletRobot(SimulatedRobot):
         self._simulation.run(self._step_time)
 
     def _sense(self) -> dict[str, float]:
-        readings = {}
+        readings: dict[str, float] = {}
         for part in self._parts:
             readings |= part.readings()
         return readings
