@@ -9,13 +9,13 @@ import numpy as np
 from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.room import Room
 
-Place = (
-    str | Room
-)  # where a robot may be: in an arena of this name, or in a room of one's own
-THICKNESS = 0.1  # of a wall, where nothing else is said [m]
-TABLE_HEIGHT = (
-    0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
-)
+Place = str | Room  # the name of an arena, or a room of one's own
+Point = tuple[float, float]  # x, y [m]
+Start = tuple[float, float, float]  # x, y, theta [m, m, rad]
+
+WALL_THICKNESS = 0.1  # [m]
+WALL_HEIGHT = 0.4  # [m]
+TABLE_HEIGHT = 0.22  # [m]; the lasers see the table, and the arm reaches over it
 
 
 class Wall(NamedTuple):
@@ -24,24 +24,23 @@ class Wall(NamedTuple):
     x, y: its centre [m]
     length, thickness, height: its size [m]
     angle: direction of its length, from the x axis to the left [rad]
-    name: in a scene; a wall without one is numbered
+    name: of its solid in a scene; a wall without a name gets a number
     """
 
     x: float
     y: float
     length: float
-    thickness: float = THICKNESS
+    thickness: float = WALL_THICKNESS
     angle: float = 0.0
-    height: float = 0.4
+    height: float = WALL_HEIGHT
     name: str = ""
 
     def corners(self) -> np.ndarray:
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
         along = np.array([cos(self.angle), sin(self.angle)]) * self.length / 2
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
-        return np.array(
-            [-along - across, along - across, along + across, across - along]
-        ) + (self.x, self.y)
+        corners = [-along - across, along - across, along + across, across - along]
+        return np.array(corners) + (self.x, self.y)
 
 
 class Arena(NamedTuple):
@@ -49,52 +48,55 @@ class Arena(NamedTuple):
 
     bounds: (x_min, y_min, x_max, y_max), the floor inside the outer walls [m]
     start: (x, y, theta) of the robot at the beginning [m, m, rad]
-    goal: (x, y, radius) of the place to reach [m], or None; nothing but a mark on the floor
+    goal: (x, y, radius) of the place to reach [m], or None; it is only a mark on the floor
     """
 
     walls: tuple[Wall, ...]
     bounds: tuple[float, float, float, float]
-    start: tuple[float, float, float]
+    start: Start
     goal: tuple[float, float, float] | None = None
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
         solids = []
         for i, wall in enumerate(self.walls):
+            name = wall.name or f"wall/{i}"
             size = (wall.length, wall.thickness, wall.height)
             here = pose(wall.x, wall.y, wall.height / 2, wall.angle)
-            solids.append(Solid(wall.name or f"wall/{i}", "box", size, here, "wall"))
+            solids.append(Solid(name, "box", size, here, "wall"))
         if self.goal is not None:
             x, y, radius = self.goal
-            solids.append(
-                Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal")
-            )
+            here = pose(x, y, 0.005)
+            solids.append(Solid("goal", "cylinder", (radius, 0.01), here, "goal"))
         return tuple(solids)
 
 
 def _square(
-    side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4
+    side: float, *inside: Wall, start: Start, height: float = WALL_HEIGHT
 ) -> Arena:
-    """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
-    middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
-    places = (
-        (0, -middle, 0.0),
-        (middle, 0, pi / 2),
-        (0, middle, 0.0),
-        (-middle, 0, pi / 2),
+    """A square floor of `side` [m] around the origin: outer walls of this `height` [m], then the walls `inside`."""
+    middle = (side + WALL_THICKNESS) / 2
+    length = side + 2 * WALL_THICKNESS
+    outer = (
+        Wall(0, -middle, length, angle=0.0, height=height),
+        Wall(middle, 0, length, angle=pi / 2, height=height),
+        Wall(0, middle, length, angle=0.0, height=height),
+        Wall(-middle, 0, length, angle=pi / 2, height=height),
     )
-    outer = (Wall(x, y, length, angle=angle, height=height) for x, y, angle in places)
-    return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start)
+    half = side / 2
+    return Arena((*outer, *inside), (-half, -half, half, half), start)
 
 
-def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
-    """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
+def _walls_around(*corners: Point) -> tuple[Wall, ...]:
+    """Walls along the sides of a convex floor, whose corners are given counter-clockwise."""
     walls = []
     for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
-        angle = atan2(next_y - y, next_x - x)
-        middle_x = (x + next_x) / 2 + sin(angle) * THICKNESS / 2
-        middle_y = (y + next_y) / 2 - cos(angle) * THICKNESS / 2
-        length = hypot(next_x - x, next_y - y) + 2 * THICKNESS
+        dx = next_x - x
+        dy = next_y - y
+        angle = atan2(dy, dx)
+        middle_x = (x + next_x) / 2 + sin(angle) * WALL_THICKNESS / 2
+        middle_y = (y + next_y) / 2 - cos(angle) * WALL_THICKNESS / 2
+        length = hypot(dx, dy) + 2 * WALL_THICKNESS
         walls.append(Wall(middle_x, middle_y, length, angle=angle))
     return tuple(walls)
 
@@ -103,21 +105,23 @@ def _along_y(x: float, y: float, length: float) -> Wall:
     return Wall(x, y, length, angle=pi / 2)
 
 
+_CENTRE = (0.0, 0.0, 0.0)
 _MAZE_6X6 = (
-    *(Wall(0, -3, 6), _along_y(2.95, 0, 6), Wall(0, 3, 6), _along_y(-2.95, 0, 6)),
+    # around the floor
+    Wall(0, -3, 6),
+    _along_y(2.95, 0, 6),
+    Wall(0, 3, 6),
+    _along_y(-2.95, 0, 6),
     # a corner in each quarter
-    *(
-        Wall(2.35, -1.85, 1),
-        _along_y(1.9, -2.425, 1),
-        _along_y(-1.95, 2.375, 1),
-        Wall(-2.375, 1.8, 1),
-    ),
-    *(
-        Wall(2.375, 1.95, 1),
-        _along_y(1.8, 2.4, 1),
-        Wall(-2.375, -1.825, 1),
-        _along_y(-1.825, -2.4, 1),
-    ),
+    Wall(2.35, -1.85, 1),
+    _along_y(1.9, -2.425, 1),
+    _along_y(-1.95, 2.375, 1),
+    Wall(-2.375, 1.8, 1),
+    Wall(2.375, 1.95, 1),
+    _along_y(1.8, 2.4, 1),
+    Wall(-2.375, -1.825, 1),
+    _along_y(-1.825, -2.4, 1),
+    # walls that stand alone
     _along_y(-0.025, -2.4, 1),
     Wall(-1.15, 0.875, 1, angle=radians(60)),
     _along_y(1.775, 0.175, 1),
@@ -126,16 +130,17 @@ _MAZE_6X6 = (
     _along_y(-0.875, -0.9, 1),
 )
 _MAZE_4X4 = (
-    *(
-        Wall(0, -2.025, 4),
-        _along_y(2.05, 0, 4),
-        Wall(0, 2.05, 4),
-        _along_y(-2.05, 0, 4),
-    ),
-    *(Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1)),
+    # around the floor
+    Wall(0, -2.025, 4),
+    _along_y(2.05, 0, 4),
+    Wall(0, 2.05, 4),
+    _along_y(-2.05, 0, 4),
+    # walls that stand alone
+    Wall(-1.5, -1, 1),
+    Wall(0, 0.025, 2),
+    Wall(1.475, 1, 1),
 )
-_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT, "table")
-_HEXAGON = (
+_HEXAGON = _walls_around(
     (0.75, 0.0),
     (0.375, 0.5),
     (-0.375, 0.5),
@@ -143,16 +148,26 @@ _HEXAGON = (
     (-0.375, -0.5),
     (0.375, -0.5),
 )
+_TABLE = Wall(1.25, 0, 0.8, 0.5, angle=pi / 2, height=TABLE_HEIGHT, name="table")
 
 ARENAS = {
-    "square_2x2": _square(2.0, start=(0.0, 0.0, 0.0)),
-    # as in the paper's V-REP scenes
-    "maze_6x6": Arena(_MAZE_6X6, (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
+    "square_2x2": _square(2.0, start=_CENTRE),
+    # the mazes and the hexagon are as in the paper's V-REP scenes
+    "maze_6x6": Arena(
+        _MAZE_6X6,
+        bounds=(-2.9, -2.95, 2.9, 2.95),
+        start=_CENTRE,
+    ),
     "maze_4x4_goal": Arena(
-        _MAZE_4X4, (-2.0, -1.975, 2.0, 2.0), (-1.5, -1.475, 0.0), (1.65, 1.575, 0.5)
+        _MAZE_4X4,
+        bounds=(-2.0, -1.975, 2.0, 2.0),
+        start=(-1.5, -1.475, 0.0),
+        goal=(1.65, 1.575, 0.5),
     ),
     "hexagon_giraff": Arena(
-        _walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)
+        _HEXAGON,
+        bounds=(-0.75, -0.5, 0.75, 0.5),
+        start=_CENTRE,
     ),
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),
@@ -160,11 +175,12 @@ ARENAS = {
 
 
 def arena_of(scene: Place) -> Arena:
-    """The arena of this name, or the room."""
+    """The arena of this name, or the room as an arena."""
     if isinstance(scene, str):
         return ARENAS[scene]
-    walls = [
-        Wall((x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0)
-        for x0, y0, x1, y1 in scene.walls
-    ]
+    walls = []
+    for x_min, y_min, x_max, y_max in scene.walls:
+        middle_x = (x_min + x_max) / 2
+        middle_y = (y_min + y_max) / 2
+        walls.append(Wall(middle_x, middle_y, x_max - x_min, y_max - y_min))
     return Arena(tuple(walls), scene.bounds, scene.start, scene.goal)

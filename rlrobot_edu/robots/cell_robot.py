@@ -10,9 +10,11 @@ from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import ROBOTS
 
+Cell = tuple[int, int]  # X, Y
+
 BOX_MOVES = 0.1  # probability a step
-CELLS = [(0, 0), (0, 1), (1, 0), (1, 1)]  # (X, Y)
-# heading [deg] -> neighbouring cell; it never looks back along X
+CELLS = [(0, 0), (0, 1), (1, 0), (1, 1)]
+# heading [deg] -> way to the cell ahead; the robot never looks back along X
 AHEAD = {0: (1, 0), 90: (0, 1), -90: (0, -1)}
 
 
@@ -30,23 +32,21 @@ class CellRobot(SimulatedRobot):
 
     def _begin(self, rng: np.random.Generator) -> None:
         """Put the robot in cell (0, 0), heading along X, and the box in cell (1, 1); `rng` moves it later."""
-        self._cell, self._heading, self._box, self._bumped, self._rng = (
-            (0, 0),
-            0,
-            (1, 1),
-            False,
-            rng,
-        )
+        self._cell = (0, 0)
+        self._heading = 0
+        self._box = (1, 1)
+        self._bumped = False
+        self._rng = rng
 
     def _sense(self) -> dict[str, float]:
-        """Cell X, Y; heading theta [deg]; d, 1 if a wall or the box is ahead; bumped, 1 if it has just run into it."""
+        """Cell X, Y; heading theta [deg]; d, 1 if a wall or the box is ahead; bumped, 1 after running into it."""
         x, y = self._cell
-        blocked = not self._is_free(self._cell_ahead())
+        is_blocked = not self._is_free(self._cell_ahead())
         return {
             "X": x,
             "Y": y,
             "theta": self._heading,
-            "d": int(blocked),
+            "d": int(is_blocked),
             "bumped": int(self._bumped),
         }
 
@@ -55,7 +55,8 @@ class CellRobot(SimulatedRobot):
 
         The heading stays within ±90; an obstacle ahead stops the robot. Raises ValueError for any other command.
         """
-        spin, advance = command["spin"], command["advance"]
+        spin = command["spin"]
+        advance = command["advance"]
         if spin not in AHEAD or advance not in (0, 1):
             raise ValueError(
                 f"spin must be -90, 0 or 90 and advance 0 or 1, got {dict(command)}"
@@ -66,36 +67,36 @@ class CellRobot(SimulatedRobot):
         if advance and not self._bumped:
             self._cell = target
         if self._rng.random() < BOX_MOVES:
-            free = [
-                cell for cell in CELLS if self._is_free(cell) and cell != self._cell
-            ]
-            self._box = free[self._rng.integers(len(free))]
+            empty = [cell for cell in CELLS if cell not in (self._box, self._cell)]
+            self._box = empty[self._rng.integers(len(empty))]
 
-    def _cell_ahead(self) -> tuple[int, int]:
+    def _cell_ahead(self) -> Cell:
+        x, y = self._cell
         dx, dy = AHEAD[self._heading]
-        return self._cell[0] + dx, self._cell[1] + dy
+        return x + dx, y + dy
 
-    def _is_free(self, cell: tuple[int, int]) -> bool:
+    def _is_free(self, cell: Cell) -> bool:
+        """Whether the robot could drive into this cell."""
         return cell in CELLS and cell != self._box
 
     def scene(self) -> Scene:
         """The outer walls, the robot and the box."""
-        x, y = (i - 0.5 for i in self._cell)
-        box_x, box_y = (i - 0.5 for i in self._box)
+        x, y = _middle_of(self._cell)
+        box_x, box_y = _middle_of(self._box)
         here = pose(x, y, 0.0, math.radians(self._heading))
+        body_at = here @ pose(0, 0, 0.15)
+        nose_at = here @ pose(0.2, 0, 0.325)
+        box_at = pose(box_x, box_y, 0.15)
         moving = (
-            Solid(
-                "robot/body", "cylinder", (0.3, 0.3), here @ pose(0, 0, 0.15), "robot"
-            ),
-            Solid(
-                "robot/nose",
-                "box",
-                (0.2, 0.1, 0.05),
-                here @ pose(0.2, 0, 0.325),
-                "robot",
-            ),
-            Solid("box", "box", (0.6, 0.6, 0.3), pose(box_x, box_y, 0.15), "object"),
+            Solid("robot/body", "cylinder", (0.3, 0.3), body_at, "robot"),
+            Solid("robot/nose", "box", (0.2, 0.1, 0.05), nose_at, "robot"),
+            Solid("box", "box", (0.6, 0.6, 0.3), box_at, "object"),
         )
-        return Scene(
-            self._arena.solids() + moving, np.empty((0, 2, 3)), self._arena.bounds
-        )
+        no_beams = np.empty((0, 2, 3))
+        return Scene(self._arena.solids() + moving, no_beams, self._arena.bounds)
+
+
+def _middle_of(cell: Cell) -> tuple[float, float]:
+    """Where the middle of a cell is [m]."""
+    x, y = cell
+    return x - 0.5, y - 0.5

@@ -10,7 +10,7 @@ import numpy as np
 from rlrobot_edu.robots.scene import pose
 from rlrobot_edu.task.robot_cards import LASERS, WHEELS
 
-LASER_HEIGHT = 0.20  # of the lasers above the floor [m]
+LASER_HEIGHT = 0.20  # above the floor [m]
 BODY_HEIGHT = 0.16  # [m]
 EIGHTH_OF_A_TURN = math.pi / 4  # [rad]
 
@@ -22,7 +22,7 @@ class Chassis(NamedTuple):
 
     wheel_radius, wheel_separation: size and distance of the wheels
     axle: x of the point midway between the wheels, about which the robot turns on the spot
-    lasers: place and direction (x, y, angle [rad]) of each laser, in the order of LASERS
+    lasers: x, y and direction [rad] of each laser, in the order of LASERS
     inset: how far behind its laser a ray begins: inside the body, so that a wall in contact is seen
     hull: corners of the body's outline, counter-clockwise; without any it is a disc
     radius: of the disc, or of the circle about the frame in which the hull fits
@@ -40,11 +40,14 @@ class Chassis(NamedTuple):
         """Shape and size of the body as a `Solid`."""
         if not self.hull:
             return "cylinder", (self.radius, BODY_HEIGHT)
-        return "prism", (*chain.from_iterable(self.hull), BODY_HEIGHT)
+        coordinates = chain.from_iterable(self.hull)
+        return "prism", (*coordinates, BODY_HEIGHT)
 
     def axle_at(self, x: float, y: float, theta: float) -> tuple[float, float]:
-        """Where the middle of the axle is [m] while the body's is at x, y [m] and looks in direction theta [rad]."""
-        return x + self.axle * math.cos(theta), y + self.axle * math.sin(theta)
+        """Where the middle of the axle is [m] while the robot senses x, y [m] and theta [rad]."""
+        axle_x = x + self.axle * math.cos(theta)
+        axle_y = y + self.axle * math.sin(theta)
+        return axle_x, axle_y
 
     def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
         """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
@@ -64,13 +67,15 @@ class Chassis(NamedTuple):
 def laser_beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
     """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
     here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
-    ends = []
+    beams = []
     for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
-        for r in (0, readings[laser]):
-            end_x = x + r * math.cos(angle)
-            end_y = y + r * math.sin(angle)
-            ends.append(here @ (end_x, end_y, LASER_HEIGHT, 1.0))
-    return np.reshape(ends, (-1, 2, 4))[:, :, :3]
+        reading = readings[laser]
+        hit_x = x + reading * math.cos(angle)
+        hit_y = y + reading * math.sin(angle)
+        start = here @ (x, y, LASER_HEIGHT, 1.0)
+        end = here @ (hit_x, hit_y, LASER_HEIGHT, 1.0)
+        beams.append([start[:3], end[:3]])
+    return np.array(beams)
 
 
 _LEFT_SIDE = (
@@ -81,6 +86,7 @@ _LEFT_SIDE = (
     (-0.199, 0.150),
     (-0.259, 0.050),
 )
+_RIGHT_SIDE = tuple((x, -y) for x, y in reversed(_LEFT_SIDE))
 PIONEER = Chassis(  # a Pioneer 3-DX, measured in the paper's V-REP scenes
     wheel_radius=0.0975,
     wheel_separation=0.331,
@@ -96,23 +102,28 @@ PIONEER = Chassis(  # a Pioneer 3-DX, measured in the paper's V-REP scenes
         (0.194, -0.094, 7 * EIGHTH_OF_A_TURN),
     ),
     inset=0.02,
-    hull=(*_LEFT_SIDE, *((x, -y) for x, y in reversed(_LEFT_SIDE))),
+    hull=_LEFT_SIDE + _RIGHT_SIDE,
     radius=0.265,
 )
 
-_GIRAFF_RADIUS = 0.23  # it just covers the wheels
-_ANGLES = [i * EIGHTH_OF_A_TURN for i in range(len(LASERS))]
-GIRAFF = Chassis(
-    wheel_radius=0.075,
-    wheel_separation=0.46,
-    axle=0.0,
-    lasers=tuple(
-        (_GIRAFF_RADIUS * math.cos(angle), _GIRAFF_RADIUS * math.sin(angle), angle)
-        for angle in _ANGLES
-    ),
-    inset=_GIRAFF_RADIUS,
-    hull=(),
-    radius=_GIRAFF_RADIUS,
-)
+
+def _giraff() -> Chassis:
+    radius = 0.23  # of a disc that just covers the wheels
+    lasers = []
+    for i in range(len(LASERS)):
+        angle = i * EIGHTH_OF_A_TURN
+        lasers.append((radius * math.cos(angle), radius * math.sin(angle), angle))
+    return Chassis(
+        wheel_radius=0.075,
+        wheel_separation=0.46,
+        axle=0.0,
+        lasers=tuple(lasers),
+        inset=radius,
+        hull=(),
+        radius=radius,
+    )
+
+
+GIRAFF = _giraff()
 
 CHASSIS = {"mobile_base": PIONEER, "mobile_manipulator": PIONEER, "giraff": GIRAFF}

@@ -1,4 +1,4 @@
-"""What an ideal simulator leaves out, on request: noise, wheels that slip, commands that come late, walls that hold."""
+"""Imperfections that an ideal simulator leaves out: noise, wheels that slip, late commands, walls with friction."""
 
 from collections import deque
 from collections.abc import Mapping
@@ -15,20 +15,20 @@ from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
 @dataclass(frozen=True)
 class Realism:
-    """How far a robot is from ideal; all 0 is the ideal robot.
+    """Imperfections of a robot; all 0 is the ideal robot.
 
     Parameters
     ----------
     laser_noise : float [m]
         Standard deviation of each laser reading.
     wheel_slip : float
-        Standard deviation of each wheel's, or joint's, speed relative to the one commanded.
+        Standard deviation of the speed of each wheel or joint, relative to the commanded speed.
     delay : int
         Control steps that a command takes to arrive; until the first one does, the robot stands still.
     lag : float [s]
-        Time that a command which has arrived takes to act, less than a step; until then the one before it acts.
+        Time from a command's arrival until it acts, less than a step; until then the command before it acts.
     wall_friction : float
-        Coefficient of friction with which walls hold the robot's body.
+        Coefficient of friction between walls and the robot's body.
 
     Raises
     ------
@@ -63,7 +63,7 @@ class Realism:
         check_count("delay", self.delay, least=0)
 
     def check(self, card: RobotCard, engine: str, step_time: float) -> None:
-        """Check that a robot has what the weaknesses act on.
+        """Check that a robot has what these imperfections act on.
 
         Parameters
         ----------
@@ -77,25 +77,20 @@ class Realism:
         Raises
         ------
         ValueError
-            If the robot has nothing that one of the weaknesses could act on, or if the lag is no shorter than a step.
+            If one of the imperfections has nothing to act on, or if the lag is not shorter than a step.
         """
-        on_wheels = (
-            engine == "pymunk",
-            "it needs a robot on wheels that pymunk simulates",
-        )
+        has_lasers = card.sensors.keys() >= set(LASERS)
         turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
-        needs = {
-            "laser_noise": (
-                card.sensors.keys() >= {*LASERS},
-                "this robot has no lasers",
-            ),
-            "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
-            "lag": on_wheels,
-            "wall_friction": on_wheels,
-        }
-        for name, (is_met, need) in needs.items():
+        in_pymunk = engine == "pymunk"
+        not_in_pymunk = "it needs a robot on wheels that pymunk simulates"
+        for name, is_met, why_not in (
+            ("laser_noise", has_lasers, "this robot has no lasers"),
+            ("wheel_slip", turns, "this robot has neither wheels nor joints that turn"),
+            ("lag", in_pymunk, not_in_pymunk),
+            ("wall_friction", in_pymunk, not_in_pymunk),
+        ):
             if getattr(self, name) and not is_met:
-                raise ValueError(f"{name} has nothing to act on: {need}")
+                raise ValueError(f"{name} has nothing to act on: {why_not}")
         if self.lag >= step_time:
             raise ValueError(
                 f"lag must be below {step_time:g} s, a control step, got {self.lag}; see delay"
@@ -103,23 +98,23 @@ class Realism:
 
 
 class RealisticRobot(SimulatedRobot):
-    """A robot with the weaknesses of `realism`, for its task the same to use as the robot itself.
+    """A robot with the imperfections of `realism`; a task uses it like the robot itself.
 
     Its random numbers come from the generator given to `reset`, after those that the robot draws there. A command that
     cannot be carried out is refused when it is given, not when it would arrive.
     The rewards of a task come from these readings too. `scene` shows where the robot really is.
 
-    robot: one that is ideal, but for lag and friction, which are for its own physics; card: its card
+    robot: the ideal robot; lag and friction, which its own physics simulates, it has already. card: its card
     """
 
     def __init__(self, robot: Robot, card: RobotCard, realism: Realism) -> None:
         super().__init__(card)
-        self._robot, self._realism = robot, realism
+        self._robot = robot
+        self._realism = realism
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self._on_the_way = deque(
-            [dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay
-        )
+        stand_still = dict.fromkeys(self._card.commands, 0.0)
+        self._on_the_way = deque([stand_still] * self._realism.delay)
         self._rng = rng
         self._robot.reset(rng)
 

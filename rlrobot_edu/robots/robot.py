@@ -1,4 +1,4 @@
-"""What a robot is to an environment, and what all our simulated robots do alike."""
+"""What an environment asks of a robot, and what all our simulated robots do in the same way."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -12,20 +12,20 @@ from rlrobot_edu.task.task import Task
 
 
 class Robot(Protocol):
-    """What an environment asks of a robot. Readings and commands: numbers by the names, in the units, of its card."""
+    """What an environment asks of a robot. Readings and commands have the names and the units of the robot's card."""
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the sensors say now."""
+        """What the sensors read now."""
 
     def reset(self, rng: np.random.Generator) -> dict[str, float]:
-        """Put the robot at its start and return the readings; all that is random from now on is drawn from `rng`."""
+        """Put the robot at its start and return the readings. All random numbers from now on come from `rng`."""
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
         """Carry out `command` for one control step and return the readings. Raises ValueError if it cannot."""
 
     def scene(self) -> Scene:
-        """What there is to see at this instant."""
+        """What can be seen at this instant."""
 
     def close(self) -> None:
         """End the robot's simulator, if it has one."""
@@ -39,10 +39,10 @@ class LinkedRobot(Robot, Protocol):
 
 
 class SimulatedRobot(Robot):
-    """A step: refuse a command that is not on the card, move, sense. Sensed once, so asking twice gives the same.
+    """A robot that checks each command against its card, moves, and senses once a step.
 
-    A robot says how it begins (`_begin`), moves (`_move`) and senses (`_sense`). Its copies (`copy.deepcopy`, `pickle`)
-    are in the same state, each in a world of its own.
+    A subclass defines how the robot begins (`_begin`), moves (`_move`) and senses (`_sense`). Copies of a robot
+    (`copy.deepcopy`, `pickle`) are in the same state, each in a world of its own.
 
     card: what the robot can sense and do
     """
@@ -53,11 +53,11 @@ class SimulatedRobot(Robot):
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the sensors say now, by the names and in the units of the robot's card."""
+        """What the sensors read now, by the names and in the units of the robot's card."""
         return dict(self._readings)
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Put the robot at its start and return the readings; what is random is drawn from `rng`."""
+        """Put the robot at its start and return the readings. All random numbers from now on come from `rng`."""
         self._begin(np.random.default_rng(rng))
         return self.look()
 
@@ -71,12 +71,12 @@ class SimulatedRobot(Robot):
         return self.look()
 
     def look(self) -> dict[str, float]:
-        """Sense anew, where something has moved the robot, and return the readings."""
+        """Sense again, because something else has moved the robot, and return the readings."""
         self._readings = self._sense()
         return self.readings
 
     def close(self) -> None:
-        """Nothing to end, for a robot without a simulator of its own."""
+        """Do nothing: this robot has no simulator to close."""
 
     @abstractmethod
     def _begin(self, rng: np.random.Generator) -> None:
@@ -88,4 +88,4 @@ class SimulatedRobot(Robot):
 
     @abstractmethod
     def _sense(self) -> dict[str, float]:
-        """What the sensors say now."""
+        """What the sensors read now."""

@@ -1,4 +1,4 @@
-"""A task as a Gymnasium environment: the robot acts, its readings become a state, the task says the reward."""
+"""A task as a Gymnasium environment: the robot acts, its readings become a state, the task gives the reward."""
 
 import importlib
 import sys
@@ -32,35 +32,36 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     task : Task
         What is observed, done and rewarded.
     seed : int or numpy.random.SeedSequence, optional
-        Makes the resets without a seed of their own repeatable too.
+        Makes resets without a seed repeatable, too.
     engine : Engine, optional
         The simulator of the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
-        Weaknesses that the robot shall have; None is the ideal robot.
+        Imperfections to simulate; by default the robot is ideal.
     render_mode : RenderMode, optional
-        ``rgb_array`` lets `render` draw pictures; None draws nothing.
+        With ``rgb_array``, `render` draws pictures; by default it draws none.
     link : LinkedRobot, optional
-        A robot that is there already, such as a real one; then nobody simulates it.
+        A robot that exists already, such as a real one; then nothing is simulated.
     **options
-        Further arguments of the robot's class.
+        Other arguments of the robot's class.
 
     Raises
     ------
     ValueError
-        If the robot cannot carry out one of the actions; it names the task's file. Or for another `render_mode`.
+        If the robot cannot carry out one of the actions (the message names the task's file), or if `render_mode` is
+        another one.
     ImportError
-        If the engine that you ask for is missing; it says what to install.
+        If the engine is not installed; the message says what to install.
 
     Notes
     -----
-    - `engine`: who simulates the robot, where it is simulated
-    - `stops_at_once`: whether Ctrl-C interrupts a step, see `learn`; true for a robot behind a link
+    - `engine`: the simulator of the robot; a linked robot has none
+    - `stops_at_once`: whether Ctrl-C interrupts a step, see `learn`; true for a linked robot
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
     - Reward: `task.reward` of the readings before and after the step
     - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
-    - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
+    - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in its own world
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
@@ -86,64 +87,55 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.stops_at_once = link is not None
         self._realism = realism
         if link is not None:
-            for name, value in {
-                "engine": engine,
-                "realism": realism,
-                **options,
-            }.items():
+            simulated = {"engine": engine, "realism": realism, **options}
+            for name, value in simulated.items():
                 if value:
-                    raise ValueError(
-                        f"a robot behind a link is what it is: leave {name} out"
-                    )
+                    raise ValueError(f"a linked robot takes no {name}: leave it out")
             link.prepare(task)
         else:
             self.engine = default_engine(task.robot) if engine is None else engine
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
-                options |= {"realism": realism} if self.engine == "pymunk" else {}
+                if self.engine == "pymunk":
+                    options["realism"] = realism
             self._make_robot = _maker(task, self.engine, options)
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
-        self.episode_step = self._at_goal = (
-            0  # steps so far, and those at the goal without a break
-        )
+        self.episode_step = 0
+        self._at_goal = 0  # steps at the goal without a break
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
-        self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(
-            task.actions.n
-        )
+        n_actions = task.actions.n
+        self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(n_actions)
         self._commands = task.commands  # looked up in every step
         self.np_random = generator(seed, ENVIRONMENT)
 
     @cached_property
     def robot(self) -> Robot:
-        """The robot itself, built when it is first needed unless it is there already."""
+        """The robot itself: the linked one, or one that is built when it is first needed."""
         if self._link is not None:
             return self._link
         robot = self._make_robot()
-        return (
-            RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
-            if self._realism
-            else robot
-        )
+        if self._realism is None:
+            return robot
+        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
 
     @cached_property
     def _camera(self) -> Any:
-        from rlrobot_edu.show.top_down import (
-            Camera,
-        )  # here, because few environments are asked for pictures
+        # Imported here, because few environments draw pictures.
+        from rlrobot_edu.show.top_down import Camera
 
         return Camera(self.robot.scene())
 
     def __getstate__(self) -> dict[str, Any]:
-        # without the camera, which is soon made anew
-        return {
-            name: value for name, value in self.__dict__.items() if name != "_camera"
-        }
+        state = dict(self.__dict__)
+        state.pop("_camera", None)  # a copy makes its own when it needs one
+        return state
 
     def close(self) -> None:
-        """End the robot's simulator; `reset` starts it anew."""
-        robot, self.state = self.__dict__.pop("robot", None), None
+        """End the robot's simulator; `reset` starts it again."""
+        self.state = None
+        robot = self.__dict__.pop("robot", None)
         if robot is not None:
             robot.close()
 
@@ -157,7 +149,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         seed : int, optional
             Makes what follows repeatable; None continues the random numbers.
         options : dict, optional
-            Not used; Gymnasium hands it over.
+            Not used; Gymnasium passes it.
 
         Returns
         -------
@@ -167,11 +159,12 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Raises
         ------
         ValueError
-            If a reading is out of its range; it names the task's file.
+            If a reading is out of its range; the message names the task's file.
         """
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
-        self.episode_step = self._at_goal = 0
+        self.episode_step = 0
+        self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, Info]:
@@ -190,23 +183,24 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Raises
         ------
         ValueError
-            If there is no such action, or if a reading is out of its range (it names the task's file).
+            If there is no such action, or if a reading is out of its range (the message names the task's file).
         gymnasium.error.ResetNeeded
             Before the first `reset`.
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        command = self._commands[check_index("action", action, len(self._commands))]
+        a = check_index("action", action, len(self._commands))
+        command = self._commands[a]
         before = self._readings
         observation, info = self._see(self.robot.act(command))
         reward = self.task.reward_for(before, self._readings)
         self.episode_step += 1
         self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
-        is_last = (
-            self.episode_steps is not None and self.episode_step >= self.episode_steps
-        )
-        return observation, reward, terminated, is_last and not terminated, info
+        limit = self.episode_steps
+        is_last = limit is not None and self.episode_step >= limit
+        truncated = is_last and not terminated
+        return observation, reward, terminated, truncated, info
 
     def kernel_world(self, steps: int) -> KernelWorld | None:
         """The robot and its task as a world of kernels, see `KernelEnv`; `learn` asks for it.
@@ -214,13 +208,13 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Parameters
         ----------
         steps : int
-            How many steps are to come.
+            How many steps will be taken.
 
         Returns
         -------
         KernelWorld or None
-            None where the robot or its task has no kernels, for few steps, and for a class of your own, which may step
-            in another way.
+            None if the robot or its task has no kernels, if there are few steps, and for a class of your own, which may
+            step in another way.
         """
         if steps < WORTH_COMPILING or type(self) is not RobotEnv:
             return None
@@ -230,7 +224,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return world
 
     def arrive(self, s: int) -> None:
-        """Be where the kernels have led to.
+        """Take over the state that the kernels have reached.
 
         Parameters
         ----------
@@ -248,7 +242,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Returns
         -------
         numpy.ndarray or None
-            A picture, array (height, width, 3) of uint8; None (and a warning) where `render_mode` is None.
+            A picture, array (height, width, 3) of uint8; None (and a warning) if `render_mode` is None.
 
         Raises
         ------
@@ -276,14 +270,16 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
 
 def default_engine(robot: str) -> Engine:
-    """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
+    """The first engine on the robot's card, or ``kinematic`` if that is PyBullet, which is not installed."""
     first = next(iter(ROBOTS[robot].engines))
-    return "kinematic" if first == "pybullet" and not _has_pybullet() else first
+    if first == "pybullet" and not _has_pybullet():
+        return "kinematic"
+    return first
 
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If not, says once on stderr what replaces it."""
+    """Whether PyBullet is installed. If it is not, one line on stderr names its replacement."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
@@ -296,9 +292,10 @@ def _has_pybullet() -> bool:
 
 
 def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], Robot]:
-    """What makes the task's robot with these options of its class, as often as it is called.
+    """A function that makes the task's robot with these options of its class.
 
-    Raises ValueError if no such engine simulates it or there is no such option, ImportError for a missing engine.
+    Raises ValueError if this engine does not simulate the robot, or if its class has no such option; ImportError if the
+    engine is not installed.
     """
     engines = ROBOTS[task.robot].engines
     if not isinstance(engine, str) or engine not in engines:
@@ -308,17 +305,11 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         )
     module, name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
-    # after self, scene and step_time; realism is asked for by make_env already
-    its_own = [
-        one
-        for one in [*signature(robot_class.__init__).parameters][3:]
-        if one != "realism"
-    ]
+    its_own = list(signature(robot_class.__init__).parameters)
+    for name in ("self", "scene", "step_time", "realism"):
+        if name in its_own:
+            its_own.remove(name)
+    settings = ["engine", "realism", "render_mode", "link", *its_own]
     for option in options:
-        check_name(
-            option,
-            ["engine", "realism", "render_mode", "link", *its_own],
-            "setting",
-            repr(task.robot),
-        )
+        check_name(option, settings, "setting", repr(task.robot))
     return partial(robot_class, task.scene, task.step_time, **options)

@@ -1,4 +1,4 @@
-"""What there is to see: the solids and laser beams around a robot at one instant, for any viewer to draw."""
+"""What can be seen around a robot at one instant: solids and laser beams, for any viewer to draw."""
 
 import math
 from typing import NamedTuple
@@ -16,7 +16,7 @@ class Solid(NamedTuple):
     size: box (length, width, height), cylinder (radius, height), sphere (radius,), prism (x, y of each corner of its
         convex base, counter-clockwise, height) [m]
     pose: array (4, 4), the homogeneous transform from the solid's centre to the scene's origin [m]
-    role: ``wall``, ``robot``, ``wheel``, ``object`` or ``goal``; the viewer chooses the colour. All but walls may move.
+    role: ``wall``, ``robot``, ``wheel``, ``object`` or ``goal``; the viewer chooses the colour by it. Walls never move.
     """
 
     name: str
@@ -42,4 +42,11 @@ class Scene(NamedTuple):
 def pose(x: float, y: float, z: float, yaw: float = 0.0) -> np.ndarray:
     """Homogeneous transform of a body at (x, y, z) [m], turned by `yaw` [rad] about the vertical; array (4, 4)."""
     c, s = math.cos(yaw), math.sin(yaw)
-    return np.array([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, z], [0, 0, 0, 1.0]])
+    return np.array(
+        [
+            [c, -s, 0, x],
+            [s, c, 0, y],
+            [0, 0, 1, z],
+            [0, 0, 0, 1.0],
+        ]
+    )

@@ -9,18 +9,23 @@ from matplotlib.axes import Axes
 from rlrobot_edu.experiments.runs import Runs, padded
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.show.palette import BLACK, CURVES
+from rlrobot_edu.show.palette import BLACK, CURVES, Dashes
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
-START = 0.02  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
+# The part of the steps in which an average still leaps. The picture may cut it off, so that the rest can be compared.
+BEGINNING = 0.02
+SHORT_NAME = 20  # characters; a legend of such names has two columns
 
-Curve = tuple[
-    str, np.ndarray
-]  # its name, and array (repetitions, steps), with NaN after an end
+# Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
+Curve = tuple[str, np.ndarray]
 Group = History | Sequence[History]
 Names = Sequence[str] | None
 Title = str | None
+
+NO_STEPS = (
+    "each curve needs a History of at least 1 step, or a list of them; see rl.learn"
+)
 
 
 @overload
@@ -34,68 +39,80 @@ def plot_learning(
 def plot_learning(
     *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
 ) -> Picture | Axes:
-    """Learning curves, average reward over steps.
+    """Plot learning curves: the average reward over the steps.
 
     Parameters
     ----------
     *histories : History or sequence of History
-        A History gives one curve; several are averaged, with the 95 % interval of the mean as a band, up to the
-        step that all of them have. What `repeat` or `compare` returns gives its own `curves`: in an episodic task those
-        of the last episode.
+        A History gives one curve. Several are averaged, up to the step that all of them have; a band shows the 95 %
+        interval of the mean. What `repeat` returns, and each value of what `compare` returns, gives its own `curves`:
+        in an episodic task those of the last episode.
     labels : sequence of str, optional
-        One name a curve; by default the methods' names.
+        One name for each curve; by default the names of the methods.
     ax : matplotlib.axes.Axes, optional
-        Axes to draw on; None makes a figure of its own.
+        Axes to draw on; by default those of a new figure.
     title : str, optional
         What the curves show.
 
     Returns
     -------
     Picture or matplotlib.axes.Axes
-        The figure, or `ax` where one was given.
+        The new figure, or `ax` if it was given.
 
     Raises
     ------
     ValueError
-        For an empty list, a History without steps, too few or too many labels, or an `ax` that is something else.
+        If a list is empty, a History has no steps, the labels are too few or too many, or `ax` is something else.
     """
-    if any(isinstance(h, Mapping) for h in histories):
-        raise ValueError(
-            "a comparison draws itself: result.plot(); or give plot_learning the runs of its methods"
-        )
-    groups = [
-        [h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h)
-        for h in histories
-    ]
-    drawn = [h for group in groups for h in group]
-    if (
-        not groups
-        or not all(groups)
-        or not all(isinstance(h, History) and len(h) for h in drawn)
-    ):
-        raise ValueError(
-            "each curve needs a History of at least 1 step, or a list of them; see rl.learn"
-        )
-    if labels is not None and len(labels) != len(groups):
+    groups = [_group(given) for given in histories]
+    if not groups:
+        raise ValueError(NO_STEPS)
+    if labels is None:
+        labels = [group[0].method for group in groups]
+    if len(labels) != len(groups):
         raise ValueError(
             f"plot_learning got {len(labels)} labels for {len(groups)} curves"
         )
-    names = labels if labels is not None else [group[0].method for group in groups]
-    every = [
-        g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g])
-        for g in groups
+    curves = [
+        (label, _repetitions(group))
+        for label, group in zip(labels, groups, strict=True)
     ]
     title = title or "How the average reward develops"
-    return plot_curves([*zip(names, every, strict=True)], steps_of(groups), title, ax)
+    return plot_curves(curves, steps_of(groups), title, ax)
+
+
+def _group(given: Group) -> Sequence[History]:
+    """The histories behind one curve. Raises ValueError unless each of them has a step."""
+    if isinstance(given, Mapping):
+        raise ValueError(
+            "a comparison draws itself: result.plot(); or give plot_learning the runs of its methods"
+        )
+    group: Sequence[History]
+    if isinstance(given, History):
+        group = [given]
+    elif isinstance(given, Runs):
+        group = given
+    else:
+        group = list(given)
+    have_steps = all(isinstance(one, History) and len(one) for one in group)
+    if not group or not have_steps:
+        raise ValueError(NO_STEPS)
+    return group
+
+
+def _repetitions(group: Sequence[History]) -> np.ndarray:
+    """The curves of a group, array (repetitions, steps), NaN after the end of each."""
+    if isinstance(group, Runs):
+        return group.curves
+    return padded([history.average_reward for history in group])
 
 
 def steps_of(groups: Iterable[Sequence[History]]) -> str:
-    """What the curves of these groups are drawn over, in words."""
-    in_episode = any(
-        isinstance(group, Runs) and group[0].size.episode_steps is not None
-        for group in groups
-    )
-    return "step of the last episode" if in_episode else "step"
+    """What the x axis counts, in words."""
+    for group in groups:
+        if isinstance(group, Runs) and group[0].size.episode_steps is not None:
+            return "step of the last episode"
+    return "step"
 
 
 def plot_curves(
@@ -105,54 +122,73 @@ def plot_curves(
     ax: Axes | None,
     optimum: float | None = None,
 ) -> Picture | Axes:
-    """The same for curves at hand, over `x`; the best achievable, if it is known, as a line."""
-    curves = [
-        (name, repetitions[:, ~np.isnan(repetitions).any(axis=0)])
-        for name, repetitions in curves
-    ]
-    ends = [
-        f"{name} ends at {repetitions[:, -1].mean():.2f}"
-        for name, repetitions in curves
-    ]
-    ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
-    alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
-    ax, shown = axes_or_new(ax, alt)
-    later = [] if optimum is None else [optimum]
-    for i, (name, repetitions) in enumerate(curves):
-        (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
-        steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
-        repetitions = repetitions[:, steps - 1]
-        mean = repetitions.mean(axis=0)
-        band = mean_band(repetitions) if n > 1 else (mean, mean)
-        later += np.array(band)[:, steps > START * length].ravel().tolist()
-        if n > 1:
-            ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
-            name += f" ({n} repetitions{', all alike' * (not np.ptp(repetitions, axis=0).any())})"
-        ax.plot(
-            steps,
-            mean,
-            color=colour,
-            linestyle=dashes,
-            linewidth=1.8,
-            label=plain(name),
-        )
+    """Plot curves over `x`, and as a line the best average reward that can be achieved, if it is known."""
+    curves = [(name, _whole(repetitions)) for name, repetitions in curves]
+    ax, shown = axes_or_new(ax, _in_words(curves, optimum))
+    kept: list[float] = []  # the values that must stay in the picture
+    for i, curve in enumerate(curves):
+        colour, dashes = CURVES[i % len(CURVES)]
+        kept += _draw(ax, curve, colour, dashes)
     if optimum is not None:
         ax.axhline(
             optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}"
         )
-    if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later):
-        ax.dataLim.intervaly = min(later), max(later)
+        kept.append(optimum)
+    if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(kept):
+        ax.dataLim.intervaly = min(kept), max(kept)
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    note = (
-        "means, and bands of their 95 % intervals"
-        if any(len(each) > 1 for _, each in curves)
-        else None
-    )
+    _add_legend(ax, shown, curves)
+    return shown
+
+
+def _whole(repetitions: np.ndarray) -> np.ndarray:
+    """The steps that all repetitions have, array (repetitions, fewer steps)."""
+    is_missing = np.isnan(repetitions).any(axis=0)
+    return repetitions[:, ~is_missing]
+
+
+def _in_words(curves: list[Curve], optimum: float | None) -> str:
+    """The picture's sentence for readers who cannot see it."""
+    ends = []
+    for name, repetitions in curves:
+        ends.append(f"{name} ends at {repetitions[:, -1].mean():.2f}")
+    if optimum is not None:
+        ends.append(f"the best achievable is {optimum:.2f}")
+    _, first = curves[0]
+    n_steps = first.shape[1]
+    return f"Learning curves, average reward over {n_steps} steps. {'; '.join(ends)}."
+
+
+def _draw(ax: Axes, curve: Curve, colour: str, dashes: Dashes) -> list[float]:
+    """Draw a curve, with a band if it has repetitions. Returns its values after the BEGINNING."""
+    name, repetitions = curve
+    n, length = repetitions.shape
+    steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
+    repetitions = repetitions[:, steps - 1]
+    mean = repetitions.mean(axis=0)
+    low, high = mean, mean
+    if n > 1:
+        low, high = mean_band(repetitions)
+        ax.fill_between(steps, low, high, color=colour, alpha=0.2, linewidth=0)
+        all_alike = not np.ptp(repetitions, axis=0).any()
+        alike = ", all alike" if all_alike else ""
+        name = f"{name} ({n} repetitions{alike})"
+    label = plain(name)
+    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=label)
+    is_later = steps > BEGINNING * length
+    return [*low[is_later].tolist(), *high[is_later].tolist()]
+
+
+def _add_legend(ax: Axes, shown: Picture | Axes, curves: list[Curve]) -> None:
+    """A legend in the axes that were given, or below those of a picture of our own, where it hides no curve."""
+    note = None
+    if any(len(repetitions) > 1 for _, repetitions in curves):
+        note = "means, and bands of their 95 % intervals"
     if shown is ax:
         ax.legend(title=note)
-    else:  # below the axes, where it hides no curve
-        columns = 2 if max(len(name) for name, _ in curves) <= 20 else 1
-        shown.legend(title=note, loc="outside lower center", ncols=columns)
-    return shown
+        return
+    longest_name = max(len(name) for name, _ in curves)
+    columns = 2 if longest_name <= SHORT_NAME else 1
+    shown.legend(title=note, loc="outside lower center", ncols=columns)

@@ -1,4 +1,4 @@
-"""What every view of a robot's scenes needs, from above or in 3D: the scenes, the path, a description in words."""
+"""What all views of a robot's scenes share, from above or in 3D: the scenes, the path, a description in words."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
 
 def robot_of(env: Env) -> Robot:
-    """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
+    """The robot of an environment, behind its wrappers. Raises ValueError if there is none."""
     robot: Robot | None = getattr(getattr(env, "unwrapped", None), "robot", None)
     if robot is None:
         raise ValueError(
@@ -34,20 +34,22 @@ def as_scenes(scenes: Scenes) -> list[Scene]:
 
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:
     """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
-    bodies = [
-        solid
-        for scene in scenes
-        for solid in scene.solids
-        if solid.name == "robot/body"
-    ]
-    return np.reshape([body.pose[:3, 3] for body in bodies], (-1, 3))
+    places = []
+    for scene in scenes:
+        for solid in scene.solids:
+            if solid.name == "robot/body":
+                places.append(solid.pose[:3, 3])
+    return np.reshape(places, (-1, 3))
 
 
 def describe(scene: Scene) -> str:
-    """The scene in one sentence, for those who hear a page instead of seeing it."""
+    """The scene in one sentence, for readers who hear a page instead of seeing it."""
     x_min, y_min, x_max, y_max = scene.bounds
-    arm = any(solid.name == "robot/upper_arm" for solid in scene.solids)
-    place, mover, digits = ("table", "gripper", 2) if arm else ("room", "robot", 1)
+    is_arm = any(solid.name == "robot/upper_arm" for solid in scene.solids)
+    if is_arm:
+        place, mover, digits = "table", "gripper", 2
+    else:
+        place, mover, digits = "room", "robot", 1
     text = f"A {place} of {x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
     for solid in scene.solids:
         if solid.name == "robot/body":

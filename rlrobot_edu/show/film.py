@@ -32,13 +32,13 @@ class Film(Displayed):
     Parameters
     ----------
     frames : list of Scene
-        What could be seen after each step.
+        The scene after each step.
     rewards : list of float
-        One number a frame.
+        The reward of each step.
     seconds_per_frame : float
-        How long each frame stays on the screen [s].
+        How long each frame is shown [s].
     notes : sequence of str
-        More to say of each frame, such as ``T = 0.5``; none if empty.
+        A note for the caption of each frame, such as ``T = 0.5``; none if empty.
 
     Raises
     ------
@@ -62,7 +62,7 @@ class Film(Displayed):
         Parameters
         ----------
         shots : iterable of (Scene, float)
-            What could be seen after each step, and the step's reward.
+            The scene after each step, and the step's reward.
 
         Returns
         -------
@@ -74,33 +74,37 @@ class Film(Displayed):
         ValueError
             If there are no frames.
         """
-        both = list(shots)
-        return cls([scene for scene, _ in both], [reward for _, reward in both])
+        scenes, rewards = [], []
+        for scene, reward in shots:
+            scenes.append(scene)
+            rewards.append(reward)
+        return cls(scenes, rewards)
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
     def _captions(self) -> list[str]:
-        """One line a step; it gives the reward in words and numbers, not by a colour."""
+        """One line for each step; it gives the reward in words and numbers, not by a colour."""
         n = len(self.frames)
-        notes = [f", {note}" for note in self.notes] or [""] * n
-        steps = enumerate(zip(self.rewards, notes, strict=True), 1)
-        return [
-            f"step {i} of {n}: reward {reward:+.4g}{note}"
-            for i, (reward, note) in steps
-        ]
+        lines = []
+        for i, reward in enumerate(self.rewards, start=1):
+            lines.append(f"step {i} of {n}: reward {reward:+.4g}")
+        if not self.notes:
+            return lines
+        return [f"{line}, {note}" for line, note in zip(lines, self.notes, strict=True)]
 
     def _pictures(self) -> list[Image.Image]:
         """Each frame from above, below its caption."""
         camera = Camera(self.frames[0], PIXELS)
-        # dots make a film half as large as lines do
+        # Dotted beams make the file half as large as lines do.
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
-        shots = enumerate(zip(self.frames, self._captions(), strict=True), 1)
-        return [
-            Image.fromarray(camera.frame(scene, text, path[:i]))
-            for i, (scene, text) in shots
-        ]
+        pictures: list[Image.Image] = []
+        for scene, caption in zip(self.frames, self._captions(), strict=True):
+            so_far = path[: len(pictures) + 1]
+            pixels = camera.frame(scene, caption, so_far)
+            pictures.append(Image.fromarray(pixels))
+        return pictures
 
     def gif(self) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
@@ -123,7 +127,7 @@ class Film(Displayed):
         Raises
         ------
         ValueError
-            If the file's name ends like that of another kind of file, such as ``.html``.
+            If the name ends like that of another kind of file, such as ``.html``.
         OSError
             If the file cannot be written.
         """
@@ -142,21 +146,22 @@ class Film(Displayed):
         ImportError
             If meshcat is not installed.
         """
-        from rlrobot_edu.show.in3d.visualizer import (
-            show_scene,
-        )  # here, because all else does without meshcat
+        # Imported here: everything else works without meshcat.
+        from rlrobot_edu.show.in3d.visualizer import show_scene
 
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 
     def still(self) -> Still:
-        """The moving picture, which says in words how the film ends.
+        """The moving picture, and in words how the film ends.
 
         Returns
         -------
         Still
             The GIF and its description.
         """
-        alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
+        n = len(self.frames)
+        end = describe(self.frames[-1])
+        alt = f"Film of a robot from above, {n} steps. At the end: {end}"
         return Still(alt, self.gif(), PIXELS, "image/gif")
 
 
@@ -183,8 +188,9 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
         If the environment has no robot to look at, or `steps` is below 1.
     """
     loop.check_pair_of(agent, env)
-    robot_of(env)  # better now than after a step has been learned
+    robot_of(env)  # refused now, before the agent has learned a step
     check_count("steps", steps)
-    return Film.of(
-        (robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)
-    )
+    shots = []
+    for step in loop.steps(agent, env, steps=steps):
+        shots.append((robot_of(env).scene(), step.r))
+    return Film.of(shots)

@@ -1,4 +1,4 @@
-"""Figures that also say in words what they show."""
+"""Figures with a description in words."""
 
 import io
 from collections.abc import Sequence
@@ -11,22 +11,18 @@ from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
 
-DPI, SMALLEST = (
-    90,
-    8.5,
-)  # pixels of a page for an inch, and size of letters that can be read [point]
-FEW_COLOURS = (
-    Image.Quantize.MAXCOVERAGE
-)  # of the ways to choose them, the truest to lines and letters
-
+DPI = 90  # pixels of a page for an inch
+SMALLEST = 8.5  # letters that can be read [point]
+# How a few colours are chosen from many: this way is the truest to lines and letters.
+FEW_COLOURS = Image.Quantize.MAXCOVERAGE
 
 Size = tuple[float, float]  # width and height [inch]
 
 
 class Picture(Displayed, Figure):
-    """A matplotlib figure whose notebook output carries `alt`, a sentence for readers who cannot see it.
+    """A matplotlib figure whose notebook output contains `alt`, a sentence for readers who cannot see it.
 
-    figsize: width and height [inch]; settings: what else a matplotlib Figure takes
+    figsize: width and height [inch]; settings: other arguments of a matplotlib Figure
     """
 
     def __init__(
@@ -39,7 +35,7 @@ class Picture(Displayed, Figure):
         return f"<Picture: {self.alt}>"
 
     def png(self, dpi: float = DPI) -> bytes:
-        """The picture as a PNG file, with no letters that are too small to be read."""
+        """The picture as a PNG file; letters that are too small to be read become larger."""
         for text in self.findobj(Text):
             text.set(fontsize=max(text.get_fontsize(), SMALLEST))
         buffer = io.BytesIO()
@@ -47,10 +43,11 @@ class Picture(Displayed, Figure):
         return buffer.getvalue()
 
     def still(self) -> Still:
-        """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
+        """The picture and its sentence, as a notebook keeps them: in double resolution, but with few colours."""
         fine = image_of(self.png(2 * DPI))
         few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
-        return Still(self.alt, png_of(few), round(DPI * self.get_figwidth()))
+        width = round(DPI * self.get_figwidth())
+        return Still(self.alt, png_of(few), width)
 
 
 def image_of(png: bytes) -> Image.Image:
@@ -63,9 +60,9 @@ def gif_of(
 ) -> bytes:
     """Images as an animated GIF that plays for ever, in few colours; the same images give the same bytes.
 
-    times: how long each stays [ms], or one number for all
+    times: how long each image is shown [ms], or one number for all
     """
-    # one palette for all: what did not move keeps its colour, so only the changes are stored
+    # With one palette for all, what does not move keeps its colour, and only the changes are stored.
     palette = images[-1].quantize(colours, FEW_COLOURS)
     first, *rest = (
         image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images
@@ -84,27 +81,31 @@ def gif_of(
 
 
 def png_of(image: Image.Image) -> bytes:
-    """An image as a PNG file, packed as small as can be."""
+    """An image as the smallest PNG file."""
     buffer = io.BytesIO()
     image.save(buffer, "PNG", optimize=True)
     return buffer.getvalue()
 
 
 def plain(text: str) -> str:
-    """Text from outside as matplotlib is to get it, so that it draws the text as it stands, and a legend shows it.
+    """Text from outside, changed so that matplotlib draws it letter by letter and a legend shows it.
 
-    Two $ would make a formula of what is between them; a legend leaves out what begins with _.
+    Between two $ matplotlib expects a formula, and a legend leaves out a name that begins with _.
     """
-    seen = "".join(
-        sign if sign.isprintable() or sign == "\n" else " " for sign in str(text)
-    )
-    return " " * seen.startswith("_") + seen.replace("$", r"\$")
+    signs = []
+    for sign in str(text):
+        can_be_drawn = sign.isprintable() or sign == "\n"
+        signs.append(sign if can_be_drawn else " ")
+    seen = "".join(signs)
+    if seen.startswith("_"):
+        seen = " " + seen
+    return seen.replace("$", r"\$")
 
 
 def axes_or_new(
     ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)
 ) -> tuple[Axes, Picture | Axes]:
-    """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
+    """The axes to plot on and what to return: twice `ax`, or without it the axes of a new picture and the picture."""
     if ax is not None:
         if not isinstance(ax, Axes):
             raise ValueError(

@@ -1,4 +1,4 @@
-"""Scenes seen from above: walls, robot and heading, laser beams and the way the robot came; and a camera for films."""
+"""Scenes from above: walls, robot and heading, laser beams and the robot's path; and a camera for films."""
 
 import math
 from typing import Any, overload
@@ -8,6 +8,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from scipy.spatial import ConvexHull
@@ -17,7 +18,7 @@ from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
 
-# what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
+# The higher number lies on top. Beams and wheels are drawn over the body, which would hide them.
 _LAYER = {
     "wall": 1,
     "goal": 2,
@@ -28,12 +29,8 @@ _LAYER = {
     "wheel": 7,
     "text": 8,
 }
-_CIRCLE = np.array(
-    [
-        (math.cos(t), math.sin(t))
-        for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)
-    ]
-)
+_TURN = np.linspace(0, 2 * math.pi, 32, endpoint=False)
+_CIRCLE = np.array([(math.cos(angle), math.sin(angle)) for angle in _TURN])
 
 
 def footprint(solid: Solid) -> np.ndarray:
@@ -44,98 +41,84 @@ def footprint(solid: Solid) -> np.ndarray:
     *base, height = solid.size
     if solid.shape == "box":
         rim = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)]) * base / 2
+    elif solid.shape == "prism":
+        rim = np.reshape(base, (-1, 2))
     else:
-        rim = np.reshape(base, (-1, 2)) if solid.shape == "prism" else base[0] * _CIRCLE
-    points = np.vstack(
-        [
-            np.column_stack([rim, np.full(len(rim), z)])
-            for z in (-height / 2, height / 2)
-        ]
-    )
+        rim = base[0] * _CIRCLE
+    bottom = np.column_stack([rim, np.full(len(rim), -height / 2)])
+    top = np.column_stack([rim, np.full(len(rim), height / 2)])
+    points = np.vstack([bottom, top])
     shadow = centre + points @ solid.pose[:2, :3].T
     return np.asarray(shadow[ConvexHull(shadow).vertices])
 
 
 def nose(body: Solid) -> np.ndarray:
     """A line from the middle of a robot's body nearly to its front; array (2, 2) [m]."""
-    centre, ahead = body.pose[:2, 3], body.pose[:2, 0]
-    return np.array(
-        [centre, centre + 0.9 * np.max((footprint(body) - centre) @ ahead) * ahead]
-    )
+    centre = body.pose[:2, 3]
+    ahead = body.pose[:2, 0]
+    front = np.max((footprint(body) - centre) @ ahead)
+    return np.array([centre, centre + 0.9 * front * ahead])
 
 
 class TopDown:
-    """The artists of one picture: walls are drawn once, the `moving` artists follow `update`.
+    """The artists of one picture. Walls are drawn once; `update` moves the `moving` artists.
 
     ax: the axes to draw on; scene: what to draw first
     """
 
     def __init__(self, ax: Axes, scene: Scene) -> None:
-        x_min, y_min, x_max, y_max = scene.bounds
-        margin = 0.03 * max(x_max - x_min, y_max - y_min)
-        ax.set(
-            xlim=(x_min - margin, x_max + margin),
-            ylim=(y_min - margin, y_max + margin),
-            aspect="equal",
-        )
-        ax.set(xlabel="x (m)", ylabel="y (m)")
-        ax.locator_params(nbins=5)
-        beam: dict[str, Any] = {"color": ROLE["beam"], "zorder": _LAYER["beam"]}
-        self.beams = LineCollection([], linewidths=0.9, label="laser", **beam)
+        self._ax = ax
+        _frame(ax, scene)
+        self.beams = LineCollection([], linewidths=0.9, label="laser")
+        self.beams.set(color=ROLE["beam"], zorder=_LAYER["beam"])
         ax.add_collection(self.beams, autolim=False)
-        (self.hits,) = ax.plot([], [], ".", markersize=5, **beam)
-        (self.path,) = ax.plot(
-            [],
-            [],
-            color=ROLE["path"],
-            linewidth=1.8,
-            zorder=_LAYER["path"],
-            label="path",
-        )
-        (self.start,) = ax.plot(
-            [], [], "s", color=ROLE["path"], markersize=6, zorder=_LAYER["path"]
-        )
-        (self.heading,) = ax.plot(
-            [], [], color="w", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round"
-        )
+        self.hits = self._marks("beam", marker=".", markersize=5)
+        self.path = self._line("path", ROLE["path"], linewidth=1.8, label="path")
+        self.start = self._marks("path", marker="s", markersize=6)
+        self.heading = self._line("wheel", "w", linewidth=2.5, solid_capstyle="round")
         self.patches: dict[str, Polygon] = {}
         self.words: dict[str, Text] = {}
-        letters: dict[str, Any] = {
-            "ha": "center",
-            "fontsize": 9,
-            "zorder": _LAYER["text"],
-        }
         for solid in scene.solids:
-            look = {"alpha": 0.45, "hatch": "//"} if solid.role == "goal" else {}
-            patch = Polygon(
-                footprint(solid), color=ROLE[solid.role], linewidth=0, label=solid.name
-            )
-            ax.add_patch(patch).set(zorder=_LAYER[solid.role], **look)
+            patch = self._patch(solid)
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(
-                    0, 0, "\n" + plain(solid.name), va="top", **letters
-                )
-        self.words["start"] = ax.text(0, 0, "", va="bottom", **letters)
-        drawn: list[Artist] = [
-            self.beams,
-            self.hits,
-            self.path,
-            self.start,
-            self.heading,
-        ]
-        self.moving = sorted(
-            [*drawn, *self.patches.values(), *self.words.values()],
-            key=Artist.get_zorder,
-        )
+                self.words[solid.name] = self._text("\n" + plain(solid.name), "top")
+        self.words["start"] = self._text("", "bottom")
+        self.moving: list[Artist] = [self.beams]
+        self.moving += [self.hits, self.path, self.start, self.heading]
+        self.moving += [*self.patches.values(), *self.words.values()]
+        self.moving.sort(key=Artist.get_zorder)
         self.update(scene, path_of([scene]))
 
+    def _line(self, layer: str, colour: str, **look: Any) -> Line2D:
+        """A line without points yet."""
+        (line,) = self._ax.plot([], [], color=colour, zorder=_LAYER[layer], **look)
+        return line
+
+    def _marks(self, role: str, **look: Any) -> Line2D:
+        """Marks in the colour of this role, nowhere yet."""
+        return self._line(role, ROLE[role], linestyle="", **look)
+
+    def _patch(self, solid: Solid) -> Polygon:
+        """The shadow of a solid."""
+        outline = footprint(solid)
+        patch = Polygon(outline, color=ROLE[solid.role], linewidth=0, label=solid.name)
+        self._ax.add_patch(patch)
+        patch.set_zorder(_LAYER[solid.role])
+        if solid.role == "goal":
+            patch.set(alpha=0.45, hatch="//")
+        return patch
+
+    def _text(self, text: str, side: str) -> Text:
+        """A text in small letters, whose `side` is at the place that `update` gives it."""
+        layer = _LAYER["text"]
+        return self._ax.text(0, 0, text, ha="center", va=side, fontsize=9, zorder=layer)
+
     def update(self, scene: Scene, path: np.ndarray) -> None:
-        """Move everything to where it is in `scene`; path: array (n, 2 or 3) [m], the way to there."""
-        covered = (
-            len(path) < 2
-        )  # the start is hidden: the robot has not left it, or stands on it again
+        """Move everything to its place in `scene`; path: array (n, 2 or 3) [m], the way to there."""
+        # The mark of the start is left out while the robot stands on it.
+        is_covered = len(path) < 2
         for solid in scene.solids:
             if solid.name in self.patches:
                 self.patches[solid.name].set_xy(footprint(solid))
@@ -143,19 +126,39 @@ class TopDown:
                 self.words[solid.name].set(position=solid.pose[:2, 3])
             if solid.name == "robot/body":
                 line = nose(solid)
-                self.heading.set_data(*line.T)
-                covered = covered or math.dist(line[0], path[0, :2]) < math.dist(*line)
+                self.heading.set_data(line[:, 0], line[:, 1])
+                centre, front = line
+                if not is_covered:
+                    distance = math.dist(centre, path[0, :2])
+                    is_covered = distance < math.dist(centre, front)
         self.beams.set(segments=scene.beams[:, :, :2])
         self.hits.set_data(scene.beams[:, 1, 0], scene.beams[:, 1, 1])
         self.path.set_data(path[:, 0], path[:, 1])
-        self.start.set_data(*path[: 0 if covered else 1, :2].T)
-        self.words["start"].set_text("" if covered else "start\n")
-        if not covered:
-            self.words["start"].set(position=path[0, :2])
+        if is_covered:
+            self.start.set_data([], [])
+            self.words["start"].set_text("")
+        else:
+            x, y = path[0, :2]
+            self.start.set_data([x], [y])
+            self.words["start"].set(text="start\n", position=(x, y))
+
+
+def _frame(ax: Axes, scene: Scene) -> None:
+    """Set the limits and the labels of the axes."""
+    x_min, y_min, x_max, y_max = scene.bounds
+    margin = 0.03 * max(x_max - x_min, y_max - y_min)
+    ax.set(
+        xlim=(x_min - margin, x_max + margin),
+        ylim=(y_min - margin, y_max + margin),
+        aspect="equal",
+        xlabel="x (m)",
+        ylabel="y (m)",
+    )
+    ax.locator_params(nbins=5)
 
 
 class Camera:
-    """Looks down on the room of `scene`. Walls and axes are drawn once and then copied under every frame.
+    """A camera above the room of `scene`. Walls and axes are drawn once and then copied into every frame.
 
     pixels: width and height of the frames
     view: the artists that move
@@ -171,20 +174,20 @@ class Camera:
         for artist in self._moving:
             artist.set_animated(True)  # left out of the background
         canvas.draw()
-        self._canvas, self._background = (
-            canvas,
-            canvas.copy_from_bbox(self._figure.bbox),
-        )
+        self._canvas = canvas
+        self._background = canvas.copy_from_bbox(self._figure.bbox)
 
     def frame(
         self, scene: Scene, caption: str, path: np.ndarray | None = None
     ) -> np.ndarray:
         """The room as it is in `scene`, under a caption; array (pixels, pixels, 3) of uint8.
 
-        path: array (n, 2 or 3) [m], the way there; None draws none
+        path: array (n, 2 or 3) [m], the way there; by default none is drawn
         """
+        if path is None:
+            path = path_of([scene])
         self._canvas.restore_region(self._background)
-        self.view.update(scene, path_of([scene]) if path is None else path)
+        self.view.update(scene, path)
         self._caption.set_text(caption)
         for artist in self._moving:
             self._figure.draw_artist(artist)
@@ -214,7 +217,7 @@ def plot_scene(
     Returns
     -------
     Picture or matplotlib.axes.Axes
-        The new figure, or `ax` where it was given.
+        The new figure, or `ax` if it was given.
 
     Raises
     ------
@@ -222,7 +225,9 @@ def plot_scene(
         If there is no scene in `scenes`.
     """
     scenes = as_scenes(scenes)
-    ax, drawn = axes_or_new(ax, describe(scenes[-1]), (4.5, 4.5))
-    TopDown(ax, scenes[-1]).update(scenes[-1], path_of(scenes))
+    last = scenes[-1]
+    ax, drawn = axes_or_new(ax, describe(last), (4.5, 4.5))
+    view = TopDown(ax, last)
+    view.update(last, path_of(scenes))
     ax.set_title(plain(title or "The robot's world from above"))
     return drawn

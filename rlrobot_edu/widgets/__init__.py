@@ -1,13 +1,13 @@
-"""What a notebook shows and a learner touches; most of it is a page of its own, too, which needs no kernel.
+"""Widgets of a notebook; most of them are also pages of their own, which need no kernel.
 
 stepper/        `rl.Stepper`: an agent's steps, forward and back
-bias_explorer/  `BiasExplorer`: which states bias which in QBIASSR
+bias_explorer/  `BiasExplorer`: which states influence a choice of QBIASSR
 playground/     `rl.playground`: a page in which a robot learns, with sliders
 driving/        `teleoperate`: a person drives the robot
 watching.py     `rl.watch`: a robot that learns, in 3D
-sliders.py      `ParameterSliders`: a learning curve for the parameters that are set
+sliders.py      `ParameterSliders`: a learning curve for parameters that the reader sets
 
-What they share: javascript/ (the kernels' own source, translated for a page), kernels.py (the kernels as functions that
-return their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers)
+They share javascript/ (the kernels' source, translated for a page), kernels.py (the kernels as functions that return
+their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers)
 and wheel_icons.py. Begin with sliders.py, the shortest.
 """

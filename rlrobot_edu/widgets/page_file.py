@@ -36,6 +36,6 @@ def read_text(name: str) -> str:
 
 
 def _bare(program: str) -> str:
-    """A program without comments and indents: a page is not where one reads it."""
-    lines = (COMMENT.sub("", line).strip() for line in program.splitlines())
-    return "\n".join(filter(None, lines))
+    """A program without comments and indents, which only make a page larger."""
+    lines = [COMMENT.sub("", line).strip() for line in program.splitlines()]
+    return "\n".join(line for line in lines if line)

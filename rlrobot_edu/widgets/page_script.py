@@ -1,4 +1,4 @@
-"""What a page does by itself next to the sliders of a widget."""
+"""The page's own part beside the sliders of a widget."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import anywidget
 
 
 class NamedHandles(anywidget.AnyWidget):
-    """Gives the handle of each slider in the box around it the slider's name, which a screen reader tells.
+    """Gives the handle of each slider in the box around it the slider's name, for screen readers.
 
     ipywidgets writes the name beside the slider, but leaves the handle without one.
     """

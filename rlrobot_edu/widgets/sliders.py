@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
+from typing import Any, NamedTuple
 
 import ipywidgets
 
@@ -15,28 +16,24 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.page_script import NamedHandles
 
-# name of the parameter: its symbol, and its slider
-_LINEAR, _LOGARITHMIC = ipywidgets.FloatSlider, ipywidgets.FloatLogSlider
+
+class Slider(NamedTuple):
+    """The slider of a parameter: its symbol, its kind in ipywidgets, and the ends, step and name of its scale."""
+
+    symbol: str
+    kind: type[ipywidgets.FloatSlider | ipywidgets.FloatLogSlider]
+    low: float
+    high: float
+    step: float
+    name: str
+
+
 _SLIDERS = {
-    "alpha": (
-        "α",
-        _LINEAR,
-        {"min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"},
-    ),
-    "gamma": (
-        "γ",
-        _LINEAR,
-        {"min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"},
-    ),
-    "lam": (
-        "λ",
-        _LINEAR,
-        {"min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"},
-    ),
-    "temperature": (
-        "temperature",
-        _LOGARITHMIC,
-        {"min": -1, "max": 2, "step": 0.1, "description": "temperature"},
+    "alpha": Slider("α", ipywidgets.FloatSlider, 0.01, 1, 0.01, "α (alpha)"),
+    "gamma": Slider("γ", ipywidgets.FloatSlider, 0, 0.99, 0.01, "γ (gamma)"),
+    "lam": Slider("λ", ipywidgets.FloatSlider, 0, 0.99, 0.01, "λ (lambda)"),
+    "temperature": Slider(
+        "temperature", ipywidgets.FloatLogSlider, -1, 2, 0.1, "temperature"
     ),
 }
 
@@ -77,15 +74,12 @@ class ParameterSliders(Displayed):
                 "sliders need a world that is fast enough to follow them, a SampleModel; "
                 f"got a {type(world).__name__}"
             )
-        if (
-            isinstance(parameters, str)
-            or not parameters
-            or not set(parameters) <= set(_SLIDERS)
-        ):
+        is_list = bool(parameters) and not isinstance(parameters, str)
+        if not is_list or not set(parameters) <= set(_SLIDERS):
             raise ValueError(
                 f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}"
             )
-        # the same seed for every setting: only the setting differs
+        # All settings have the same seed, so that only the settings differ.
         self._run = partial(
             repeat,
             world,
@@ -96,23 +90,18 @@ class ParameterSliders(Displayed):
             n_jobs=1,
             progress=False,
         )
-        self._method, self._defaults = method, self._run()
+        self._method = method
+        self._defaults = self._run()
         defaults = Agent(world, method).parameters
-        self._start = {
-            name: getattr(defaults, name) for name in parameters
-        }  # where the sliders stand first
-        look = {
-            "style": {"description_width": "max-content"},
-            "layout": {"width": "32em", "max_width": "100%"},
-        }
+        # The value of each slider at first
+        self._start = {name: getattr(defaults, name) for name in parameters}
         self.sliders = {
-            name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look)
+            name: _new_slider(_SLIDERS[name], value)
             for name, value in self._start.items()
         }
         self._curves = ipywidgets.HTML(self.still().html)
-        self.widget = ipywidgets.VBox(
-            [NamedHandles(), *self.sliders.values(), self._curves]
-        )
+        parts = [NamedHandles(), *self.sliders.values(), self._curves]
+        self.widget = ipywidgets.VBox(parts)
         for slider in self.sliders.values():
             slider.observe(self._draw, "value")
 
@@ -134,19 +123,11 @@ class ParameterSliders(Displayed):
         ValueError
             If a value is out of its domain.
         """
-        mine = self._run(**settings)
-        named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
-                 (settings, {name: self._start[name] for name in settings}))  # fmt: skip
-        labels = [
-            f"{prefix}: {text}"
-            for prefix, text in zip(("yours", "defaults"), named, strict=True)
-        ]
-        return plot_learning(
-            mine,
-            self._defaults,
-            labels=labels,
-            title=f"{self._method} with your settings",
-        )
+        yours = self._run(**settings)
+        start = {name: self._start[name] for name in settings}
+        labels = [f"yours: {_in_symbols(settings)}", f"defaults: {_in_symbols(start)}"]
+        title = f"{self._method} with your settings"
+        return plot_learning(yours, self._defaults, labels=labels, title=title)
 
     def still(self) -> Still:
         """The curves as they are now.
@@ -164,7 +145,25 @@ class ParameterSliders(Displayed):
         self._curves.value = self.still().html
 
     def __repr__(self) -> str:
-        names = " and ".join(_SLIDERS[name][0] for name in self.sliders)
-        return f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace(
-            "1 sliders", "1 slider"
-        )
+        symbols = " and ".join(_SLIDERS[name].symbol for name in self.sliders)
+        n = len(self.sliders)
+        count = "1 slider" if n == 1 else f"{n} sliders"
+        return f"<{count}, {symbols}, and a learning curve>"
+
+
+def _new_slider(slider: Slider, value: float) -> Any:
+    return slider.kind(
+        value=value,
+        min=slider.low,
+        max=slider.high,
+        step=slider.step,
+        description=slider.name,
+        style={"description_width": "max-content"},
+        layout={"width": "32em", "max_width": "100%"},
+    )
+
+
+def _in_symbols(settings: Mapping[str, float]) -> str:
+    """Settings in words, such as ``temperature 3.2, λ 0.9``."""
+    pairs = settings.items()
+    return ", ".join(f"{_SLIDERS[name].symbol} {value:.2g}" for name, value in pairs)

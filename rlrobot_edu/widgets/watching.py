@@ -20,13 +20,13 @@ from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d.visualizer import meshcat
 
-LAST = 100  # steps that a saved notebook keeps of those that were watched
+LAST = 100  # steps that a saved notebook keeps
 
 
 def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
     """Watch an agent learn in 3D, below the cell that runs this.
 
-    Where Python itself runs in a browser there is no live view: there the steps are shown once they are done.
+    If Python itself runs in a browser, there is no live view: the steps are shown after the last one.
 
     Parameters
     ----------
@@ -53,8 +53,8 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
 
     Notes
     -----
-    The agent learns as it does with `rlrobot_edu.learn`. The view is the environment's, see `rlrobot_edu.meshcat`: what
-    was added to it is there, and each cell that shows it shows the same.
+    The agent learns as with `rlrobot_edu.learn`. The view is the environment's, see `rlrobot_edu.meshcat`: it contains
+    what was added to it, and all cells that show it show the same.
     """
     if sys.platform == "emscripten":
         whole = film(agent, env, steps)
@@ -66,22 +66,19 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         )
     loop.check_pair_of(agent, env)
     check_count("steps", steps)
-    robot, view, seen = (
-        robot_of(env),
-        meshcat(env),
-        deque[tuple[Scene, float]](maxlen=LAST),
-    )
+    robot = robot_of(env)
+    view = meshcat(env)
+    seen = deque[tuple[Scene, float]](maxlen=LAST)
     if watched():
         display(view)
-    seconds, due = (
-        cast(RobotEnv, env.unwrapped).task.step_time / speed,
-        time.monotonic(),
-    )
+    seconds = cast(RobotEnv, env.unwrapped).task.step_time / speed
+    due = time.monotonic()
     for step in loop.steps(agent, env, steps):
         seen.append((robot.scene(), step.r))
         view.update(*seen[-1])
         due = max(due + seconds, time.monotonic())
-        time.sleep(max(0.0, due - time.monotonic()) if watched() else 0.0)
+        if watched():
+            time.sleep(max(0.0, due - time.monotonic()))
     view.lay_trail()
     if watched():
         view.widget.tell()

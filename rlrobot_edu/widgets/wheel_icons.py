@@ -4,18 +4,27 @@ from __future__ import annotations
 
 import numpy as np
 
-# by the signs of the robot's speed ahead and of its turn to the left
+# By the signs of the robot's speed ahead and of its turn to the left
 _ICONS = {
-    (1, 0): "↑", (1, 1): "↖", (1, -1): "↗", (0, 1): "↺", (0, -1): "↻", (0, 0): "■", (-1, 0): "↓", (-1, -1): "↙",
+    (1, 0): "↑",
+    (1, 1): "↖",
+    (1, -1): "↗",
+    (0, 1): "↺",
+    (0, -1): "↻",
+    (0, 0): "■",
+    (-1, 0): "↓",
+    (-1, -1): "↙",
     (-1, 1): "↘",
-}  # fmt: skip
+}
 
 
 def motion(left: float, right: float) -> tuple[int, int]:
     """Signs of the speed ahead and of the turn to the left of wheels with these speeds [rad/s]."""
-    return int(np.sign(left + right)), int(np.sign(right - left))
+    ahead = int(np.sign(left + right))
+    turn = int(np.sign(right - left))
+    return ahead, turn
 
 
 def wheel_icon(left: float, right: float) -> str:
-    """Where wheels with these speeds [rad/s] take a robot."""
+    """The direction in which wheels with these speeds [rad/s] move a robot."""
     return _ICONS[motion(left, right)]

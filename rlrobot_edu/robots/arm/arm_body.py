@@ -1,11 +1,10 @@
 """The arm as its URDF file describes it: joints with their limits, and solids to draw. And the table that it stands at.
 
-All lengths and limits are said once, in arm.urdf; to read them takes no PyBullet.
+All lengths and limits are in arm.urdf alone, which is read here without PyBullet.
 """
 
 import math
 import xml.etree.ElementTree as ET
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
@@ -19,18 +18,9 @@ URDF = Path(__file__).parent / "arm.urdf"
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
 OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle [m]
-FIELD = (
-    0.20,
-    -0.16,
-    0.32,
-    0.16,
-)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
-TABLE = (
-    -0.10,
-    -0.26,
-    0.42,
-    0.26,
-)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
+# x_min, y_min, x_max, y_max [m] of the table, whose top is the floor here (z = 0), and of the part of it that matters
+TABLE = (-0.10, -0.26, 0.42, 0.26)
+FIELD = (0.20, -0.16, 0.32, 0.16)
 
 
 class Angles(NamedTuple):
@@ -59,18 +49,15 @@ def joints() -> dict[str, Joint]:
     """The joints by name, from the foot to the gripper."""
     found = {}
     for part in _file().iter("joint"):
+        axis = np.zeros(3)  # of a joint that does not turn
+        limits = (0.0, 0.0)
         limit = part.find("limit")
-        found[part.attrib["name"]] = Joint(
-            _one(part, "parent").attrib["link"],
-            _one(part, "child").attrib["link"],
-            _origin(part),
-            np.zeros(3)
-            if limit is None
-            else _numbers(_one(part, "axis").attrib["xyz"]),
-            (0.0, 0.0)
-            if limit is None
-            else (float(limit.attrib["lower"]), float(limit.attrib["upper"])),
-        )
+        if limit is not None:
+            axis = _numbers(_one(part, "axis").attrib["xyz"])
+            limits = (float(limit.attrib["lower"]), float(limit.attrib["upper"]))
+        parent = _one(part, "parent").attrib["link"]
+        child = _one(part, "child").attrib["link"]
+        found[part.attrib["name"]] = Joint(parent, child, _origin(part), axis, limits)
     return found
 
 
@@ -79,13 +66,11 @@ def link_poses(angles: Angles) -> dict[str, np.ndarray]:
 
     The origin of the link `gripper` is the point between the fingertips.
     """
-    turned, there = angles._asdict(), {"foot": np.eye(4)}
+    angle_of = angles._asdict()
+    there = {"foot": np.eye(4)}
     for name, joint in joints().items():
-        there[joint.child] = (
-            there[joint.parent]
-            @ joint.origin
-            @ _turn(joint.axis, turned.get(name, 0.0))
-        )
+        turn = _turn(joint.axis, angle_of.get(name, 0.0))
+        there[joint.child] = there[joint.parent] @ joint.origin @ turn
     return there
 
 
@@ -98,14 +83,12 @@ def solids_of(angles: Angles) -> list[Solid]:
 def readings_of(
     gripper: Iterable[float], thing: Iterable[float], angles: Angles
 ) -> dict[str, float]:
-    """What an arm senses: the places x, y, z of gripper and object [m], and the joints' angles [rad]."""
-    places = {"gripper": gripper, "object": thing}
-    there = {
-        f"{what}_{axis}": float(v)
-        for what, place in places.items()
-        for axis, v in zip("xyz", place, strict=True)
-    }
-    return there | angles._asdict()
+    """The readings of an arm: x, y, z of gripper and object [m], and the angles of the joints [rad]."""
+    readings = {}
+    for name, place in {"gripper": gripper, "object": thing}.items():
+        for axis, coordinate in zip("xyz", place, strict=True):
+            readings[f"{name}_{axis}"] = float(coordinate)
+    return readings | angles._asdict()
 
 
 def object_at(place: tuple[float, float, float]) -> Solid:
@@ -115,14 +98,17 @@ def object_at(place: tuple[float, float, float]) -> Solid:
 
 def scene_of(arm: Sequence[Solid]) -> Scene:
     """The table with its field, the object, and the arm, whose gripper leaves the path."""
-    arm = [
-        solid._replace(name="robot/body") if solid.name == "robot/gripper" else solid
-        for solid in arm
-    ]
+    parts = []
+    for solid in arm:
+        if solid.name == "robot/gripper":
+            solid = solid._replace(name="robot/body")
+        parts.append(solid)
     x_min, y_min, x_max, y_max = FIELD
+    size = (x_max - x_min, y_max - y_min, 0.002)
     middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
-    field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
-    return Scene((field, object_at(OBJECT_PLACE), *arm), np.empty((0, 2, 3)), TABLE)
+    field = Solid("field", "box", size, middle, "wall")
+    no_beams = np.empty((0, 2, 3))
+    return Scene((field, object_at(OBJECT_PLACE), *parts), no_beams, TABLE)
 
 
 @cache
@@ -132,34 +118,29 @@ def _file() -> ET.Element:
 
 @cache
 def _visuals() -> tuple[tuple[str, Solid], ...]:
-    """What there is to see, each with its link and its pose there; the second of a link is called ``robot/link_2``."""
-    found, seen = [], Counter[str]()
+    """Each visible part with its link and its pose there; the second part of a link is called ``robot/link_2``."""
+    found = []
     for part in _file().iter("link"):
-        for visual in part.iter("visual"):
-            link = part.attrib["name"]
-            seen[link] += 1
-            name = f"robot/{link}" + (f"_{seen[link]}" if seen[link] > 1 else "")
-            found.append((link, Solid(name, *_looks(visual))))
+        link = part.attrib["name"]
+        for i, visual in enumerate(part.iter("visual"), start=1):
+            name = f"robot/{link}" if i == 1 else f"robot/{link}_{i}"
+            found.append((link, _solid(name, visual)))
     return tuple(found)
 
 
-def _looks(visual: ET.Element) -> tuple[str, tuple[float, ...], np.ndarray, str]:
-    """Shape, size, pose and role of a visual element; dark ones are drawn as wheels."""
-    role = "wheel" if _one(visual, "material").attrib["name"] == "dark" else "robot"
+def _solid(name: str, visual: ET.Element) -> Solid:
+    """A visual element as a solid; a dark one is drawn like a wheel."""
+    is_dark = _one(visual, "material").attrib["name"] == "dark"
+    role = "wheel" if is_dark else "robot"
     form = _one(visual, "geometry")[0]
+    size: tuple[float, ...]
     if form.tag == "box":
-        return (
-            "box",
-            tuple(_numbers(form.attrib["size"]).tolist()),
-            _origin(visual),
-            role,
-        )
-    return (
-        "cylinder",
-        (float(form.attrib["radius"]), float(form.attrib["length"])),
-        _origin(visual),
-        role,
-    )
+        shape = "box"
+        size = tuple(_numbers(form.attrib["size"]).tolist())
+    else:
+        shape = "cylinder"
+        size = (float(form.attrib["radius"]), float(form.attrib["length"]))
+    return Solid(name, shape, size, _origin(visual), role)
 
 
 def _one(part: ET.Element, tag: str) -> ET.Element:
@@ -173,11 +154,12 @@ def _numbers(text: str) -> np.ndarray:
 def _origin(part: ET.Element) -> np.ndarray:
     """The place and the turn of an element in its link."""
     origin = _one(part, "origin").attrib
-    place = pose(*_numbers(origin["xyz"]))
-    for axis, angle in zip(
-        np.eye(3)[::-1], _numbers(origin.get("rpy", "0 0 0"))[::-1], strict=True
-    ):
-        place = place @ _turn(axis, angle)  # about z, then y, then x
+    place: np.ndarray = pose(*_numbers(origin["xyz"]))
+    about_x, about_y, about_z = _numbers(origin.get("rpy", "0 0 0"))
+    x_axis, y_axis, z_axis = np.eye(3)
+    place = place @ _turn(z_axis, about_z)
+    place = place @ _turn(y_axis, about_y)
+    place = place @ _turn(x_axis, about_x)
     return place
 
 

@@ -32,38 +32,31 @@ class ArmJoints:
         place: Sequence[float],
         step_time: float,
     ) -> None:
-        self._simulation, self._body, self._place, self._step_time = (
-            simulation,
-            body,
-            place,
-            step_time,
-        )
-        self._motors, self._gripper = (
-            Motors(simulation, body, JOINTS),
-            simulation.joints(body)["wrist"],
-        )
+        self._simulation = simulation
+        self._body = body
+        self._place = place
+        self._step_time = step_time
+        self._motors = Motors(simulation, body, JOINTS)
+        self._gripper = simulation.joints(body)["wrist"]
+        home = HOME._asdict()
         for joint, i in self._motors.numbers.items():
-            simulation.resetJointState(body, i, HOME._asdict()[joint])
+            simulation.resetJointState(body, i, home[joint])
 
     def drive(self, command: Mapping[str, float]) -> None:
         """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
-        motors, step = self._motors, self._step_time
-        angles, limits = motors.angles(), motors.limits.items()
-        speeds = {joint: (command[joint], (low - angles[joint]) / step, (high - angles[joint]) / step)
-                  for joint, (low, high) in limits}  # fmt: skip
-        motors.drive(
-            {
-                joint: min(max(speed, low), high)
-                for joint, (speed, low, high) in speeds.items()
-            }
-        )
+        angles = self._motors.angles()
+        speeds = {}
+        for joint, (low, high) in self._motors.limits.items():
+            slowest = (low - angles[joint]) / self._step_time
+            fastest = (high - angles[joint]) / self._step_time
+            speeds[joint] = min(max(command[joint], slowest), fastest)
+        self._motors.drive(speeds)
 
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
-        return readings_of(
-            gripper.tolist(), self._place, Angles(**self._motors.angles())
-        )
+        angles = Angles(**self._motors.angles())
+        return readings_of(gripper.tolist(), self._place, angles)
 
 
 class Arm(BulletRobot):
@@ -79,6 +72,5 @@ class Arm(BulletRobot):
         simulation.add(object_at(OBJECT_PLACE))
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
         joints = ArmJoints(simulation, body, OBJECT_PLACE, step_time)
-        super().__init__(
-            "arm", simulation, body, [joints], step_time, KinematicArm(scene, step_time)
-        )
+        twin = KinematicArm(scene, step_time)
+        super().__init__("arm", simulation, body, [joints], step_time, twin)

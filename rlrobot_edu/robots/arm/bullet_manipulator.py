@@ -37,10 +37,8 @@ class MobileManipulator(BulletRobot):
     """
 
     def __init__(self, scene: str, step_time: float) -> None:
-        simulation, level = (
-            BulletSimulation(bullet_base.PHYSICS_HZ),
-            KinematicBase(scene, step_time),
-        )
+        simulation = BulletSimulation(bullet_base.PHYSICS_HZ)
+        level = KinematicBase(scene, step_time)
         bullet_base.add_arena(simulation, level.arena)
         simulation.add(object_at(OBJECT_PLACE))
         with TemporaryDirectory() as folder:

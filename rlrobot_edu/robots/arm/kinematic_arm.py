@@ -1,7 +1,7 @@
-"""The arm as geometry alone, without PyBullet: angles change by speed × time, a formula says where the gripper is.
+"""The arm as geometry alone, without PyBullet: angles change by speed × time, a formula gives the gripper's place.
 
-There are no weights and no motors, and nothing to bump into: the gripper passes through the object and the table's top.
-How often that makes a difference: docs/studies/kinematic_arm.md.
+There are no weights, no motors and no collisions: the gripper passes through the object and the table's top.
+docs/studies/kinematic_arm.md measures how often that makes a difference.
 """
 
 import math
@@ -26,13 +26,10 @@ from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 _KNOWN = joints()
 LIMITS = tuple(_KNOWN[name].limits for name in JOINTS)
-SHOULDER = float(
-    _KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3]
-)  # height above the foot's base [m]
-UPPER, LOWER = (
-    float(_KNOWN["forearm"].origin[2, 3]),
-    float(_KNOWN["wrist"].origin[0, 3]),
-)  # to elbow, to fingertips [m]
+# height of the shoulder above the foot's base; from there to the elbow; from there to the fingertips [m]
+SHOULDER = float(_KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3])
+UPPER = float(_KNOWN["forearm"].origin[2, 3])
+LOWER = float(_KNOWN["wrist"].origin[0, 3])
 
 
 @compiled
@@ -112,4 +109,5 @@ class KinematicArm(KinematicRobot):
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        return scene_of(solids_of(Angles(*(self._readings[joint] for joint in JOINTS))))
+        angles = Angles(**{joint: self._readings[joint] for joint in JOINTS})
+        return scene_of(solids_of(angles))

@@ -20,17 +20,13 @@ from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
-MOUNT = (
-    0.06,
-    0.0,
-    0.1425,
-)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
+# Where the arm's foot is on top of the chassis, from the middle of the axle [m]
+MOUNT = (0.06, 0.0, 0.1425)
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
-_FOOT = (
-    PIONEER.axle + MOUNT[0],
-    MOUNT[1],
-    PIONEER.wheel_radius + MOUNT[2],
-)  # in the frame whose place is measured [m]
+# The same in the frame whose x, y and theta the base senses [m]
+_FOOT_X = PIONEER.axle + MOUNT[0]
+_FOOT_Y = MOUNT[1]
+_FOOT_Z = PIONEER.wheel_radius + MOUNT[2]
 
 
 class KinematicManipulator(MobileBase):
@@ -54,27 +50,22 @@ class KinematicManipulator(MobileBase):
         """What the base senses, and gripper and object [m] and the joints' angles [rad]."""
         base = super()._sense()
         cos, sin = math.cos(base["theta"]), math.sin(base["theta"])
-        x, y, z = (
-            v + foot for v, foot in zip(gripper(*self._angles), _FOOT, strict=True)
-        )
-        there = (base["x"] + x * cos - y * sin, base["y"] + x * sin + y * cos, z)
-        return base | readings_of(there, OBJECT_PLACE, self._angles)
+        out, aside, up = gripper(*self._angles)  # from the arm's foot
+        x = out + _FOOT_X
+        y = aside + _FOOT_Y
+        gripper_x = base["x"] + x * cos - y * sin
+        gripper_y = base["y"] + x * sin + y * cos
+        place = (gripper_x, gripper_y, up + _FOOT_Z)
+        return base | readings_of(place, OBJECT_PLACE, self._angles)
 
     def solids(self) -> tuple[Solid, ...]:
         """The parts of base and arm, with their poses on the robot."""
-        foot = pose(*_FOOT)
-        angles = Angles(*(self._readings[joint] for joint in JOINTS))
-        return (
-            *super().solids(),
-            *(part._replace(pose=foot @ part.pose) for part in solids_of(angles)),
-        )
+        foot = pose(_FOOT_X, _FOOT_Y, _FOOT_Z)
+        angles = Angles(**{joint: self._readings[joint] for joint in JOINTS})
+        arm = [part._replace(pose=foot @ part.pose) for part in solids_of(angles)]
+        return (*super().solids(), *arm)
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""
         room = super().scene()
-        return room._replace(
-            solids=(
-                object_at(OBJECT_PLACE),
-                *room.solids,
-            )
-        )
+        return room._replace(solids=(object_at(OBJECT_PLACE), *room.solids))

@@ -1,11 +1,12 @@
 """Scenes in three dimensions, in meshcat: the extra ``lab``.
 
-visualizer.py  `meshcat` and `show_scene`: begin here
-looks.py       what room, things and robots look like
-window.py      what the visualizer talks to instead of a server, and its page (page.html)
-bar.js         the page's own part: time, chase camera, curve of the rewards
-page_widget.py     the page in a notebook, told what is new (frame.js)
-photograph.py  a picture of a page
+visualizer.py   `meshcat` and `show_scene`: begin here
+looks.py        what room, things and robots look like
+camera.py       where the camera stands, and the light
+window.py       what the visualizer talks to instead of a server, and its page (page.html)
+bar.js          the page's own part: time, chase camera, curve of the rewards
+page_widget.py  the page in a notebook, which receives what is new (frame.js)
+photograph.py   a picture of a page
 """
 
 import sys
@@ -19,9 +20,8 @@ if _spec is None or _spec.origin is None:
         "3D views need meshcat: run pip install meshcat; everything else works without it"
     )
 MESHCAT = Path(_spec.origin).parent
-if (
-    sys.platform == "emscripten"
-):  # meshcat imports its server, for which a browser has no place; it is never started
+# In a browser there is no place for meshcat's server, which it imports; we never start it.
+if sys.platform == "emscripten":
     sys.modules["zmq"] = SimpleNamespace(Context=object)  # type: ignore[assignment]
     sys.modules["meshcat.servers.zmqserver"] = SimpleNamespace(
         start_zmq_server_as_subprocess=None

@@ -1,4 +1,4 @@
-"""The widget that shows a visualizer's page in a frame and tells it what is new; frame.js is its other half."""
+"""The widget that shows a visualizer's page in a frame and sends it what is new; frame.js is its other half."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ import traitlets
 
 from rlrobot_edu.show.in3d.window import Key, Window
 
-PAUSE = 0.05  # between two messages [s]; what comes meanwhile goes with the next
-KEPT = 2000  # rewards for a page that comes late
+PAUSE = 0.05  # between two messages [s]; what is new in between goes with the second
+KEPT = 2000  # rewards for a page that is opened late
 
 
 class PageWidget(anywidget.AnyWidget):
@@ -22,11 +22,12 @@ class PageWidget(anywidget.AnyWidget):
     _esm = files(__package__).joinpath("frame.js").read_text(encoding="utf-8")
     page = traitlets.Unicode().tag(sync=True)
     height = traitlets.Int(480).tag(sync=True)
-    # asked for whenever a browser wants the state, also by one that comes back: so the answer is the state then
+    # A browser asks for it whenever it needs the state, also when it comes back; it gets the state of that moment.
     scene = traitlets.Any().tag(sync=True, to_json=lambda _, widget: widget.whole())
 
     def __init__(self, window: Window) -> None:
-        self._window, self._told = window, 0.0
+        self._window = window
+        self._sent_at = 0.0  # time of the last message [s]
         self._news: dict[Key, bytes] = {}
         self._later: asyncio.TimerHandle | None = None
         super().__init__(page=window.page(live=True))
@@ -34,16 +35,20 @@ class PageWidget(anywidget.AnyWidget):
 
     def whole(self) -> dict[str, Any]:
         """The whole view."""
-        return self._message(all_of_it := self._window.commands()) | {
-            "packed": [packed for _, packed in all_of_it]
+        commands = self._window.commands()
+        return {
+            **self._message(commands),
+            "packed": [packed for _, packed in commands],
         }
 
     def tell(self) -> None:
         """Send what is new."""
         if self._later is not None:
             self._later.cancel()
-        self._later, self._told = None, time.monotonic()
-        news, self._news = list(self._news.items()), {}
+        self._later = None
+        self._sent_at = time.monotonic()
+        news = list(self._news.items())
+        self._news = {}
         self.send(self._message(news), buffers=[packed for _, packed in news])
 
     def _message(self, commands: list[tuple[Key, bytes]]) -> dict[str, Any]:
@@ -55,15 +60,14 @@ class PageWidget(anywidget.AnyWidget):
         }
 
     def _hear(self, key: Key, packed: bytes) -> None:
-        """Note a command in the place of one that it replaces; send it now, or with the next message."""
+        """Note a command, which replaces an older one with this key; send it now or with the next message."""
         self._news.pop(key, None)
         self._news[key] = packed
-        if (
-            time.monotonic() - self._told >= PAUSE
-        ):  # at once: while a cell runs, the loop calls nothing
-            self.tell()
+        if time.monotonic() - self._sent_at >= PAUSE:
+            self.tell()  # at once, because the loop does not run while a cell does
         elif self._later is None:
-            try:  # where nothing comes after it, this does
-                self._later = asyncio.get_running_loop().call_later(PAUSE, self.tell)
+            try:  # if no command follows, this sends the last one
+                loop = asyncio.get_running_loop()
+                self._later = loop.call_later(PAUSE, self.tell)
             except RuntimeError:
                 self.tell()

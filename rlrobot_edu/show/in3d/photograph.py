@@ -1,4 +1,4 @@
-"""A page as a browser shows it, by a Chromium without a window."""
+"""A picture of a page, made by Chromium without a window."""
 
 import shutil
 import subprocess
@@ -6,37 +6,42 @@ import tempfile
 from pathlib import Path
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
-OPTIONS = ("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-           "--window-size=585,378",
-           "--force-device-scale-factor=2", "--force-prefers-reduced-motion")  # fmt: skip
+OPTIONS = (
+    "--headless",
+    "--no-sandbox",
+    "--hide-scrollbars",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--window-size=585,378",
+    "--force-device-scale-factor=2",
+    "--force-prefers-reduced-motion",
+)
 
 
 def photograph(page: str) -> bytes:
-    """A PNG of an HTML page, 585 by 378 pixels of a page, twice as fine.
+    """A PNG of an HTML page, 585 by 378 pixels of the page in double resolution.
 
-    Raises RuntimeError where there is no Chromium, or where it makes no picture.
+    Raises RuntimeError if Chromium is not installed, or if it makes no picture.
     """
-    chromium = next(filter(None, map(shutil.which, NAMES)), None)
-    if chromium is None:
+    found = [shutil.which(name) for name in NAMES]
+    installed = [path for path in found if path is not None]
+    if not installed:
         raise RuntimeError(
-            "a picture in 3D is made by Chromium, and there is none here: install chromium"
+            "a picture in 3D is made by Chromium, which is not installed: install chromium"
         )
     with tempfile.TemporaryDirectory() as folder:
-        file, picture = Path(folder, "page.html"), Path(folder, "page.png")
+        file = Path(folder, "page.html")
+        picture = Path(folder, "page.png")
         file.write_text(page, encoding="utf-8")
         command = [
-            chromium,
+            installed[0],
             *OPTIONS,
             f"--user-data-dir={folder}/profile",
             f"--screenshot={picture}",
+            f"{file.as_uri()}#still",
         ]
         try:
-            subprocess.run(
-                [*command, file.as_uri() + "#still"],
-                capture_output=True,
-                timeout=120,
-                check=True,
-            )
+            subprocess.run(command, capture_output=True, timeout=120, check=True)
         except subprocess.SubprocessError as error:
             raise RuntimeError(f"Chromium made no picture: {error}") from error
         return picture.read_bytes()

@@ -18,10 +18,11 @@ from meshcat.animation import Animation
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
-from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.in3d import looks
+from rlrobot_edu.show.in3d.camera import camera, surroundings
 from rlrobot_edu.show.in3d.page_widget import PageWidget
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
@@ -29,15 +30,18 @@ from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import image_of, png_of
 from rlrobot_edu.show.top_down import plot_scene
 
-PIECE, PIECES = 20, 100  # steps in a piece of a live trail, and how many pieces stay
+PIECE = 20  # steps in a piece of a live trail
+PIECES = 100  # of a live trail; older ones are deleted
+JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 FLOOR = 0.012  # height of a trail above the floor [m]
 _of_robot: WeakKeyDictionary[Robot, Visualizer] = WeakKeyDictionary()
 
 
 class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshcat has no types
-    """A `meshcat.Visualizer` of a robot's world: add to it what meshcat has, and it appears.
+    """A `meshcat.Visualizer` of a robot's world, to which anything of meshcat can be added.
 
-    A notebook shows it to turn and zoom, by its own connection: there is no server. A saved notebook keeps a picture.
+    A notebook shows it, to turn and to zoom, through the notebook's own connection: there is no server. A saved
+    notebook keeps a picture.
 
     Parameters
     ----------
@@ -53,14 +57,16 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 
     Notes
     -----
-    Walls, things and robot are at their names: ``vis["robot/body"]``, ``vis["wall/0"]``. All else is as meshcat's own
-    documentation says: ``vis["mine"].set_object(meshcat.geometry.Sphere(0.1))``.
+    Walls, things and robot are at their names: ``vis["robot/body"]``, ``vis["wall/0"]``. For all else see meshcat's own
+    documentation: ``vis["mine"].set_object(meshcat.geometry.Sphere(0.1))``.
     """
 
     def __init__(self, scene: Scene) -> None:
         super().__init__(window=Window("A robot in 3D"))
         self._drawn: list[tuple[str, str, tuple[float, ...], bytes]] = []
-        self._way, self._rewards, self._pieces = [scene], list[float](), 0
+        self._way = [scene]
+        self._rewards: list[float] = []
+        self._pieces = 0
         self.update(scene)
 
     @property
@@ -82,17 +88,14 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         Parameters
         ----------
         scene : Scene
-            What there is now: ``env.unwrapped.robot.scene()``.
+            What can be seen now: ``env.unwrapped.robot.scene()``.
         reward : float, optional
             Of the step that led here; it colours the trail. Without one, the robot was put here.
         """
-        named = [
-            (s.name, s.shape, s.size, s.pose.tobytes() * (s.role == "wall"))
-            for s in scene.solids
-        ]
-        if named != self._drawn:
+        described = [_fixed_of(solid) for solid in scene.solids]
+        if described != self._drawn:
             self._draw(scene)
-            self._drawn = named
+            self._drawn = described
         for name, place in _places(scene).items():
             self[name].set_transform(place)
         self.window.title = describe(scene)
@@ -111,32 +114,29 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
     ) -> None:
         """Replay scenes, from the first to the last.
 
-        rewards: one a scene, or none at all
+        rewards: one for each scene, or none at all
         """
         animation = Animation(default_framerate=1 / seconds_per_frame)
         before: Scene | None = None
         for i, scene in enumerate(scenes):
-            if before is not None and _jumps(
-                before, scene
-            ):  # it was put there: no glide through the room
-                self._key(animation, i - 0.01, before)
+            if before is not None and _jumps(before, scene):
+                self._key(animation, i - 0.01, before)  # no glide through the room
             self._key(animation, i, scene)
             before = scene
         self.set_animation(animation)
-        self._way, self._rewards = (
-            list(scenes),
-            list(rewards or np.zeros(len(scenes)))[1:],
-        )
+        self._way = list(scenes)
+        self._rewards = list(rewards or np.zeros(len(scenes)))[1:]
         self.window.rewards = list(rewards)
         self._band("trail", self._way, self._rewards)
-        self.window.title = (
-            f"Replay of {len(scenes)} steps. At the end: {describe(scenes[-1])}"
-        )
+        end = describe(scenes[-1])
+        self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
     def lay_trail(self) -> None:
         """Show where the robot has been since the last time."""
         self._band(f"trail/{self._pieces % PIECES}", self._way, self._rewards)
-        self._way, self._rewards, self._pieces = self._way[-1:], [], self._pieces + 1
+        self._way = self._way[-1:]
+        self._rewards = []
+        self._pieces += 1
 
     def save(self, path: str | Path) -> None:
         """Write the page to a file that any browser opens.
@@ -161,7 +161,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
     def still(self) -> Still:
         """The picture that a saved notebook keeps.
 
-        It is from above, which takes no time; in 3D where Chromium is installed and the environment variable
+        It is drawn from above, which takes no time. It is in 3D if Chromium is installed and the environment variable
         ``RLROBOT_EDU_STILLS`` is ``3d``.
         """
         if os.environ.get("RLROBOT_EDU_STILLS") == "3d":
@@ -171,40 +171,36 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         return plot_scene(self._way).still()._replace(alt=self.text)
 
     def _draw(self, scene: Scene) -> None:
-        """The room and all in it, the light and the camera."""
-        for path in (
-            "floor",
-            "trail",
-            "beams",
-            *{name.partition("/")[0] for name, *_ in self._drawn},
-        ):
+        """Draw the room and all in it, the light and the camera."""
+        groups = {name.partition("/")[0] for name, *_ in self._drawn}
+        for path in ("floor", "trail", "beams", *groups):
             self[path].delete()
-        for name, geometry, material, place in looks.floor(scene):
-            kind = g.LineSegments if name == "grid" else g.Mesh
-            self["floor"][name].set_object(kind(geometry, material))
-            self["floor"][name].set_transform(place)
+        for part in looks.floor(scene):
+            kind = g.LineSegments if part.name == "grid" else g.Mesh
+            view = self["floor"][part.name]
+            view.set_object(kind(part.geometry, part.material))
+            view.set_transform(part.pose)
         for solid in scene.solids:
-            for name, geometry, material, place in looks.parts(solid):
-                self[solid.name][name].set_object(geometry, material)
-                self[solid.name][name].set_transform(place)
+            for part in looks.parts(solid):
+                view = self[solid.name][part.name]
+                view.set_object(part.geometry, part.material)
+                view.set_transform(part.pose)
             self[solid.name].set_transform(solid.pose)
-        x0, y0, x1, y1 = scene.bounds
-        self._span = max(x1 - x0, y1 - y0)
+        x_min, y_min, x_max, y_max = scene.bounds
+        self._span = max(x_max - x_min, y_max - y_min)
         for i in range(len(scene.beams)):
-            self["beams"][str(i)].set_object(
-                g.Cylinder(1.0, self._span / 1000), looks.flat(ROLE["beam"])
-            )
-            self["beams"][str(i)]["<object>"].set_property(
-                looks.Name("castShadow"), False
-            )
-        for path, key, value in looks.surroundings(scene):
+            view = self["beams"][str(i)]
+            ray = g.Cylinder(1.0, self._span / 1000)
+            view.set_object(ray, looks.flat(ROLE["beam"]))
+            _cast_no_shadow(view)
+        for path, key, value in surroundings(scene):
             self[path].set_property(key, value)
-        camera, target, (x, y, z) = looks.camera(scene)
+        lens, target, (x, y, z) = camera(scene)
         self["/Cameras/default"].set_property("position", target.tolist())
-        self["/Cameras/default/rotated"].set_object(camera)
-        self["/Cameras/default/rotated/<object>"].set_property(
-            "position", [x, z, -y]
-        )  # its y points upward
+        rotated = self["/Cameras/default/rotated"]
+        rotated.set_object(lens)
+        # The y axis of this frame points upward.
+        rotated["<object>"].set_property("position", [x, z, -y])
 
     def _key(self, animation: Animation, frame: float, scene: Scene) -> None:
         """Where everything is at a frame of an animation."""
@@ -220,31 +216,43 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         points = path_of(way)
         if len(points) < 2:
             return
-        if any(solid.name.endswith("_wheel") for solid in way[0].solids):
-            points[:, 2] = FLOOR  # what rolls leaves it on the floor, an arm in the air
+        rolls = any(solid.name.endswith("_wheel") for solid in way[0].solids)
+        if rolls:
+            points[:, 2] = FLOOR  # an arm leaves its trail in the air
         put = [_jumps(a, b) for a, b in pairwise(way)]
         paid = np.where(put, np.nan, np.asarray(rewards, dtype=float))
         most = np.abs(self.window.rewards or [0.0]).max()
         band = looks.trail(points, paid, most, self._span / 130)
         self[path].set_object(band, g.MeshBasicMaterial(vertexColors=True))
-        self[path]["<object>"].set_property(looks.Name("castShadow"), False)
+        _cast_no_shadow(self[path])
+
+
+def _fixed_of(solid: Solid) -> tuple[str, str, tuple[float, ...], bytes]:
+    """What of a solid does not change as long as the scene is the same one; a wall does not move either."""
+    place = solid.pose.tobytes() if solid.role == "wall" else b""
+    return solid.name, solid.shape, solid.size, place
+
+
+def _cast_no_shadow(view: library.Visualizer) -> None:
+    view["<object>"].set_property(looks.Name("castShadow"), False)
 
 
 def _places(scene: Scene) -> dict[str, np.ndarray]:
-    """Where is what may move, and each beam."""
+    """Where everything is that may move, and each beam."""
     places = {solid.name: solid.pose for solid in scene.solids if solid.role != "wall"}
-    return places | {
-        f"beams/{i}": looks.beam(*ends) for i, ends in enumerate(scene.beams)
-    }
+    for i, (start, end) in enumerate(scene.beams):
+        places[f"beams/{i}"] = looks.beam(start, end)
+    return places
 
 
 def _jumps(a: Scene, b: Scene) -> bool:
     """Whether the robot was put from a to b: it is too far for one step."""
-    x0, y0, x1, y1 = b.bounds
     way = path_of((a, b))
-    return len(way) == 2 and float(np.linalg.norm(way[1] - way[0])) > 0.25 * max(
-        x1 - x0, y1 - y0
-    )
+    if len(way) < 2:
+        return False
+    x_min, y_min, x_max, y_max = b.bounds
+    distance = float(np.linalg.norm(way[1] - way[0]))
+    return distance > JUMP * max(x_max - x_min, y_max - y_min)
 
 
 def meshcat(thing: Env | Scene) -> Visualizer:
@@ -253,7 +261,8 @@ def meshcat(thing: Env | Scene) -> Visualizer:
     Parameters
     ----------
     thing : gymnasium.Env or Scene
-        An environment with a robot has one visualizer, always the same, which `rlrobot_edu.watch` moves.
+        A scene, or an environment with a robot. Each such environment has one visualizer, which `rlrobot_edu.watch`
+        moves.
 
     Returns
     -------
@@ -287,7 +296,7 @@ def show_scene(
     rewards: Sequence[float] | None = None,
     seconds_per_frame: float = 0.15,
 ) -> Visualizer:
-    """One scene as a 3D picture, or several as a replay that starts to play at once.
+    """One scene as a 3D picture, or several as a replay that starts at once.
 
     Parameters
     ----------
@@ -306,14 +315,14 @@ def show_scene(
     Raises
     ------
     ValueError
-        If there is no scene in `scenes`, or not one reward for each.
+        If there is no scene in `scenes`, or if the rewards are more or fewer than the scenes.
     ImportError
         If meshcat is not installed.
     """
     scenes = as_scenes(scenes)
     if rewards is not None and len(rewards) != len(scenes):
         raise ValueError(
-            f"one reward for each scene, please: {len(rewards)} rewards for {len(scenes)} scenes"
+            f"got {len(rewards)} rewards for {len(scenes)} scenes; give one for each"
         )
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:

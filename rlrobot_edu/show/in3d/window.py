@@ -1,4 +1,4 @@
-"""What a meshcat visualizer talks to here: no server, but the commands so far, for a page and for whoever listens."""
+"""What a meshcat visualizer talks to instead of a server: it keeps the commands, for a page and for listeners."""
 
 from __future__ import annotations
 
@@ -18,15 +18,10 @@ from PIL import Image
 from rlrobot_edu.show.in3d import MESHCAT
 from rlrobot_edu.show.in3d.photograph import photograph
 
-Key = tuple[
-    str, str, str
-]  # path, kind and property of a command; one that comes later takes its place
-ORDER = (
-    "set_object",
-    "set_transform",
-    "set_property",
-    "set_animation",
-)  # what is said of an object comes after it
+# Path, kind and property of a command. A later command with the same key replaces it.
+Key = tuple[str, str, str]
+# An object comes before the other commands about it.
+ORDER = ("set_object", "set_transform", "set_property", "set_animation")
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 
 
@@ -38,55 +33,50 @@ class Window:
     """
 
     def __init__(self, title: str) -> None:
-        self.title, self.rewards = title, list[float]()
+        self.title = title
+        self.rewards: list[float] = []
         self.listeners: list[Callable[[Key, bytes], None]] = []
         self._kept: dict[Key, bytes] = {}
 
     def send(self, command: Any) -> None:
         """Take one of meshcat's commands."""
-        told = command.lower()
-        key = told["path"], told["type"], told.get("property", "")
-        packed = umsgpack.packb(told)
-        if told["type"] == "delete":
-            self._kept = {
-                k: v
-                for k, v in self._kept.items()
-                if not f"{k[0]}/".startswith(f"{told['path']}/")
-            }
+        fields = command.lower()
+        path, kind = fields["path"], fields["type"]
+        key = (path, kind, fields.get("property", ""))
+        packed = umsgpack.packb(fields)
+        if kind == "delete":
+            inside = [other for other in self._kept if _is_in(other[0], path)]
+            for other in inside:
+                del self._kept[other]
         else:
             self._kept[key] = packed
         for tell in self.listeners:
             tell(key, packed)
 
     def commands(self) -> list[tuple[Key, bytes]]:
-        """All that a page needs which comes now."""
+        """All commands that a page needs which is opened now."""
         return sorted(self._kept.items(), key=lambda item: ORDER.index(item[0][1]))
 
     def page(self, *, live: bool = False) -> str:
-        """A stand-alone HTML page, whose bytes are packed; live: the page around it says what to show."""
-        template, script = (
-            files(__package__).joinpath(name).read_text("utf-8")
-            for name in ("page.html", "bar.js")
-        )
+        """A stand-alone HTML page, whose content is packed; live: it shows what the page around it sends."""
+        folder = files(__package__)
+        template = folder.joinpath("page.html").read_text("utf-8")
+        script = folder.joinpath("bar.js").read_text("utf-8")
         library = (MESHCAT / "viewer/dist/main.min.js").read_text("utf-8")
-        commands = (
-            []
-            if live
-            else [base64.b64encode(packed).decode() for _, packed in self.commands()]
-        )
-        packed = zlib.compress(
-            json.dumps([library, commands, self.rewards]).encode(), 9
-        )
+        commands = []
+        if not live:
+            commands = [_as_text(packed) for _, packed in self.commands()]
+        content = json.dumps([library, commands, self.rewards])
         return Template(template).substitute(
             title=html.escape(self.title),
-            packed=base64.b64encode(packed).decode(),
+            packed=_as_text(zlib.compress(content.encode(), 9)),
             script=script,
         )
 
     get_scene = page  # by this name meshcat asks for a page
 
     def get_image(self) -> Image.Image:
-        """The picture, by a Chromium that is installed. Raises RuntimeError where there is none."""
+        """The picture, made by Chromium. Raises RuntimeError if it is not installed."""
         return Image.open(io.BytesIO(photograph(self.page())))
 
     @property
@@ -99,3 +89,12 @@ class Window:
         raise RuntimeError(NO_SERVER)
 
     wait = open
+
+
+def _is_in(path: str, folder: str) -> bool:
+    """Whether a path is this folder or lies in it."""
+    return f"{path}/".startswith(f"{folder}/")
+
+
+def _as_text(packed: bytes) -> str:
+    return base64.b64encode(packed).decode()

@@ -1,4 +1,4 @@
-"""The bias explorer: which states have a say in a choice of QBIASSR, and how much.
+"""The bias explorer: which states influence a choice of QBIASSR, and how much.
 
 Data
     bias.BiasNumbers       every number of QBIASSR in one state: sets, means, bias, and the choice without and with it
@@ -6,10 +6,10 @@ Data
     widget.ExplorerWidget  what a reader has chosen and edited
     explorer.BiasExplorer  what a notebook shows: one state in four columns, and the states to choose from
 
-Begin with `bias`, which says what is shown. `marks` and `words` say how states are marked and written, on the page and
-in pictures alike. `still` draws the four columns as a picture, all or the first of them.
+Begin with `bias`, which computes what is shown. `marks` and `words` define how states are marked and written, on the
+page as in pictures. `still` draws the four columns as a picture, all or the first of them.
 
 The page is a program of its own, in `page/`: bias.js computes a state's numbers with the library's kernels and puts
-them into sentences, explorer.js draws the columns and is what the reader presses and edits. `widget` tells it the task
-and the tables. The same program is a widget in a notebook and a file that needs no kernel.
+them into sentences; explorer.js draws the columns, which the reader presses and edits. `widget` gives it the task and
+the tables. The same program is a widget in a notebook and a file that needs no kernel.
 """

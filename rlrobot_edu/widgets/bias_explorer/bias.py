@@ -1,4 +1,4 @@
-"""QBIASSR in one state, every number of it: the sets, their means, the bias, and what it does to the choice."""
+"""Every number of QBIASSR in one state: the sets, their means, the bias, and how it changes the choice."""
 
 from __future__ import annotations
 
@@ -29,13 +29,14 @@ class BiasNumbers(NamedTuple):
 def bias_numbers(
     task: Task, q: np.ndarray, s: int, scale: float, temperature: float
 ) -> BiasNumbers:
-    """Choose in state `s` with and without the bias, and keep what was computed on the way.
+    """Choose in state `s` with and without the bias, and keep all intermediate results.
 
-    q: array (n_states, n_actions); scale: normalises both softmaxes alike, see `Parameters.q_scale`
+    q: array (n_states, n_actions); scale: normalises both softmaxes, see `Parameters.q_scale`
     temperature: Boltzmann temperature > 0. Raises ValueError if there is no such state.
     """
     sets = task.states.siblings(s)
     means = np.array([q[states].mean(axis=0) for states in sets.values()])
     bias = bias_of(q, task.states.shape, s)
-    sr, qbiassr = (probabilities(x * scale, temperature) for x in (q[s], q[s] + bias))
+    sr = probabilities(q[s] * scale, temperature)
+    qbiassr = probabilities((q[s] + bias) * scale, temperature)
     return BiasNumbers(s, sets, means, bias, sr, qbiassr)

@@ -1,4 +1,4 @@
-"""The bias explorer: which states have a say in a choice of QBIASSR, and how much, in four columns."""
+"""The bias explorer: which states influence a choice of QBIASSR, and how much, in four columns."""
 
 from __future__ import annotations
 
@@ -62,12 +62,11 @@ class BiasExplorer(Displayed):
         state: int = 0,
     ) -> None:
         self.task = load_task(task)
-        marks_of(self.task)  # names a task that is too large
+        marks_of(self.task)  # raises ValueError for a task that is too large
         values, self._scales = _read_tables(self.task, tables)
-        self.task.states.bins(state)  # names a state that does not exist
-        self.widget = ExplorerWidget(
-            about(self.task, values, self._scales, Parameters.temperature), int(state)
-        )
+        self.task.states.bins(state)  # raises ValueError if there is no such state
+        data = about(self.task, values, self._scales, Parameters.temperature)
+        self.widget = ExplorerWidget(data, int(state))
 
     @property
     def state(self) -> int:
@@ -77,24 +76,21 @@ class BiasExplorer(Displayed):
     @property
     def table(self) -> str:
         """Name of the Q-table shown."""
-        return [*self._scales][self.widget.table]
+        names = list(self._scales)
+        return names[self.widget.table]
 
     @property
     def q(self) -> np.ndarray:
         """The Q-table shown, edits included: a copy, array (n_states, n_actions)."""
-        return np.array(
-            self.widget.tables[self.widget.table], dtype=float
-        )  # a browser writes 5.0 as 5
+        table = self.widget.tables[self.widget.table]
+        return np.array(table, dtype=float)  # a browser writes 5.0 as 5
 
     @property
     def numbers(self) -> BiasNumbers:
         """Everything that is shown about the state."""
+        scale = self._scales[self.table]
         return bias_numbers(
-            self.task,
-            self.q,
-            self.state,
-            self._scales[self.table],
-            Parameters.temperature,
+            self.task, self.q, self.state, scale, Parameters.temperature
         )
 
     def save(self, path: str | Path) -> None:
@@ -125,7 +121,7 @@ class BiasExplorer(Displayed):
         write_whole(path, page_html(title, feed, script(), style()))
 
     def picture(self, stage: int = 4) -> Picture:
-        """The still twin: the four columns, or the first of them.
+        """The four columns as a picture, or the first of them.
 
         Parameters
         ----------
@@ -173,14 +169,17 @@ def _read_tables(
     values, scales = {}, {}
     size = (task.states.n, task.actions.n)
     for name, table in tables.items():
-        agent = (
-            table if isinstance(table, Agent) else Agent(task)
-        )  # an array is normalised with an agent's defaults
-        q = np.array(table.q if table is agent else table, dtype=float)
+        if isinstance(table, Agent):
+            agent = table
+            q = np.array(table.q, dtype=float)
+        else:
+            agent = Agent(task)  # an array is normalised with its defaults
+            q = np.array(table, dtype=float)
         if q.shape != size or not np.isfinite(q).all():
             raise ValueError(
                 f"Q-table {name!r} must hold finite numbers, one row for each of the {size[0]} states and one column "
                 f"for each of the {size[1]} actions of {task.name}; got an array of shape {q.shape}"
             )
-        values[name], scales[name] = q, float(agent.parameters.q_scale)
+        values[name] = q
+        scales[name] = float(agent.parameters.q_scale)
     return values, scales

@@ -1,4 +1,4 @@
-"""One colour and one sign for each input, alike on the page and in pictures."""
+"""One colour and one sign for each input, on the page and in pictures."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
 from rlrobot_edu.task.task import Task
 
-MOST_STATES = 64  # more do not fit on a page, nor into a head
+MOST_STATES = 64  # more do not fit on a page
 
 
 class Mark(NamedTuple):

@@ -41,7 +41,8 @@ def script() -> str:
             "compute_bias": compute_bias,
         }
     )
-    return "\n".join([*map(read_text, SCRIPTS), f"const kernels = {kernels};"])
+    programs = [read_text(name) for name in SCRIPTS]
+    return "\n".join([*programs, f"const kernels = {kernels};"])
 
 
 def style() -> str:
@@ -56,39 +57,56 @@ def about(
     temperature: float,
 ) -> dict[str, Any]:
     """The page's data that do not change. Raises ValueError if the task is too large for a page."""
-    inputs = [
-        {"name": name_text(name), **mark._asdict(), "values": [value_text(each) for each in bins],
-         "words": [value_words(each) for each in bins]}
-        for (name, mark), variable in zip(marks_of(task).items(), task.inputs, strict=True)
-        for bins in [[variable.decode(i) for i in range(variable.n_bins)]]
-    ]  # fmt: skip
-    states = [
-        {"text": state_text(task, s), "words": state_words(task, s), "bins": task.states.bins(s),
-         "sets": [members.tolist() for members in task.states.siblings(s).values()]}
-        for s in range(task.states.n)
-    ]  # fmt: skip
+    inputs = []
+    for (name, mark), variable in zip(marks_of(task).items(), task.inputs, strict=True):
+        bins = [variable.decode(i) for i in range(variable.n_bins)]
+        inputs.append(
+            {
+                "name": name_text(name),
+                **mark._asdict(),
+                "values": [value_text(each) for each in bins],
+                "words": [value_words(each) for each in bins],
+            }
+        )
+    originals = []
+    for name, q in tables.items():
+        originals.append({"name": str(name), "q": q.tolist(), "scale": scales[name]})
     return {
-        "shape": task.states.shape, "inputs": inputs, "states": states,
+        "shape": task.states.shape,
+        "inputs": inputs,
+        "states": [_state_data(task, s) for s in range(task.states.n)],
         "actions": task.actions.labels,
         "temperature": temperature,
-        "originals": [{"name": str(name), "q": q.tolist(), "scale": scales[name]} for name, q in tables.items()],
-    }  # fmt: skip
+        "originals": originals,
+    }
+
+
+def _state_data(task: Task, s: int) -> dict[str, Any]:
+    """A state in words, and the states of its sets."""
+    sets = task.states.siblings(s).values()
+    return {
+        "text": state_text(task, s),
+        "words": state_words(task, s),
+        "bins": task.states.bins(s),
+        "sets": [states.tolist() for states in sets],
+    }
 
 
 class ExplorerWidget(anywidget.AnyWidget):
     """A view of an explorer, which keeps what a reader has chosen and edited.
 
-    about: what does not change; state: the one shown; table: which table is, by its place; tables: values of all
+    about: what does not change; state: the state shown; table: number of the table shown; tables: values of all tables
     stage: how many columns the reader sees, 0 (the state's own row alone) to 4
     """
 
-    about, tables = traitlets.Dict().tag(sync=True), traitlets.List().tag(sync=True)
-    state, table, stage = (traitlets.Int().tag(sync=True) for _ in range(3))
+    about = traitlets.Dict().tag(sync=True)
+    tables = traitlets.List().tag(sync=True)
+    state = traitlets.Int().tag(sync=True)
+    table = traitlets.Int().tag(sync=True)
+    stage = traitlets.Int().tag(sync=True)
 
     def __init__(self, about: dict[str, Any], state: int) -> None:
-        self._esm, self._css = script() + "\nexport default { render };", style()
-        super().__init__(
-            about=about,
-            state=state,
-            tables=[table["q"] for table in about["originals"]],
-        )
+        self._esm = script() + "\nexport default { render };"
+        self._css = style()
+        tables = [table["q"] for table in about["originals"]]
+        super().__init__(about=about, state=state, tables=tables)

@@ -1,4 +1,4 @@
-"""How states and numbers are written: alike on the page, in pictures and in a sentence."""
+"""How states and numbers are written, on the page, in pictures and in sentences."""
 
 from __future__ import annotations
 
@@ -19,27 +19,24 @@ def value_words(value: Bin) -> str:
 
 
 def value_text(value: Bin) -> str:
-    """A bin in as few signs as will do: its value without the unit where it has one, else its limits."""
-    return (
-        f"{value.reading:g}".replace("-", "−")
-        if value.low == value.high
-        else str(value)
-    )
+    """A bin in as few signs as possible: its value without the unit if it has a single one, else its limits."""
+    if value.low != value.high:
+        return str(value)
+    return f"{value.reading:g}".replace("-", "−")
 
 
 def state_text(task: Task, s: int) -> str:
     """State `s` as the paper writes it: ``(1,1,90,0)``."""
-    return (
-        f"({','.join(value_text(value) for value in task.states.decode(s).values())})"
-    )
+    values = task.states.decode(s).values()
+    return f"({','.join(value_text(value) for value in values)})"
 
 
 def state_words(task: Task, s: int) -> str:
     """State `s` in words: ``X 1, Y 1, θ 90°, d 0``."""
-    return ", ".join(
-        f"{name_text(name)} {value_words(value)}"
-        for name, value in task.states.decode(s).items()
-    )
+    words = []
+    for name, value in task.states.decode(s).items():
+        words.append(f"{name_text(name)} {value_words(value)}")
+    return ", ".join(words)
 
 
 def two_decimals(x: float) -> str:

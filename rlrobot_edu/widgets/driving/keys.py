@@ -1,4 +1,4 @@
-"""The actions of a task as buttons: the text on each, which keys press it, and where it is."""
+"""The actions of a task as buttons: their texts, their keys and their places."""
 
 from __future__ import annotations
 
@@ -11,20 +11,21 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.wheel_icons import motion, wheel_icon
 
 KEYS = string.digits[1:] + string.ascii_lowercase  # of the buttons, in their order
+# The speeds of the wheels for each arrow, in parts of full speed
 ARROWS = {
     "ArrowUp": (1, 1),
     "ArrowLeft": (-1, 1),
     "ArrowRight": (1, -1),
     "ArrowDown": (0, 0),
-}  # of full speed
+}
 
 
 @dataclass(frozen=True)
 class Button:
     """The button of an action.
 
-    a: number of the action; key: of the keyboard, empty where there are more buttons than keys
-    text: on the button; words: what it does; place: its row and column
+    a: number of the action; key: of the keyboard, empty if there are more buttons than keys
+    text: on the button; words: the robot's command; place: its row and column
     """
 
     a: int
@@ -35,50 +36,51 @@ class Button:
 
 
 def buttons_of(task: Task) -> list[Button]:
-    """A button for each thing the robot can do; of actions with the same command, for the first.
+    """A button for each command of the robot; of actions with the same command, for the first.
 
-    On wheels a button stands where it takes the robot: ahead is up, left is left. The keys follow the buttons, row by
-    row.
+    On wheels, the place of a button is the direction of the motion: ahead is up, left is left. The keys follow the
+    buttons, row by row.
     """
     commands = task.commands
     distinct = [a for a, command in enumerate(commands) if command not in commands[:a]]
-    icons = (
-        [wheel_icon(*commands[a].values()) for a in distinct]
-        if has_wheels(task)
-        else []
-    )
+    icons = []
+    if has_wheels(task):
+        icons = [wheel_icon(*commands[a].values()) for a in distinct]
     faces = []
     for i, a in enumerate(distinct):
-        text, place = task.actions.label(a), divmod(a, task.actions.shape[-1])
         if icons:
-            ahead, turn = motion(*commands[a].values())
-            speeds = (
-                " {:g}, {:g}".format(*commands[a].values())
-                if icons.count(icons[i]) > 1
-                else ""
-            )
-            text, place = icons[i] + speeds, (1 - ahead, 1 - turn)
+            left, right = commands[a].values()
+            ahead, turn = motion(left, right)
+            place = (1 - ahead, 1 - turn)
+            text = icons[i]
+            if icons.count(text) > 1:
+                text = f"{text} {left:g}, {right:g}"
+        else:
+            place = divmod(a, task.actions.shape[-1])
+            text = task.actions.label(a)
         words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
         faces.append((place, a, text.replace("-", "−"), words.replace("-", "−")))
-    return [
-        Button(a, KEYS[i : i + 1], text, words, at)
-        for i, (at, a, text, words) in enumerate(sorted(faces))
-    ]
+    buttons = []
+    for i, (place, a, text, words) in enumerate(sorted(faces)):
+        key = KEYS[i] if i < len(KEYS) else ""
+        buttons.append(Button(a, key, text, words, place))
+    return buttons
 
 
 def keys_of(task: Task) -> dict[str, int]:
-    """The action of each key; on wheels, the arrows do what comes nearest to straight on, left, right, stop."""
+    """The action of each key; on wheels, the arrows do what is nearest to straight on, left, right and stop."""
     buttons = buttons_of(task)
     keys = {button.key: button.a for button in buttons if button.key}
-    if has_wheels(task):
-        full = max(max(output.values) for output in task.outputs)
-        speeds = {
-            button.a: tuple(task.command_for(button.a).values()) for button in buttons
-        }
-        for key, (left, right) in ARROWS.items():
-            keys[key] = min(
-                speeds, key=lambda a: dist(speeds[a], (full * left, full * right))
-            )
+    if not has_wheels(task):
+        return keys
+    full = max(max(output.values) for output in task.outputs)
+    for key, (left, right) in ARROWS.items():
+        wanted = (full * left, full * right)
+        distances = {}
+        for button in buttons:
+            speeds = tuple(task.command_for(button.a).values())
+            distances[button.a] = dist(speeds, wanted)
+        keys[key] = min(distances, key=distances.__getitem__)
     return keys
 
 

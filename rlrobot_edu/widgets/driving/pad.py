@@ -1,4 +1,4 @@
-"""A robot driven by hand: buttons, keys and its picture; what was driven is a recording."""
+"""A robot driven by hand: buttons, keys and its picture; the steps are a recording."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
 
-LAST = 60  # steps that a saved notebook keeps of those that were driven
+LAST = 60  # steps that a saved notebook keeps
 
 
 def teleoperate(env: Env) -> Pad:
-    """Drive a robot by hand, with buttons or keys, and record it.
+    """Drive a robot by hand, with buttons or keys, and record the steps.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def teleoperate(env: Env) -> Pad:
     Returns
     -------
     Pad
-        What a notebook shows; ``pad.recording`` is what was driven, for `learn_from`, `Recording.save`, or a model.
+        What a notebook shows; ``pad.recording`` has the steps, for `learn_from`, `Recording.save`, or a model.
 
     Raises
     ------
@@ -51,11 +51,13 @@ def teleoperate(env: Env) -> Pad:
 
 
 class Pad(Displayed):
-    """The robot of `env` under a person's hands; each press is one step of its task."""
+    """The robot of `env`, driven by a person; each press is one step of its task."""
 
     def __init__(self, env: Env) -> None:
-        self._robot, self._task = robot_of(env), cast(RobotEnv, env.unwrapped).task
-        self._env, self._state_number = env, state_numbers(env)
+        self._robot = robot_of(env)
+        self._task = cast(RobotEnv, env.unwrapped).task
+        self._env = env
+        self._state_number = state_numbers(env)
         self._rows: list[list[Any]] = []
         self._driven = deque[tuple[Scene, float]](maxlen=LAST)
         self._begin()
@@ -84,29 +86,28 @@ class Pad(Displayed):
         observation, r, terminated, truncated, _ = self._env.step(a)
         s_next = self._state_number(observation)
         self._rows.append([self._s, a, float(r), s_next, terminated, truncated])
-        self._s, self._ended = s_next, terminated or truncated
-        self._driven.append((self._robot.scene(), float(r)))
-        self._way.append(self._driven[-1][0])
+        self._s = s_next
+        self._ended = terminated or truncated
+        scene = self._robot.scene()
+        self._driven.append((scene, float(r)))
+        self._way.append(scene)
         return float(r)
 
     def start_again(self) -> None:
         """Put the robot back to its start; the episode so far is kept."""
         if self._rows:
-            self._rows[-1][5] = (
-                self._rows[-1][5] or not self._rows[-1][4]
-            )  # cut off, unless it had ended for good
+            *_, terminated, truncated = self._rows[-1]
+            self._rows[-1][-1] = truncated or not terminated
         self._begin()
 
     @property
     def recording(self) -> Recording:
-        """All that was driven. Raises ValueError before the first step."""
+        """All steps so far. Raises ValueError before the first step."""
         if not self._rows:
             raise ValueError("nothing has been driven yet: press a button first")
-        return Recording(
-            Transitions.of_rows(self._rows),
-            Source.of_task(self._task, method="by hand", **THIS_COMPUTER),
-            self._task,
-        )
+        transitions = Transitions.of_rows(self._rows)
+        source = Source.of_task(self._task, method="by hand", **THIS_COMPUTER)
+        return Recording(transitions, source, self._task)
 
     @property
     def film(self) -> Film:
@@ -118,38 +119,23 @@ class Pad(Displayed):
     @cached_property
     def widget(self) -> ipywidgets.HBox:
         """Buttons, keys and picture."""
-        buttons = buttons_of(self._task)
-        keys = keys_of(self._task)
-        told = "those in brackets" + (
-            ", and the arrows" if ARROWS.keys() <= keys.keys() else ""
-        )
-        self._said, self._camera = (
-            ipywidgets.HTML(),
-            Camera(self._robot.scene(), PIXELS),
-        )
+        self._said = ipywidgets.HTML()
         self._picture = ipywidgets.HTML()
+        self._camera = Camera(self._robot.scene(), PIXELS)
+        keys = keys_of(self._task)
+        told = "those in brackets"
+        if ARROWS.keys() <= keys.keys():
+            told += ", and the arrows"
+        self._keyboard = Keyboard(actions=keys, told=told)
         again = ipywidgets.Button(
             description="start again",
             icon="undo",
             tooltip="Put the robot back to its start",
         )
-        again.on_click(lambda _: (self.start_again(), self._show("back at the start")))
-        columns = sorted({b.place[1] for b in buttons})
-        pad = ipywidgets.GridBox(
-            [
-                self._cell(buttons, row, column)
-                for row in sorted({b.place[0] for b in buttons})
-                for column in columns
-            ],
-            layout={
-                "grid_template_columns": f"repeat({len(columns)}, max-content)",
-                "grid_gap": "4px",
-            },
-        )
-        self._keyboard = Keyboard(actions=keys, told=told)
-        # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
+        again.on_click(self._pressed_again)
+        # As wide as its buttons, and wider if there is room, so that the picture fits beside it on a narrow page, too
         side = ipywidgets.VBox(
-            [pad, again, self._keyboard, self._said],
+            [self._grid(), again, self._keyboard, self._said],
             layout={"flex": "1 1 190px", "max_width": "22em"},
         )
         side.layout.min_width = "min-content"
@@ -161,27 +147,40 @@ class Pad(Displayed):
         return widget
 
     def still(self) -> Still:
-        """What was driven as a film, or the robot at its start."""
-        return (
-            self.film.still()
-            if self._driven
-            else plot_scene(self._robot.scene()).still()
-        )
+        """The last steps as a film, or the robot at its start."""
+        if self._driven:
+            return self.film.still()
+        return plot_scene(self._robot.scene()).still()
 
     def _begin(self) -> None:
-        self._s, self._ended = self._state_number(self._env.reset()[0]), False
+        observation, _ = self._env.reset()
+        self._s = self._state_number(observation)
+        self._ended = False
         self._way = deque([self._robot.scene()], maxlen=LAST)  # of this episode
 
+    def _grid(self) -> ipywidgets.GridBox:
+        """The buttons, each in its row and column."""
+        buttons = buttons_of(self._task)
+        rows = sorted({button.place[0] for button in buttons})
+        columns = sorted({button.place[1] for button in buttons})
+        cells = []
+        for row in rows:
+            for column in columns:
+                cells.append(self._cell(buttons, row, column))
+        layout = {
+            "grid_template_columns": f"repeat({len(columns)}, max-content)",
+            "grid_gap": "4px",
+        }
+        return ipywidgets.GridBox(cells, layout=layout)
+
     def _cell(self, buttons: list[Button], row: int, column: int) -> ipywidgets.Widget:
-        """The buttons of one place, often one."""
+        """The buttons of one place, in most cases a single one."""
         widgets = []
-        for button in (b for b in buttons if b.place == (row, column)):
-            widget = ipywidgets.Button(
-                description=f"{button.text} [{button.key}]"
-                if button.key
-                else button.text,
-                tooltip=button.words,
-            )
+        for button in buttons:
+            if button.place != (row, column):
+                continue
+            text = f"{button.text} [{button.key}]" if button.key else button.text
+            widget = ipywidgets.Button(description=text, tooltip=button.words)
             widget.layout.width = "max-content"
             widget.add_class(f"rl-action-{button.a}")
             widget.on_click(partial(self._pressed, button))
@@ -191,25 +190,24 @@ class Pad(Displayed):
     def _pressed(self, button: Button, _: Any) -> None:
         r = self.press(button.a)
         mean = np.mean([row[2] for row in self._rows])
-        ended = (
-            " The episode has ended; the next press begins a new one."
-            if self._ended
-            else ""
-        )
-        steps = "1 step" if len(self._rows) == 1 else f"{len(self._rows)} steps"
-        self._show(
-            f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace(
-                "-", "−"
-            )
-        )
+        n = len(self._rows)
+        steps = "1 step" if n == 1 else f"{n} steps"
+        text = f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}."
+        if self._ended:
+            text += " The episode has ended; the next press begins a new one."
+        self._show(text.replace("-", "−"))
+
+    def _pressed_again(self, _: Any) -> None:
+        self.start_again()
+        self._show("back at the start")
 
     def _show(self, text: str) -> None:
-        """Say and show how the robot is."""
+        """Show the robot and a text."""
         scene = self._robot.scene()
+        caption = f"step {len(self._rows)}"
+        pixels = self._camera.frame(scene, caption, path_of(self._way))
         buffer = io.BytesIO()
-        Image.fromarray(
-            self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))
-        ).save(buffer, "PNG")
+        Image.fromarray(pixels).save(buffer, "PNG")
         self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
         self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
         self._keyboard.answered = len(self._rows)

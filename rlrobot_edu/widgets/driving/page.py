@@ -49,8 +49,8 @@ _STYLE = """
 class Keyboard(anywidget.AnyWidget):
     """A line that takes the keys of the widget around it, which has the class ``rl-drive``.
 
-    actions: by the key that asks for it, whose button has the class ``rl-action-7``; told: which keys, in words
-    answered: number of the last step, to be set when the kernel has taken it; then the next one may come
+    actions: the action of each key; the button of action 7 has the class ``rl-action-7``; told: the keys in words
+    answered: number of the last step that the kernel has taken; after that the next one may come
     """
 
     _esm, _css = _KEYS, _STYLE

@@ -9,27 +9,27 @@ from rlrobot_edu.models.recording import Recording
 
 
 def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
-    """Teach `agent` what a recording shows, each transition in its order, as if it had acted like that itself.
+    """Teach `agent` the transitions of a recording in their order, as if it had acted so itself.
 
     Parameters
     ----------
     agent : Agent
         The agent that learns. It keeps what it knew before, and it can go on with `rlrobot_edu.learn`.
     recording : Recording
-        What somebody did: a person (`rlrobot_edu.teleoperate`), another agent, another program.
+        The steps of a person (`rlrobot_edu.teleoperate`), of another agent or of another program.
     passes : int
-        How often the recording is gone through.
+        How many times to go through the recording.
 
     Raises
     ------
     ValueError
-        If agent and recording have other states or actions, or come in the other order.
+        If agent and recording differ in states or actions, or if their order is wrong.
 
     Notes
     -----
-    The next action a' of an update is the recorded one. So SARSA and its relatives learn what the teacher's way of
-    acting is worth; Q-learning what the best action would be, as far as it was shown. The agent chooses a'
-    itself where the recording leaves an episode unfinished.
+    The next action a' of an update is the recorded one. So SARSA and its relatives learn the values of the teacher's
+    policy, and Q-learning those of the best actions, as far as they were shown. Where the recording leaves an episode
+    unfinished, the agent chooses a' itself.
     """
     if not isinstance(agent, Agent) or not isinstance(recording, Recording):
         raise ValueError(
@@ -42,19 +42,20 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the recording has states "
             f"{source.states.shape} and {source.actions.n} actions; make the agent from its task, {source.task_name}"
         )
-    agent.pending, select = None, make_step(agent.method).select
-    rows = list(
-        zip(*(column.tolist() for column in recording.transitions[:5]), strict=True)
-    )
+    agent.pending = None
+    select = make_step(agent.method).select
+    columns = [column.tolist() for column in recording.transitions[:5]]
+    rows = list(zip(*columns, strict=True))
     begins = {*np.flatnonzero(recording.step == 0).tolist(), len(rows)}
-    for i, (s, a, r, s_next, terminated) in [*enumerate(rows)] * passes:
-        if i in begins:
-            agent.begin_episode(s)
-        if i + 1 in begins:
-            agent.learn_step(s, a, r, s_next, terminated)
-        else:
+    for _ in range(passes):
+        for i, (s, a, r, s_next, terminated) in enumerate(rows):
+            if i in begins:
+                agent.begin_episode(s)
+            if i + 1 in begins:
+                agent.learn_step(s, a, r, s_next, terminated)
+                continue
+            _, a_next, *_ = rows[i + 1]
             agent.visits[s, a] += 1
-            select(
-                agent.memory, s_next, agent.rng.random()
-            )  # expected SARSA averages over its probabilities
-            agent.update(s, a, r, s_next, rows[i + 1][1], terminated)
+            # Its probabilities are needed: expected SARSA averages over them.
+            select(agent.memory, s_next, agent.rng.random())
+            agent.update(s, a, r, s_next, a_next, terminated)

@@ -1,4 +1,4 @@
-"""Which expressions of a kernel are whole arrays, as far as its text tells."""
+"""Which names of a kernel are variables, arrays and records, and which expressions are whole arrays, by its text."""
 
 import ast
 from collections.abc import Iterable
@@ -7,10 +7,30 @@ from rlrobot_edu.widgets.javascript.vocabulary import OF_AN_ARRAY, TABLES
 
 
 def is_row(node: ast.Subscript) -> bool:
-    """Whether an entry of a table is asked for by one index, and so is a row."""
+    """Whether an entry of a table has a single index, and so is a row."""
     array = node.value
     is_table = getattr(array, "attr", getattr(array, "id", "")) in TABLES
     return is_table and not isinstance(node.slice, ast.Tuple)
+
+
+def names_stored(nodes: Iterable[ast.AST]) -> set[str]:
+    """The names to which something is assigned."""
+    found = set()
+    for node in nodes:
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            found.add(node.id)
+    return found
+
+
+def names_of_records(nodes: Iterable[ast.AST]) -> set[str]:
+    """The names that stand for records: what has fields of which no array has one."""
+    found = set()
+    for node in nodes:
+        match node:
+            case ast.Attribute(ast.Name(name), field):
+                if field not in {"shape", *OF_AN_ARRAY}:
+                    found.add(name)
+    return found
 
 
 def names_of_arrays(nodes: Iterable[ast.AST]) -> set[str]:
@@ -36,5 +56,5 @@ def is_array(node: ast.expr, names: set[str]) -> bool:
 
 
 def is_negative(index: ast.expr) -> bool:
-    """Whether an index counts from the end, which JavaScript does not know."""
+    """Whether an index counts from the end, which JavaScript cannot do."""
     return isinstance(index, ast.UnaryOp) and isinstance(index.op, ast.USub)

@@ -1,7 +1,7 @@
 """A kernel with all that it calls, as one self-contained JavaScript expression; and rewards and goals as kernels."""
 
 import ast
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from itertools import count
 from typing import Any
 
@@ -43,7 +43,7 @@ def program(
     Raises
     ------
     ValueError
-        If a kernel, or one that it calls, has something in it that has no translation; it tells file and line.
+        If something in a kernel, or in one that it calls, has no translation; the message gives file and line.
     """
     names: dict[Any, str] = {}
     texts: list[str] = []
@@ -58,19 +58,21 @@ def program(
         if not hasattr(function, "__code__"):
             return None
         if function not in names:
-            alike = (
-                f"{function.__name__}{i or ''}" for i in count()
-            )  # each algorithm's file has an update
-            names[function] = next(name for name in alike if name not in names.values())
-            texts.append(
-                Translator(function, name_of, arithmetic).translate(names[function])
-            )
+            name = _free_name(function.__name__, names.values())
+            names[function] = name
+            texts.append(Translator(function, name_of, arithmetic).translate(name))
         return names[function]
 
-    given = ", ".join(f"{name}: {name_of(kernel)}" for name, kernel in kernels.items())
-    return "\n".join(
-        ["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"]
-    )
+    fields = [f"{name}: {name_of(kernel)}" for name, kernel in kernels.items()]
+    given = f"return {{{', '.join(fields)}}};"
+    return "\n".join(["(() => {", '"use strict";', PRELUDE, *texts, given, "})()"])
+
+
+def _free_name(name: str, taken: Collection[str]) -> str:
+    """This name, or with a number if it is taken: each algorithm's file has an ``update``."""
+    if name not in taken:
+        return name
+    return next(f"{name}{i}" for i in count(1) if f"{name}{i}" not in taken)
 
 
 def rewards_of(task: Task, suffix: str = "") -> dict[str, Callable[..., Any]]:
@@ -79,7 +81,7 @@ def rewards_of(task: Task, suffix: str = "") -> dict[str, Callable[..., Any]]:
     Raises
     ------
     NotPlainError
-        If one of them is not plain, see `rlrobot_edu.task.plain`; it tells file and line.
+        If one of them is not plain, see `rlrobot_edu.task.plain`; the message gives file and line.
     """
     functions = functions_of(task_text(task, suffix=suffix))
     names = [f"reward{suffix}"]

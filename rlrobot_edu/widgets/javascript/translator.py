@@ -15,7 +15,8 @@ import ast
 import builtins
 import inspect
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -24,6 +25,8 @@ from rlrobot_edu.widgets.javascript.arrays import (
     is_negative,
     is_row,
     names_of_arrays,
+    names_of_records,
+    names_stored,
 )
 from rlrobot_edu.widgets.javascript.vocabulary import (
     NOT_TRANSLATED,
@@ -39,7 +42,7 @@ class Translator:
     """The translation of one function.
 
     function: the kernel, compiled or not
-    name_of: tells the JavaScript for what a name of its surroundings stands for: a function, a number or None
+    name_of: returns the JavaScript for a function, a number or None that the kernel uses
     arithmetic: names of JavaScript functions that are called in place of some operators, for numbers of another kind
     """
 
@@ -54,35 +57,22 @@ class Translator:
         lines, self.first = inspect.getsourcelines(self.function)
         definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(definition, ast.FunctionDef)
-        self.definition, self.name_of = definition, name_of
+        self.definition = definition
+        self.name_of = name_of
         nodes = list(ast.walk(definition))
         self.parameters = [argument.arg for argument in definition.args.args]
-        stored = {
-            node.id
-            for node in nodes
-            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-        }
+        stored = names_stored(nodes)
         self.variables = sorted(stored - set(self.parameters))
-        # a field's name may be that of something around, too
+        # closurevars takes the names of fields, too; some may be names of parameters or variables
         names = inspect.getclosurevars(self.function)
-        around = {**names.builtins, **names.globals, **names.nonlocals}
-        self.around = {
-            name: thing
-            for name, thing in around.items()
-            if name not in stored.union(self.parameters)
-        }
-        fields = [
-            node
-            for node in nodes
-            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
-        ]
-        self.records = {
-            node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}
-        }  # type: ignore[attr-defined]
+        self.around = {**names.builtins, **names.globals, **names.nonlocals}
+        for name in stored.union(self.parameters):
+            self.around.pop(name, None)
+        self.records = names_of_records(nodes)
         self.arrays = names_of_arrays(nodes)
 
     def translate(self, name: str) -> str:
-        """The text of the function, under this name. Raises ValueError that tells file and line of what it refuses."""
+        """The text of the function, under this name. Raises ValueError, with file and line, if there is none."""
         body = self._block(self.definition.body)
         declared = f"let {', '.join(self.variables)};\n" if self.variables else ""
         return f"function {name}({', '.join(self.parameters)}) {{\n{declared}{body}\n}}"
@@ -107,8 +97,13 @@ class Translator:
             return self._number(value)
         return self._value(value)
 
+    def _values(self, nodes: Iterable[ast.expr]) -> str:
+        """Several values, with commas."""
+        return ", ".join(self._value(node) for node in nodes)
+
     def _block(self, statements: Sequence[ast.stmt]) -> str:
-        return "\n".join(filter(None, map(self._statement, statements)))
+        lines = [self._statement(statement) for statement in statements]
+        return "\n".join(line for line in lines if line)
 
     def _statement(self, node: ast.stmt) -> str:
         match node:
@@ -119,44 +114,38 @@ class Translator:
             case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(
                 targets
             ) == len(values):
-                held = ", ".join(
-                    f"${i} = {self._given_to(targets[i], value)}"
-                    for i, value in enumerate(values)
-                )
-                given = "\n".join(
-                    self._assign(target, f"${i}") for i, target in enumerate(targets)
-                )
-                return f"{{\nconst {held};\n{given}\n}}"  # a browser would make an array of [a, b] = [x, y]
+                return self._assign_tuple(targets, values)
             case ast.Assign(targets, value):
                 if len(targets) > 1:
                     return self._assign_all(targets, value)
                 return self._assign(targets[0], self._given_to(targets[0], value))
             case ast.AugAssign(target, operator, value):
-                place, change = self._number(target), self._number(value)
+                place = self._number(target)
+                change = self._number(value)
                 if type(operator) in (ast.FloorDiv, ast.Mod, *self.arithmetic):
-                    return (
-                        f"{place} = {self._operation(place, operator, change, node)};"
-                    )
+                    result = self._operation(place, operator, change, node)
+                    return f"{place} = {result};"
                 return f"{place} {self._operator(operator, node)}= {change};"
             case ast.If(
                 ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest
             ) if x in self.around:
-                return self._block(
-                    body if self.around[x] is None else rest
-                )  # decided when the kernel was made
+                # This was decided when the kernel was made.
+                return self._block(body if self.around[x] is None else rest)
             case ast.If(test, body, rest):
-                otherwise = f" else {{\n{self._block(rest)}\n}}" if rest else ""
-                return (
-                    f"if ({self._number(test)}) {{\n{self._block(body)}\n}}{otherwise}"
-                )
+                text = f"if ({self._number(test)}) {{\n{self._block(body)}\n}}"
+                if rest:
+                    text += f" else {{\n{self._block(rest)}\n}}"
+                return text
             case ast.While(test, body, []):
                 return f"while ({self._number(test)}) {{\n{self._block(body)}\n}}"
             case ast.For(
                 ast.Name(i), ast.Call(ast.Name("range"), [*bounds], []), body, []
             ) if 1 <= len(bounds) <= 2:
-                low, high = ["0", *map(self._value, bounds)][-2:]
+                low = "0" if len(bounds) == 1 else self._value(bounds[0])
+                high = self._value(bounds[-1])
                 self._stays_inside(i, node)
-                head = f"for (let $end = {high}, $at = {low}; $at < $end; $at++)"  # a range is made once
+                # The end is computed once, as that of a range.
+                head = f"for (let $end = {high}, $at = {low}; $at < $end; $at++)"
                 return f"{head} {{\n{i} = $at;\n{self._block(body)}\n}}"
             case ast.Return(value):
                 return f"return {self._value(value)};" if value else "return;"
@@ -167,14 +156,11 @@ class Translator:
         self._refuse(node, f"“{ast.unparse(node).splitlines()[0]}”")
 
     def _stays_inside(self, name: str, loop: ast.For) -> None:
-        """Refuse a loop whose variable is changed in it; after it, it has its last value in both languages."""
-        for node in (inner for statement in loop.body for inner in ast.walk(statement)):
-            if (
-                isinstance(node, ast.Name)
-                and node.id == name
-                and isinstance(node.ctx, ast.Store)
-            ):
-                self._refuse(node, f"a loop that changes its own {name}")
+        """Refuse a loop that changes its variable. After the loop it has its last value, in both languages."""
+        for statement in loop.body:
+            for node in ast.walk(statement):
+                if name in names_stored([node]):
+                    self._refuse(node, f"a loop that changes its own {name}")
 
     def _assign(self, target: ast.expr, value: str) -> str:
         match target:
@@ -183,6 +169,18 @@ class Translator:
             case ast.Subscript(array, index) if is_row(target):
                 return f"{self._value(array)}[{self._value(index)}].fill({value});"
         return f"{self._value(target)} = {value};"
+
+    def _assign_tuple(
+        self, targets: Sequence[ast.expr], values: Sequence[ast.expr]
+    ) -> str:
+        """All values first, then all assignments: a browser would make an array for [a, b] = [x, y]."""
+        held = []
+        given = []
+        for i, (target, value) in enumerate(zip(targets, values, strict=True)):
+            held.append(f"${i} = {self._given_to(target, value)}")
+            given.append(self._assign(target, f"${i}"))
+        lines = "\n".join(given)
+        return f"{{\nconst {', '.join(held)};\n{lines}\n}}"
 
     def _assign_all(self, targets: Sequence[ast.expr], value: ast.expr) -> str:
         if not isinstance(value, ast.Constant):
@@ -212,11 +210,10 @@ class Translator:
             case ast.Name(name):
                 return self._name(name, node)
             case ast.Tuple(parts):
-                return f"[{', '.join(map(self._value, parts))}]"
+                return f"[{self._values(parts)}]"
             case ast.BinOp(left, operator, right):
-                return self._operation(
-                    self._number(left), operator, self._number(right), node
-                )
+                a, b = self._number(left), self._number(right)
+                return self._operation(a, operator, b, node)
             case ast.UnaryOp(ast.USub() as operator, operand) if (
                 ast.USub in self.arithmetic
             ):
@@ -224,18 +221,13 @@ class Translator:
             case ast.UnaryOp(operator, operand):
                 return f"({self._operator(operator, node)}{self._number(operand)})"
             case ast.BoolOp(operator, values):
-                return f"({f' {self._operator(operator, node)} '.join(map(self._number, values))})"
-            case ast.Compare(left, operators, others) if not any(
-                isinstance(n, ast.Tuple) for n in [left, *others]
-            ):
-                pairs = zip([left, *others], operators, others, strict=False)
-                said = [
-                    f"{self._number(a)} {self._operator(by, node)} {self._number(b)}"
-                    for a, by, b in pairs
-                ]
-                return f"({' && '.join(said)})"
+                word = f" {self._operator(operator, node)} "
+                return f"({word.join(self._number(value) for value in values)})"
+            case ast.Compare(left, operators, others):
+                return self._comparison([left, *others], operators, node)
             case ast.IfExp(test, body, otherwise):
-                return f"({self._number(test)} ? {self._value(body)} : {self._value(otherwise)})"
+                yes, no = self._value(body), self._value(otherwise)
+                return f"({self._number(test)} ? {yes} : {no})"
             case ast.Attribute(ast.Name("math"), word) if word in OF_MATH:
                 return OF_MATH[word]
             case ast.Attribute(record, field) if field not in NOT_TRANSLATED:
@@ -245,12 +237,11 @@ class Translator:
             ) if not self._is_record(array):
                 return f"{self._value(array)}{'[0]' * axis}.length"
             case ast.Subscript(array, ast.Tuple([row, column])):
-                return (
-                    f"{self._value(array)}[{self._value(row)}][{self._value(column)}]"
-                )
-            case ast.Subscript(array, index) if not isinstance(
-                index, ast.Slice
-            ) and not is_negative(index):
+                i, j = self._value(row), self._value(column)
+                return f"{self._value(array)}[{i}][{j}]"
+            case ast.Subscript(array, index) if not (
+                isinstance(index, ast.Slice) or is_negative(index)
+            ):
                 return f"{self._value(array)}[{self._value(index)}]"
             case ast.Call(ast.Attribute(array, method), [], []) if (
                 method in OF_AN_ARRAY
@@ -259,13 +250,24 @@ class Translator:
             case ast.Call(ast.Attribute(_, method)) if method in NOT_TRANSLATED:
                 self._refuse(node, f"“{ast.unparse(node)}”")
             case ast.Call(function, arguments, []):
-                if self._value(function) in {*WORDS.values(), *OF_MATH.values()}:
-                    arguments_text = ", ".join(map(self._number, arguments))
-                    return f"{self._value(function)}({arguments_text})"
-                return (
-                    f"{self._value(function)}({', '.join(map(self._value, arguments))})"
-                )
+                name = self._value(function)
+                if name in {*WORDS.values(), *OF_MATH.values()}:
+                    numbers = [self._number(argument) for argument in arguments]
+                    return f"{name}({', '.join(numbers)})"
+                return f"{name}({self._values(arguments)})"
         self._refuse(node, f"“{ast.unparse(node)}”")
+
+    def _comparison(
+        self, parts: Sequence[ast.expr], operators: Sequence[ast.cmpop], node: ast.expr
+    ) -> str:
+        """A comparison of two or more parts; JavaScript has only those of two."""
+        if any(isinstance(part, ast.Tuple) for part in parts):
+            self._refuse(node, f"“{ast.unparse(node)}”")
+        texts = []
+        for (left, right), operator in zip(pairwise(parts), operators, strict=True):
+            a, b = self._number(left), self._number(right)
+            texts.append(f"{a} {self._operator(operator, node)} {b}")
+        return f"({' && '.join(texts)})"
 
     def _is_record(self, node: ast.expr) -> bool:
         return isinstance(node, ast.Name) and node.id in self.records
@@ -274,5 +276,7 @@ class Translator:
         if name not in self.around:
             return name
         if self.around[name] is getattr(builtins, name, None):
-            return WORDS[name] if name in WORDS else self._refuse(node, name)
-        return self.name_of(self.around[name]) or self._refuse(node, name)
+            text = WORDS.get(name)
+        else:
+            text = self.name_of(self.around[name])
+        return text or self._refuse(node, name)

@@ -13,10 +13,24 @@ OF_AN_ARRAY = {"max", "min", "argmax"}
 # all else that only arrays have; a record has fields of other names
 NOT_TRANSLATED = set(dir(np.ndarray)) - OF_AN_ARRAY - {"shape"}
 OPERATORS: dict[type[ast.AST], str] = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
-    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
-    ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
-}  # fmt: skip
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.Pow: "**",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "===",
+    ast.NotEq: "!==",
+    ast.Is: "===",
+    ast.IsNot: "!==",
+    ast.And: "&&",
+    ast.Or: "||",
+    ast.Not: "!",
+    ast.USub: "-",
+}
 WORDS = {
     "int": "Math.trunc",
     "abs": "Math.abs",
@@ -24,10 +38,8 @@ WORDS = {
     "min": "Math.min",
     "float": "Number",
 }
-OF_MATH = {
-    name: f"Math.{name}"
-    for name in ("ceil", "cos", "exp", "floor", "log", "sin", "sqrt")
-}
+SAME_NAMES = ("ceil", "cos", "exp", "floor", "log", "sin", "sqrt")
+OF_MATH = {name: f"Math.{name}" for name in SAME_NAMES}
 OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
 
 

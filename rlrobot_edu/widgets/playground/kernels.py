@@ -14,7 +14,7 @@ from rlrobot_edu.widgets.javascript.program import program, rewards_of
 
 
 def kernels(methods: Sequence[str], tasks: Mapping[str, Task]) -> str:
-    """A program with the kernels of these methods, the rewards and goals of these tasks, and what moves in all worlds.
+    """A program with the kernels of these methods and of all worlds, and the rewards and goals of these tasks.
 
     Its names: ``select_i`` and ``learn_step_i`` of method i, ``reward_NAME`` and ``goal_NAME`` of a task.
     """

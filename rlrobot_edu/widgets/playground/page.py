@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache, cached_property
 from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import Any
+
+import numpy as np
 
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import make_env
@@ -19,37 +21,50 @@ from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
+from rlrobot_edu.task.robot_cards import Engine
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.playground.kernels import kernels
 from rlrobot_edu.widgets.playground.page_frame import PageFrame
-from rlrobot_edu.widgets.playground.worlds import base_world, cells_world, cliff_world
+from rlrobot_edu.widgets.playground.worlds import (
+    World,
+    base_world,
+    cells_world,
+    cliff_world,
+)
 
 TASKS = {  # of the base, as they are called on the page
     "wander_1k": "wander in a maze (1,024 states)",
     "wander_simple": "wander in a square (4 states)",
     "navigation_1k": "drive to the goal (1,024 states)",
 }
+CALLED = {
+    **TASKS,
+    "worked_example": "the worked example (24 states)",
+    "cliff": "the cliff (48 states)",
+}
 WANDERER = "Nobody tells this robot how to drive. It earns points for driving on and loses some when it bumps. "
+ONLY_SIDES = "It sees only whether something is near on its left and on its right."
 STORIES = {  # what a visitor reads first
     "wander_1k": WANDERER + "The rest it learns by trying.",
-    "wander_simple": WANDERER
-    + "It sees only whether something is near on its left and on its right.",
+    "wander_simple": WANDERER + ONLY_SIDES,
     "navigation_1k": "Nobody tells this robot the way. It earns points when it comes nearer to the goal, and loses "
     "some when it bumps. The rest it learns by trying.",
     "worked_example": "The robot, a disc that looks one way, earns points for each cell that it drives on, and loses "
     "some when it bumps into a wall or into the box. The rest it learns by trying.",
     "cliff": "Each step to the goal costs a point, and a fall from the cliff costs a hundred. Which way will it learn?",
 }
-BUMPS = {"called": "bumps", "atMost": -2}  # a step counts that pays so little
-SCORES: dict[str, dict[str, Any]] = {
+# What is counted: steps whose reward is at most this number, or with None the ends of episodes
+Score = dict[str, Any]
+BUMPS: Score = {"called": "bumps", "atMost": -2}
+ARRIVALS: Score = {"called": "arrivals at the goal", "atMost": None}
+FALLS: Score = {"called": "falls", "atMost": -100}
+SCORES = {
     "wander_1k": BUMPS,
     "wander_simple": BUMPS,
-    "navigation_1k": {
-        "called": "arrivals at the goal",
-        "atMost": None,
-    },  # the end of an episode counts
+    "navigation_1k": ARRIVALS,
     "worked_example": BUMPS,
-    "cliff": {"called": "falls", "atMost": -100},
+    "cliff": FALLS,
 }
 METHODS = {
     "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",
@@ -77,7 +92,7 @@ TITLE = "A robot learns, while you watch"
 
 
 class Playground(Displayed):
-    """The page in which a robot learns. A notebook shows it, and keeps a picture of the maze.
+    """The page in which a robot learns. A notebook shows it, and keeps a picture of the robot's world.
 
     Attributes
     ----------
@@ -87,17 +102,13 @@ class Playground(Displayed):
 
     def __init__(self, begin: Mapping[str, str]) -> None:
         self._task = begin["task"]
-        script = [
-            simulation_script(),
-            f"const beginning = {json.dumps(begin)};",
-            *map(_text, SCRIPTS),
-        ]
-        parts = {
-            "style": _text("style.css"),
-            "script": "\n".join(script),
-            "description": escape(STORIES[self._task]),
-        }
-        self.html = Template(_text("page.html")).substitute(parts)
+        beginning = f"const beginning = {json.dumps(begin)};"
+        programs = [_text(name) for name in SCRIPTS]
+        self.html = Template(_text("page.html")).substitute(
+            style=_text("style.css"),
+            script="\n".join([simulation_script(), beginning, *programs]),
+            description=escape(STORIES[self._task]),
+        )
 
     def __repr__(self) -> str:
         return "<Playground: a robot learns, while you watch>"
@@ -113,10 +124,11 @@ class Playground(Displayed):
         write_whole(path, self.html)
 
     def still(self) -> Still | None:
-        """The robot at its start, as a saved notebook keeps it; nothing of the cliff, which has no robot."""
+        """The robot at its start, as a saved notebook keeps it; None for the cliff, which has no robot."""
         if self._task == "cliff":
             return None
-        env = make_env(self._task, engine="kinematic" if self._task in TASKS else None)
+        engine: Engine | None = "kinematic" if self._task in TASKS else None
+        env = make_env(self._task, engine=engine)
         env.reset()
         return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
 
@@ -134,14 +146,14 @@ def playground(
 ) -> Playground:
     """A page in which a robot learns while you watch, with the library's own kernels.
 
-    Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
-    0 to 9) it comes to the same Q as ``rl.learn``, on the base with ``engine="kinematic"``. It needs no network, no
+    Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed
+    from 0 to 9) it learns the same Q as ``rl.learn``, on the base with ``engine="kinematic"``. It needs no network, no
     Python and no server.
 
     Parameters
     ----------
     path : str or Path, optional
-        Of a file to write, such as ``playground.html``; it is written whole or not at all.
+        A file to write, such as ``playground.html``; it is written whole or not at all.
     task, method : str
         What the page begins with: ``wander_1k``, ``wander_simple``, ``navigation_1k``, ``worked_example`` or ``cliff``,
         and a method of its list, such as ``Q+EG``.
@@ -154,7 +166,8 @@ def playground(
     Raises
     ------
     ValueError
-        If the page has no such task or method; it lists them. Or if the file's name ends like that of another kind.
+        If the page has no such task or method (the message lists them), or if the name ends like that of another kind
+        of file.
     OSError
         If the file cannot be written.
     """
@@ -170,37 +183,40 @@ def playground(
 def simulation_script() -> str:
     """JavaScript without a page: ``newSimulation(settings)`` is a learner in its world, see new_simulation.js."""
     tasks = {name: load_task(name) for name in TASKS}
-    worlds = {
-        name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()
-    }
-    worlds["worked_example"] = cells_world(load_task("worked_example")) | {
-        "called": "the worked example (24 states)"
-    }
-    worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
     about = {
-        "worlds": {
-            name: {**world, "story": STORIES[name], "score": SCORES[name]}
-            for name, world in worlds.items()
-        },
-        "methods": [
-            {"name": name, "called": called} for name, called in METHODS.items()
-        ],
+        "worlds": _worlds(tasks),
+        "methods": [{"name": name, "called": text} for name, text in METHODS.items()],
         "lucks": [_luck(seed) for seed in range(LUCKS)],
-        "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
-        "defaults": {
-            name: getattr(Parameters(), name) for name in SETTINGS.names or ()
-        },
+        "parameters": _defaults(SLIDERS),
+        "defaults": _defaults(SETTINGS.names or ()),
     }
+    about_text = json.dumps(about, ensure_ascii=False, separators=(",", ":"))
+    simulation = files("rlrobot_edu.widgets.javascript") / "simulation.js"
     parts = [
-        files("rlrobot_edu.widgets.javascript")
-        .joinpath("simulation.js")
-        .read_text("utf-8"),
+        simulation.read_text("utf-8"),
         f"const kernels = {kernels(list(METHODS), tasks)};",
-        f"const about = {json.dumps(about, ensure_ascii=False, separators=(',', ':'))};",
+        f"const about = {about_text};",
         _text("walls.js"),
         _text("new_simulation.js"),
     ]
     return "\n".join(parts)
+
+
+def _worlds(tasks: Mapping[str, Task]) -> dict[str, World]:
+    """The worlds by name, with their texts."""
+    worlds = {name: base_world(task) for name, task in tasks.items()}
+    worlds["worked_example"] = cells_world(load_task("worked_example"))
+    worlds["cliff"] = cliff_world()
+    for name, world in worlds.items():
+        world["called"] = CALLED[name]
+        world["story"] = STORIES[name]
+        world["score"] = SCORES[name]
+    return worlds
+
+
+def _defaults(names: Iterable[str]) -> dict[str, Any]:
+    parameters = Parameters()
+    return {name: getattr(parameters, name) for name in names}
 
 
 def _text(name: str) -> str:
@@ -208,12 +224,14 @@ def _text(name: str) -> str:
 
 
 def _luck(seed: int) -> dict[str, dict[str, str]]:
-    """Where the random numbers of an agent and of a world with this seed begin: states of PCG64, in hex."""
-    states: dict[str, Any] = {
-        name: generator(seed, role).bit_generator.state["state"]
-        for name, role in {"agent": (), "world": ENVIRONMENT}.items()
-    }
+    """The states, in hex, in which the random numbers of an agent and of a world with this seed begin."""
     return {
-        name: {part: hex(state[part]) for part in ("state", "inc")}
-        for name, state in states.items()
+        "agent": _hex_state(generator(seed, ())),
+        "world": _hex_state(generator(seed, ENVIRONMENT)),
     }
+
+
+def _hex_state(rng: np.random.Generator) -> dict[str, str]:
+    """The state of PCG64 in hex, for simulation.js."""
+    state: Any = rng.bit_generator.state["state"]
+    return {"state": hex(state["state"]), "inc": hex(state["inc"])}

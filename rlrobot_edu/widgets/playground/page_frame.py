@@ -1,4 +1,4 @@
-"""A page in a frame of a notebook, which is as high as the page and tells it the colours of the notebook."""
+"""A page in a frame of a notebook; the frame is as high as the page and gives it the notebook's colours."""
 
 from __future__ import annotations
 
@@ -23,16 +23,15 @@ export default {
 
 
 class PageFrame(anywidget.AnyWidget):
-    """A page in a frame; it runs scripts, which do not reach the notebook.
+    """A page in a frame; its scripts run, but do not reach the notebook.
 
-    page: its HTML; title: for those who cannot see it
+    page: its HTML; title: for readers who cannot see it
     """
 
     page = traitlets.Unicode().tag(sync=True)
     title = traitlets.Unicode().tag(sync=True)
 
-    def __init__(self, **told: Any) -> None:
-        self._esm = (
-            files(__package__).joinpath("host_page.js").read_text("utf-8") + _SHOW
-        )
-        super().__init__(**told)
+    def __init__(self, **values: Any) -> None:
+        host_page = files(__package__) / "host_page.js"
+        self._esm = host_page.read_text("utf-8") + _SHOW
+        super().__init__(**values)

@@ -1,4 +1,4 @@
-"""The worlds of the playground as data: all that simulation.js needs of them."""
+"""The worlds of the playground as data, for simulation.js."""
 
 from __future__ import annotations
 
@@ -20,32 +20,37 @@ from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
 
 World = dict[str, Any]
+Cell = tuple[int, int]
+Place = tuple[Cell, int, Cell]  # cell and heading [deg] of the robot, cell of the box
+
 WITHOUT_END = 0  # steps of an episode that is never cut off
+HEADINGS = (0, 90, -90)  # [deg]
+ARROWS = {"up": "↑", "right": "→", "down": "↓", "left": "←"}
 
 
 def base_world(task: Task) -> World:
     """What `BaseWorld` needs of a task of the mobile base."""
-    chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
-    body, (x, y, theta) = Body.of(chassis), arena.start
-    twists, words = (
-        [chassis.twist(command) for command in task.commands],
-        _actions(task),
-    )
-    return _in_common(
+    chassis = CHASSIS[task.robot]
+    arena = arena_of(task.scene)
+    body = Body.of(chassis)
+    x, y, theta = arena.start
+    axle_x, axle_y = chassis.axle_at(x, y, theta)
+    twists = [chassis.twist(command) for command in task.commands]
+    motions = [_motion(v, omega) for v, omega in twists]
+    inputs = []
+    for variable in task.inputs:
+        cuts, sectors = variable.cuts, variable.sectors
+        inputs.append({"name": variable.name, "cuts": cuts, "sectors": sectors})
+    return _of_all_worlds(
         task.states.shape, task.actions.n, max(task.rewards), task.episode_steps
     ) | {
         "kind": "BaseWorld",
         "words": _words(task),
-        "actions": [_motion(*twist) for twist in twists],
-        "commands": words["actions"],
+        "actions": motions,
+        "commands": _actions(task)["actions"],
         "twists": twists,
-        "inputs": [
-            {"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs
-        ],
-        "start": [
-            *chassis.axle_at(x, y, theta),
-            theta,
-        ],
+        "inputs": inputs,
+        "start": [axle_x, axle_y, theta],
         "bounds": arena.bounds,
         "goal": arena.goal,
         "goalSteps": task.goal_steps,
@@ -66,18 +71,16 @@ def base_world(task: Task) -> World:
 def cliff_world() -> World:
     """What `ModelWorld` needs of the cliff of lesson 06."""
     rows, columns = SHAPE
-    cells = [
-        [column, rows - 1 - row] for row in range(rows) for column in range(columns)
-    ]
-    return model_world(
-        cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0
-    ) | {
+    cells = []
+    for row in range(rows):
+        for column in range(columns):
+            cells.append([column, rows - 1 - row])
+    drawn = [{"cell": cell, "heading": None} for cell in cells]
+    return model_world(cliff_model(), drawn, r_max=1.0) | {
         "actions": MOVES,
-        "arrows": [
-            {"up": "↑", "right": "→", "down": "↓", "left": "←"}[move] for move in MOVES
-        ],
+        "arrows": [ARROWS[move] for move in MOVES],
         "words": [
-            ["row", list("0123")],
+            ["row", [str(row) for row in range(rows)]],
             ["column", [str(column) for column in range(columns)]],
         ],
         "cliff": [cells[s] for s in CLIFF],
@@ -88,52 +91,65 @@ def cliff_world() -> World:
 def cells_world(task: Task) -> World:
     """What `CellWorld` needs of a task in the cells, such as the paper's worked example.
 
-    Its places say where robot and box are, of which the robot sees less. Their table is found by putting the library's
-    robot in each place and letting it act.
+    A place is where robot and box are; the robot senses less than that. The table of outcomes is found by putting the
+    library's robot in each place and letting it act.
     """
     robot = CellRobot(task.scene, task.step_time)
-    headings = (0, 90, -90)
-    places = [
-        (cell, heading, box)
-        for cell in CELLS
-        for heading in headings
-        for box in CELLS
-        if box != cell
-    ]
-    n_actions, moves = task.actions.n, round(1 / BOX_MOVES)
-    offsets, s_next, r, cumulative = [0], [], [], []
-    for place in places:
-        for a in range(n_actions):
-            outcomes = [
-                _moved(robot, task, place, a, box) for box in (None, 0, 1)
-            ]  # it stays, or goes to one of two
-            for (after, reward), times in zip(
-                outcomes, (2 * (moves - 1), 1, 1), strict=True
-            ):
-                s_next.append(places.index(after))
-                r.append(reward)
-                cumulative.append(
-                    (cumulative[-1] if len(s_next) > offsets[-1] + 1 else 0) + times
-                )
-            offsets.append(len(s_next))
-    model = SampleModel(
-        shape=(len(places),), n_actions=n_actions, offsets=np.array(offsets), s_next=np.array(s_next),
-        r=np.array(r), terminated=np.zeros(len(r), dtype=bool), cumulative=np.array(cumulative),
-        starts=np.array([places.index(((0, 0), 0, (1, 1)))]), rewards=np.array(sorted(set(r))),
-        episode_steps=task.episode_steps,
-    )  # fmt: skip
-    drawn = [
-        {"cell": cell, "heading": heading, "box": box} for cell, heading, box in places
-    ]
-    seen = [_seen(robot, task, place) for place in places]
-    told = {
+    places = _places()
+    model = _model_of(robot, task, places)
+    drawn = []
+    for cell, heading, box in places:
+        drawn.append({"cell": cell, "heading": heading, "box": box})
+    return model_world(model, drawn, r_max=max(task.rewards)) | {
         "kind": "CellWorld",
         "boxMoves": BOX_MOVES,
         "shape": task.states.shape,
-        "seen": seen,
+        "seen": [_seen(robot, task, place) for place in places],
+        "words": _words(task),
+        "actions": _actions(task)["actions"],
     }
-    told |= {"words": _words(task), "actions": _actions(task)["actions"]}
-    return model_world(model, drawn, r_max=max(task.rewards)) | told
+
+
+def _places() -> list[Place]:
+    places = []
+    for cell in CELLS:
+        for heading in HEADINGS:
+            for box in CELLS:
+                if box != cell:
+                    places.append((cell, heading, box))
+    return places
+
+
+def _model_of(robot: CellRobot, task: Task, places: list[Place]) -> SampleModel:
+    """The outcomes of each action in each place: the box stays, or moves to one of the two free cells."""
+    n_moves = round(1 / BOX_MOVES)  # steps in which the box moves once
+    times = (2 * (n_moves - 1), 1, 1)  # of 2 · n_moves steps
+    cumulative_times = np.cumsum(times).tolist()
+    offsets = [0]
+    s_next: list[int] = []
+    r: list[float] = []
+    cumulative: list[int] = []
+    for place in places:
+        for a in range(task.actions.n):
+            for box in (None, 0, 1):
+                after, reward = _moved(robot, task, place, a, box)
+                s_next.append(places.index(after))
+                r.append(reward)
+            cumulative += cumulative_times
+            offsets.append(len(s_next))
+    start = places.index(((0, 0), 0, (1, 1)))
+    return SampleModel(
+        shape=(len(places),),
+        n_actions=task.actions.n,
+        offsets=np.array(offsets),
+        s_next=np.array(s_next),
+        r=np.array(r),
+        terminated=np.zeros(len(r), dtype=bool),
+        cumulative=np.array(cumulative),
+        starts=np.array([start]),
+        rewards=np.array(sorted(set(r))),
+        episode_steps=task.episode_steps,
+    )
 
 
 def model_world(
@@ -141,7 +157,7 @@ def model_world(
 ) -> World:
     """What `ModelWorld` needs of a sample model in which each place is a state; drawn: how each is drawn."""
     tables = SampleModelEnv(model)._tables._asdict()
-    return _in_common(model.shape, model.n_actions, r_max, model.episode_steps) | {
+    return _of_all_worlds(model.shape, model.n_actions, r_max, model.episode_steps) | {
         "kind": "ModelWorld",
         "tables": {name: np.asarray(value).tolist() for name, value in tables.items()},
         "seen": list(range(model.n_states)),
@@ -149,35 +165,46 @@ def model_world(
     }
 
 
-def _in_common(
+def _of_all_worlds(
     shape: Sequence[int], n_actions: int, r_max: float, episode_steps: int | None
 ) -> World:
+    """What all worlds need."""
     return {
-        "shape": list(shape), "nActions": n_actions, "rMax": r_max, "episodeSteps": episode_steps or WITHOUT_END,
-    }  # fmt: skip
+        "shape": list(shape),
+        "nActions": n_actions,
+        "rMax": r_max,
+        "episodeSteps": episode_steps or WITHOUT_END,
+    }
 
 
 def _words(task: Task) -> list[Any]:
     """Name of each input, and its bins in words."""
-    return [
-        [_plain(v.name), [_in_words(v.decode(i)) for i in range(v.n_bins)]]
-        for v in task.inputs
-    ]
+    words = []
+    for variable in task.inputs:
+        bins = [_in_words(variable.decode(i)) for i in range(variable.n_bins)]
+        words.append([_plain(variable.name), bins])
+    return words
 
 
 def _in_words(one: Bin) -> str:
     if math.isinf(one.low):
-        return _plain(f"up to {one.high:g} {one.unit}")
-    return _plain(f"above {one.low:g} {one.unit}" if math.isinf(one.high) else str(one))
+        text = f"up to {one.high:g} {one.unit}"
+    elif math.isinf(one.high):
+        text = f"above {one.low:g} {one.unit}"
+    else:
+        text = str(one)
+    return _plain(text)
 
 
 def _actions(task: Task) -> World:
-    """The actions in words, without the names of the outputs, which are above them."""
+    """The actions in words, without the names of the outputs, which stand above them."""
     words = task.actions.labels
-    for v in task.outputs:
-        words = [label.replace(f"{v.name} ", "") for label in words]
-    units = ", ".join(dict.fromkeys(v.unit for v in task.outputs if v.unit))
-    called = ", ".join(v.name for v in task.outputs) + (f" [{units}]" if units else "")
+    for variable in task.outputs:
+        words = [label.replace(f"{variable.name} ", "") for label in words]
+    called = ", ".join(variable.name for variable in task.outputs)
+    units = dict.fromkeys(variable.unit for variable in task.outputs if variable.unit)
+    if units:
+        called += f" [{', '.join(units)}]"
     return {
         "actions": [_plain(label) for label in words],
         "actionsCalled": _plain(called),
@@ -185,19 +212,21 @@ def _actions(task: Task) -> World:
 
 
 def _motion(v: float, omega: float) -> str:
-    """What a robot does at v [m/s] and omega [rad/s], in words: a task may command other speeds than an action's."""
+    """The motion at v [m/s] and omega [rad/s] in words; a task may command other speeds than its actions name."""
     if omega == 0:
         return f"ahead, {v:.1f} m/s" if v else "stand still"
-    return f"{'arc' if v else 'spin'} {'left' if omega > 0 else 'right'}"
+    path = "arc" if v else "spin"
+    side = "left" if omega > 0 else "right"
+    return f"{path} {side}"
 
 
 def _plain(text: str) -> str:
-    """A text as it is written in print."""
+    """A text with spaces and true minus signs, as in print."""
     return text.replace("_", " ").replace("-", "−")
 
 
 class _Luck:
-    """Random numbers that move the box of a CellRobot to the free cell of this number, or not at all with None."""
+    """Random numbers that move the box of a CellRobot to the free cell of this number; with None, the box stays."""
 
     def __init__(self, box: int | None) -> None:
         self.box = box
@@ -210,25 +239,24 @@ class _Luck:
         return self.box
 
 
-def _put(robot: CellRobot, place: Any) -> None:
-    vars(robot).update(
-        zip(("_cell", "_heading", "_box", "_bumped"), (*place, False), strict=True)
-    )
+def _put(robot: CellRobot, place: Place) -> None:
+    robot._cell, robot._heading, robot._box = place
+    robot._bumped = False
 
 
-def _seen(robot: CellRobot, task: Task, place: Any) -> int:
+def _seen(robot: CellRobot, task: Task, place: Place) -> int:
+    """The state that the robot observes in a place."""
     _put(robot, place)
     return task.states.encode(robot._sense())
 
 
 def _moved(
-    robot: CellRobot, task: Task, place: Any, a: int, box: int | None
-) -> tuple[Any, float]:
-    """Where an action leads, and its reward, if the box moves so."""
+    robot: CellRobot, task: Task, place: Place, a: int, box: int | None
+) -> tuple[Place, float]:
+    """The place to which an action leads, and its reward, if the box moves so."""
     _put(robot, place)
     before = robot._sense()
-    vars(robot)["_rng"] = _Luck(box)
+    robot._rng = _Luck(box)  # type: ignore[assignment]
     robot._move(task.command_for(a))
-    return (robot._cell, robot._heading, robot._box), task.reward_for(
-        before, robot._sense()
-    )
+    after = (robot._cell, robot._heading, robot._box)
+    return after, task.reward_for(before, robot._sense())

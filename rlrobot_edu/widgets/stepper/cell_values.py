@@ -1,7 +1,8 @@
-"""What an agent thinks of the cells of the worked example: for each cell and heading, the value of the best action."""
+"""The values of the cells of the worked example: for each cell and heading, the value of the best action."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +14,12 @@ from rlrobot_edu.widgets.stepper.tape import Tape
 
 _HEADING = {0: "→", 90: "↑", -90: "↓"}
 _SPIN = {90: "↺", -90: "↻"}
-INPUTS = {"X", "Y", "theta", "d"}  # all that the place of robot and box decides
+INPUTS = {
+    "X",
+    "Y",
+    "theta",
+    "d",
+}  # those that depend only on the place of robot and box
 
 
 class Mark(NamedTuple):
@@ -42,41 +48,43 @@ class CellValues:
 
     def _around(self, task: Task, box: tuple[int, int]) -> list[Place]:
         """Each place in which the robot can be while the box stays where it is."""
-        commands, found = task.commands, []
-        for x, y in CELLS:
+        free = [cell for cell in CELLS if cell != box]
+        found = []
+        for x, y in free:
             for heading, (dx, dy) in AHEAD.items():
-                if (x, y) == box:
-                    continue
-                free = (x + dx, y + dy) in CELLS and (x + dx, y + dy) != box
-                s = task.states.encode(
-                    {"X": x, "Y": y, "theta": heading, "d": int(not free)}
-                )
-                icons = [
-                    _HEADING[heading] if c["advance"] else _SPIN.get(c["spin"], "·")
-                    for c in commands
-                ]
+                is_blocked = (x + dx, y + dy) not in free
+                readings = {"X": x, "Y": y, "theta": heading, "d": int(is_blocked)}
+                s = task.states.encode(readings)
+                icons = [_icon(command, heading) for command in task.commands]
                 found.append(Place(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, s, icons))
         return found
 
     def of(self, tape: Tape, scene: Scene) -> list[Mark]:
         """The marks of the places that were visited, where the box is in this scene."""
-        at = next(
-            solid.pose[:2, 3] + 0.5 for solid in scene.solids if solid.name == "box"
-        )
+        box = next(solid for solid in scene.solids if solid.name == "box")
+        cell_x, cell_y = box.pose[:2, 3] + 0.5
         found = []
-        for x, y, s, icons in self._places[round(at[0]), round(at[1])]:
+        for x, y, s, icons in self._places[round(cell_x), round(cell_y)]:
             if tape.visits[s].any():
                 value = tape.q[s].max()
                 best = np.flatnonzero(tape.q[s] == value).tolist()
-                found.append(Mark(x, y, "".join(icons[a] for a in best), float(value)))
+                their_icons = "".join(icons[a] for a in best)
+                found.append(Mark(x, y, their_icons, float(value)))
         return found
 
     def constant_data(self) -> dict[str, list[dict[str, Any]]]:
         """The places of each cell of the box, for worlds.js."""
-        return {
-            f"{box[0]},{box[1]}": [
+        data = {}
+        for (box_x, box_y), places in self._places.items():
+            data[f"{box_x},{box_y}"] = [
                 {"at": [round(p.x, 3), round(p.y, 3)], "s": p.s, "icons": p.icons}
                 for p in places
             ]
-            for box, places in self._places.items()
-        }
+        return data
+
+
+def _icon(command: Mapping[str, float], heading: int) -> str:
+    """A command of a robot that looks in this direction [deg], as one sign."""
+    if command["advance"]:
+        return _HEADING[heading]
+    return _SPIN.get(command["spin"], "·")

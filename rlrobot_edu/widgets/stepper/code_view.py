@@ -15,7 +15,7 @@ from rlrobot_edu.learning.traces import pass_on
 
 
 def code_html(agent: Agent) -> tuple[str, str]:
-    """Where the update of `agent` is, and its lines in HTML, with those that let traces work. ▶ marks a change of Q."""
+    """Where the update of `agent` is, and its lines in HTML, with those of its traces. ▶ marks a change of Q."""
     return _code(agent.method.algorithm)
 
 

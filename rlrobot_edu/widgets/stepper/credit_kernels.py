@@ -1,4 +1,4 @@
-"""Kernels with which a page says which rewards made a value (credit.js), and which states a bias (advice.js)."""
+"""Kernels by which a page finds the rewards behind a value (credit.js) and the states behind a bias (advice.js)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ARITHMETIC = {
 def update_kernels(agent: Agent, parameters: dict[str, Any]) -> str:
     """A JavaScript expression for credit.js: the updates of the algorithms, or the reason why there are none.
 
-    parameters: those by which it learned the first of the steps, as memory.py names them
+    parameters: those of the first step, as memory.py names them
     """
     own = agent.method.algorithm
     reason = None
@@ -45,11 +45,12 @@ def update_kernels(agent: Agent, parameters: dict[str, Any]) -> str:
 
 
 def selection_kernel(agent: Agent) -> str:
-    """A JavaScript expression for advice.js: the selection of `agent`; null where it has no bias, or no translation."""
+    """A JavaScript expression for advice.js: the selection of `agent`; null if it has no bias, or no translation."""
     selection = agent.method.selection
     if not selection.is_biased:
         return "null"
     try:
-        return f"{program({'compute_probabilities': selection.compute_probabilities})}.compute_probabilities"
-    except ValueError:  # a selection of one's own may hold anything
+        kernels = program({"compute_probabilities": selection.compute_probabilities})
+    except ValueError:  # a selection of one's own may contain anything
         return "null"
+    return f"{kernels}.compute_probabilities"

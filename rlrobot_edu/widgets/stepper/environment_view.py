@@ -15,11 +15,11 @@ from rlrobot_edu.widgets.stepper.tape import EnvironmentView
 def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
     """The robot from above, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
-    if hasattr(robot, "scene"):
-        lives_in_cells = (
-            isinstance(robot, CellRobot)
-            and names.task is not None
-            and set(names.inputs) <= INPUTS
-        )
-        return RobotView(robot, CellValues(names.task) if lives_in_cells else None)
-    return StateView(names)
+    if not hasattr(robot, "scene"):
+        return StateView(names)
+    marks = None
+    if isinstance(robot, CellRobot) and names.task is not None:
+        inputs = set(names.inputs)
+        if inputs <= INPUTS:
+            marks = CellValues(names.task)
+    return RobotView(robot, marks)

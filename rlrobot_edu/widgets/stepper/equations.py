@@ -11,13 +11,8 @@ from rlrobot_edu.widgets.stepper.numerals import given, number
 from rlrobot_edu.widgets.stepper.symbols import VISITED, in_symbols
 from rlrobot_edu.widgets.stepper.tape import Frame
 
-GIVEN = (
-    "α",
-    "γ",
-    "(1 − α)",
-    "1",
-    "r",
-)  # numbers that somebody set; all others are computed
+GIVEN = ("α", "γ", "(1 − α)", "1", "r")  # numbers that are set, not computed
+VALUE_OF_NEXT = re.compile(r"{([^}]*s′[^}]*)}")  # a symbol with s′, in its braces
 
 
 class Term(NamedTuple):
@@ -28,47 +23,52 @@ class Term(NamedTuple):
 
 
 def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
-    """The update that `agent` made in the step of `frame`, as its algorithm says it, line by line."""
-    algorithm, parameters, step = (
-        in_symbols(agent.method.algorithm.name),
-        agent.parameters,
-        frame.step,
-    )
-    equation = algorithm.equation(parameters)
+    """The update that `agent` made in the step of `frame`, line by line."""
+    parameters = agent.parameters
     alpha = parameters.alpha
+    algorithm = in_symbols(agent.method.algorithm.name, parameters)
+    step = frame.step
     numbers = {
-        "α": alpha, "(1 − α)": 1 - alpha, "γ": parameters.gamma, "1": 1.0, "r": step.r, "δ": step.delta,
-        "Q(s, a)": frame.q_sa, "e(s, a)": frame.e_sa, "Q_old": frame.q_old, "change": frame.q_sa_new - frame.q_sa,
-    }  # fmt: skip
-    numbers |= {
-        symbol: frame.q_next
-        for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))
+        "α": alpha,
+        "(1 − α)": 1 - alpha,
+        "γ": parameters.gamma,
+        "1": 1.0,
+        "r": step.r,
+        "δ": step.delta,
+        "Q(s, a)": frame.q_sa,
+        "e(s, a)": frame.e_sa,
+        "Q_old": frame.q_old,
+        "change": frame.q_sa_new - frame.q_sa,
     }
+    for symbol in VALUE_OF_NEXT.findall("".join(algorithm.equation)):
+        numbers[symbol] = frame.q_next
     results = {"δ": step.delta, "Q(s, a)": frame.q_sa_new}
-    if trace := algorithm.trace(parameters):
-        results["e(s, a)"] = VISITED[trace](frame.e_sa, alpha)
+    if algorithm.trace:
+        results["e(s, a)"] = VISITED[algorithm.trace](frame.e_sa, alpha)
     lines = []
-    for line in equation:
+    for line in algorithm.equation:
         left, sign, right = re.split(" ([←=]) ", line, maxsplit=1)
+        pair = f"({step.s}, {step.a})"
         terms = _terms(right, numbers)
-        result = (
-            [Term("="), Term(number(results[left]), results[left])]
-            if len(terms) > 1
-            else []
-        )
-        left_side = Term(left.replace("(s, a)", f"({step.s}, {step.a})"))
-        lines.append([left_side, Term(sign), *terms, *result])
-        numbers[left] = results[left]  # what a line has set, the next one takes
+        result = results[left]
+        if len(terms) > 1:
+            terms += [Term("="), Term(number(result), result)]
+        lines.append([Term(left.replace("(s, a)", pair)), Term(sign), *terms])
+        numbers[left] = result  # later lines use the result of this one
     return lines
 
 
 def as_text(line: list[Term]) -> str:
     """An equation with its numbers, as plain text."""
-    return "".join(f" {t.text} " if t.text in "+−←=" else t.text for t in line).strip()
+    texts = []
+    for term in line:
+        is_sign = term.text in "+−←="
+        texts.append(f" {term.text} " if is_sign else term.text)
+    return "".join(texts).strip()
 
 
 def _terms(side: str, numbers: dict[str, float]) -> list[Term]:
-    """The right side of an equation: its signs, and each number in braces for its symbol."""
+    """The right side of an equation: its signs, and the number of each symbol in braces."""
     terms = []
     for signs, symbol, _, _ in Formatter().parse(side):
         terms += [Term(sign) for sign in signs.replace(" ", "")]
@@ -78,7 +78,7 @@ def _terms(side: str, numbers: dict[str, float]) -> list[Term]:
 
 
 def _text(symbol: str, x: float) -> str:
-    """A number below its symbol; a computed one in brackets where its sign would follow another one."""
+    """A number in place of its symbol; a computed one below 0 has brackets, because it may follow another sign."""
     if symbol in GIVEN:
         return given(x)
     return number(x) if x >= 0 else f"({number(x)})"

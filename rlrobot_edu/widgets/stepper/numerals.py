@@ -20,13 +20,19 @@ def number(x: float) -> str:
 def short(x: float) -> str:
     """`x` in six signs at most, for the cells of a table: 12.3, 0.90, −0.021, 4e−5; a plain 0 is exactly 0."""
     size = abs(x)
-    if size >= 1e5 or 0 < size < 0.0005:
-        return _tidy(f"{x:.0e}")
-    return _tidy(
-        f"{x:.{0 if size >= 100 else 1 if size >= 10 else 2 if size >= 0.1 else 3}f}"
-        if x
-        else "0"
-    )
+    if size == 0:
+        text = "0"
+    elif size < 0.0005 or size >= 1e5:
+        text = f"{x:.0e}"
+    elif size < 0.1:
+        text = f"{x:.3f}"
+    elif size < 10:
+        text = f"{x:.2f}"
+    elif size < 100:
+        text = f"{x:.1f}"
+    else:
+        text = f"{x:.0f}"
+    return _tidy(text)
 
 
 def given(x: float) -> str:

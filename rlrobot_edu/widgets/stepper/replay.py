@@ -35,72 +35,84 @@ Kernels = dict[str, Callable[..., Any]]
 
 
 class ReplayStart:
-    """What an agent and its world were before the first step of a tape, as far as a page needs it.
+    """An agent and its world before the first step of a tape, as far as a page needs them.
 
     parameters: the agent's, as memory.py names them
     """
 
     def __init__(self, agent: Agent, env: gymnasium.Env) -> None:
-        self._agent, self._env, memory = agent, env, agent.memory
-        self.parameters = {
-            name: getattr(memory.parameters, name).item()
-            for name in SETTINGS.names or ()
-        }
+        self._agent = agent
+        self._env = env
+        memory = agent.memory
+        self.parameters = _numbers_of(memory.parameters, SETTINGS)
         self._memory = {
-            "q": sparse(memory.q), "visits": sparse(memory.visits),
-            "now": {name: np.asarray(getattr(memory.now, name)).item() for name in NOW.names or ()},
+            "q": sparse(memory.q),
+            "visits": sparse(memory.visits),
+            "now": _numbers_of(memory.now, NOW),
             "parameters": self.parameters,
-            **{name: getattr(memory, name).tolist() for name in ("queue_states", "queue_rewards", "queue_count")},
-        }  # fmt: skip
+            "queue_states": memory.queue_states.tolist(),
+            "queue_rewards": memory.queue_rewards.tolist(),
+            "queue_count": memory.queue_count.tolist(),
+        }
         self._random = {
             "agent": _random(agent.rng),
             "world": _random(env.unwrapped.np_random),
         }
 
     def script(self, tape: Tape) -> str:
-        """A JavaScript expression for stepper.js: all that a life needs, or the reason why there is none."""
+        """A JavaScript expression for stepper.js: all that a replay needs, or the reason why there is none."""
         try:
             world, kernels = _world_of(self._env)
             program_text = program(kernels | self._kernels())
         except ValueError as error:
-            return json.dumps(
-                {"reason": f"“What if α were another?” cannot be tried here: {error}"},
-                ensure_ascii=False,
-            )
-        told = {
-            "world": world, "memory": self._memory, "random": self._random, "settings": self._settings(),
-            "start": {"q": self._memory["q"], "visits": self._memory["visits"], "dropped": 0},
-            "scene": tape.view.look_data(tape.first_look), "place": _place(self._env),
-        }  # fmt: skip
-        return f"{{...{json.dumps(told, ensure_ascii=False, separators=(',', ':'))}, kernels: {program_text}}}"
+            reason = f"“What if α were another?” cannot be tried here: {error}"
+            return json.dumps({"reason": reason}, ensure_ascii=False)
+        q, visits = self._memory["q"], self._memory["visits"]
+        data = {
+            "world": world,
+            "memory": self._memory,
+            "random": self._random,
+            "settings": self._settings(),
+            "start": {"q": q, "visits": visits, "dropped": 0},
+            "scene": tape.view.look_data(tape.first_look),
+            "place": _place(self._env),
+        }
+        text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+        return f"{{...{text}, kernels: {program_text}}}"
 
     def _kernels(self) -> Kernels:
         agent = self._agent
-        if (
-            agent.method.planner
-            or agent.parameters.traces == "full"
-            or None in self._random.values()
-        ):
+        has_full_traces = agent.parameters.traces == "full"
+        if agent.method.planner or has_full_traces or None in self._random.values():
             raise ValueError(
                 "a page knows no planner, no full traces, and only NumPy's usual random numbers."
             )
-        kernels: Kernels = {
-            kernel.__name__: kernel for kernel in (begin_episode, trace_steps)
-        }
+        kernels: Kernels = {"begin_episode": begin_episode, "trace_steps": trace_steps}
         for i, algorithm in enumerate(algorithms_for(agent)):
             step = make_step(Method(algorithm, agent.method.selection))
-            kernels |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
-        return kernels | {
-            "select": kernels["select_0"],
-            "learn_step": kernels["learn_step_0"],
-        }
+            kernels[f"select_{i}"] = step.select
+            kernels[f"learn_step_{i}"] = step.learn_step
+        kernels["select"] = kernels["select_0"]
+        kernels["learn_step"] = kernels["learn_step_0"]
+        return kernels
 
     def _settings(self) -> list[str]:
         """The parameters that matter to the method."""
         method = self._agent.method
-        chance = "temperature" if method.selection.is_softmax else "epsilon"
-        acts = [chance] if method.selection.name not in ("RANDOM", "GREEDY") else []
-        return ["alpha", "gamma", *["lam"] * method.algorithm.has_traces, *acts]
+        names = ["alpha", "gamma"]
+        if method.algorithm.has_traces:
+            names.append("lam")
+        if method.selection.is_softmax:
+            names.append("temperature")
+        elif method.selection.name not in ("RANDOM", "GREEDY"):
+            names.append("epsilon")
+        return names
+
+
+def _numbers_of(record: Any, kind: np.dtype) -> dict[str, Any]:
+    """The fields of a record as Python's numbers."""
+    names = kind.names or ()
+    return {name: np.asarray(getattr(record, name)).item() for name in names}
 
 
 def _random(rng: np.random.Generator) -> dict[str, Any] | None:
@@ -108,40 +120,39 @@ def _random(rng: np.random.Generator) -> dict[str, Any] | None:
     state: Any = rng.bit_generator.state
     if state["bit_generator"] != "PCG64":
         return None
-    numbers = {name: hex(state["state"][name]) for name in ("state", "inc")}
-    return numbers | {"half": hex(state["uinteger"]) if state["has_uint32"] else None}
+    return {
+        "state": hex(state["state"]["state"]),
+        "inc": hex(state["state"]["inc"]),
+        "half": hex(state["uinteger"]) if state["has_uint32"] else None,
+    }
 
 
 def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
-    """What simulation.js needs of a world, and the kernels by which it moves. Raises ValueError if it knows none."""
+    """What simulation.js needs of a world, and the kernels that move it.
+
+    Raises ValueError for a world that simulation.js does not have.
+    """
+    kernels: Kernels
     if isinstance(env, SampleModelEnv):
-        model = env.model
-        return model_world(model, [], model.r_max), {
-            "draw_outcome": draw_outcome,
-            "draw_start": draw_start,
-        }
-    robot, task = getattr(env, "robot", None), getattr(env, "task", None)
-    if (
-        isinstance(env, RobotEnv)
-        and isinstance(robot, CellRobot)
-        and {v.name for v in task.inputs} <= INPUTS
-    ):
-        return cells_world(task), {}
-    if (
-        isinstance(env, RobotEnv)
-        and isinstance(robot, KinematicBase)
-        and robot.chassis == CHASSIS[task.robot]
-    ):
-        kernels = {"drive": drive, "look": look}
-        return base_world(task), kernels | rewards_of(task)
+        kernels = {"draw_outcome": draw_outcome, "draw_start": draw_start}
+        return model_world(env.model, [], env.model.r_max), kernels
+    if isinstance(env, RobotEnv):
+        robot, task = env.robot, env.task
+        inputs = {variable.name for variable in task.inputs}
+        if isinstance(robot, CellRobot) and inputs <= INPUTS:
+            return cells_world(task), {}
+        if isinstance(robot, KinematicBase) and robot.chassis == CHASSIS[task.robot]:
+            return base_world(task), {"drive": drive, "look": look, **rewards_of(task)}
     raise ValueError(
         "a page computes the worked example, sample models and the base with engine='kinematic', not this world."
     )
 
 
 def _place(env: gymnasium.Env) -> list[float] | None:
-    """Where the robot starts: x, y [m] and heading [rad], as simulation.js tells it; None without a robot."""
+    """Where the robot starts: x, y [m] and heading [rad], as in simulation.js; None without a robot."""
     robot = getattr(env, "robot", None)
     if isinstance(robot, CellRobot):
         return [-0.5, -0.5, 0.0]
-    return list(robot.arena.start) if isinstance(robot, KinematicBase) else None
+    if isinstance(robot, KinematicBase):
+        return list(robot.arena.start)
+    return None

@@ -20,17 +20,14 @@ SCRIPTS = (
 
 
 def script(replay_data: str, updates: str, choice: str) -> str:
-    """The program of the page; what it is given are JavaScript expressions, see replay.py and credit_kernels.py."""
-    programs = [
-        "javascript/simulation.js",
-        *(f"stepper/page/{name}.js" for name in SCRIPTS),
-    ]
-    values = [
-        f"const replayData = {replay_data};",
-        f"const updates = {updates};",
-        f"const choice = {choice};",
-    ]
-    return "\n".join([*map(read_text, programs), *values])
+    """The program of the page. Its arguments are JavaScript expressions, see replay.py and credit_kernels.py."""
+    programs = [read_text("javascript/simulation.js")]
+    for name in SCRIPTS:
+        programs.append(read_text(f"stepper/page/{name}.js"))
+    programs.append(f"const replayData = {replay_data};")
+    programs.append(f"const updates = {updates};")
+    programs.append(f"const choice = {choice};")
+    return "\n".join(programs)
 
 
 def style() -> str:

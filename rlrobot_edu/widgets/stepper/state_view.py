@@ -27,38 +27,40 @@ class StateView:
         return s
 
     def constant_data(self) -> dict[str, Any]:
-        """Nothing but its kind: the page has the names."""
+        """Only its kind, because the page has the names."""
         return {"kind": "state"}
 
     def look_data(self, look: int) -> None:
-        """Nothing: the number of the state is all."""
+        """None, because the number of the state is enough."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The present state only, on matplotlib axes."""
-        names, s = self._names, tape.looks()[-1]
+        names = self._names
+        s = tape.looks()[-1]
         for row, (n, i) in enumerate(zip(names.shape, names.bins(s), strict=True)):
             if n <= MOST_BINS:
-                ax.barh(
-                    row,
-                    [1] * n,
-                    left=range(n),
-                    height=0.6,
-                    color="white",
-                    edgecolor="black",
-                    linewidth=0.6,
-                )
-                ax.barh(row, 1, left=i, height=0.6, color=BLUE)
+                _draw_bins(ax, row, n, i)
             else:
                 ax.text(0, row, f"{i} of {n}", va="center")
-        labels = [
-            plain(f"{name}\n{reading}")
-            for name, reading in zip(names.inputs, names.readings(s), strict=True)
-        ]
+        labels = []
+        for name, reading in zip(names.inputs, names.readings(s), strict=True):
+            labels.append(plain(f"{name}\n{reading}"))
         ax.set_yticks(range(len(labels)), labels, fontsize=8)
-        ax.set(
-            xlim=(-0.1, min(max(names.shape), MOST_BINS) + 0.1),
-            ylim=(len(labels) - 0.4, -0.6),
-            xticks=[],
-        )
+        most = min(max(names.shape), MOST_BINS)
+        ax.set(xlim=(-0.1, most + 0.1), ylim=(len(labels) - 0.4, -0.6), xticks=[])
         ax.set_xlabel("bin")
         ax.spines[:].set_visible(False)
+
+
+def _draw_bins(ax: Axes, row: int, n: int, i: int) -> None:
+    """The n bins of an input in a row, with bin i filled."""
+    ax.barh(
+        row,
+        [1] * n,
+        left=range(n),
+        height=0.6,
+        color="white",
+        edgecolor="black",
+        linewidth=0.6,
+    )
+    ax.barh(row, 1, left=i, height=0.6, color=BLUE)

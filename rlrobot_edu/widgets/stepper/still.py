@@ -1,4 +1,4 @@
-"""The stepper as a picture: what a saved notebook shows where no widget works. It is legible at 700 pixels."""
+"""The stepper as a picture, which a saved notebook shows instead of the widget. It is legible at 700 pixels."""
 
 from __future__ import annotations
 
@@ -16,46 +16,32 @@ from rlrobot_edu.widgets.stepper.symbols import in_symbols
 from rlrobot_edu.widgets.stepper.tables import Window
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
-WIDTH, WORLD, ROW = (
-    7.8,
-    3.3,
-    0.2,
-)  # inches: of the picture, of the world in it, of a row of a table
+WIDTH = 7.8  # of the picture [inch]
+WORLD = 3.3  # height of the world in it [inch]
+ROW = 0.2  # height of a row of a table, and of a line of the title [inch]
 LINE = 92  # signs
 
 
 def still(tape: Tape, names: Names) -> Picture:
-    """The view, choice, the equations, Q and traces at the position of `tape`."""
-    frame, window = tape.frame, Window.of(tape)
-    equations = (
-        [as_text(line) for line in explain_update(tape.agent, frame)] if frame else []
-    )
-    title = ["Before the first step"]
+    """The view, the choice, the equations, Q and traces at the position of `tape`."""
+    frame = tape.frame
+    window = Window.of(tape)
+    equations = []
     if frame is not None:
-        rose = (
-            "rises"
-            if frame.q_sa_new > frame.q_sa
-            else "falls"
-            if frame.q_sa_new < frame.q_sa
-            else "stays"
-        )
-        title = [
-            f"Step {tape.t}: Q({frame.step.s}, {frame.step.a}) {rose} to {number(frame.q_sa_new)}"
-        ]
-        title += [
-            textwrap.fill(line, LINE, subsequent_indent="    ") for line in equations
-        ]
-    table, tables = (
-        n_rows(window) * ROW + 0.75,
-        1 + tape.agent.method.algorithm.has_traces,
-    )
+        equations = [as_text(line) for line in explain_update(tape.agent, frame)]
+    title = _title(tape, equations)
+    n_tables = 2 if tape.agent.method.algorithm.has_traces else 1
+    table = n_rows(window) * ROW + 0.75
     choice = 0.25 * len(window.actions) + 1.2
     above = max(WORLD, choice)
-    lines = sum(1 + line.count("\n") for line in title)
-    figure = Picture(figsize=(WIDTH, 0.2 * lines + above + tables * table))
-    figure.alt = " ".join([sentence(tape, names), *(f"{line}." for line in equations)])
-    figure.suptitle(plain("\n".join(title)), fontsize=10.5)
-    parts = figure.subfigures(1 + tables, 1, height_ratios=[above] + [table] * tables)
+    n_lines = title.count("\n") + 1
+    figure = Picture(figsize=(WIDTH, ROW * n_lines + above + n_tables * table))
+    sentences = [sentence(tape, names)]
+    sentences += [f"{line}." for line in equations]
+    figure.alt = " ".join(sentences)
+    figure.suptitle(plain(title), fontsize=10.5)
+    heights = [above] + [table] * n_tables
+    parts = figure.subfigures(1 + n_tables, 1, height_ratios=heights)
     left, right = parts[0].subplots(1, 2)
     tape.view.draw(left, tape)
     left.set_title(tape.view.heading, fontsize=9.5)
@@ -63,9 +49,27 @@ def still(tape: Tape, names: Names) -> Picture:
     left.tick_params(labelsize=8.5)
     _draw_choice(right, tape, frame, window, names)
     draw_q(parts[1].subplots(), tape, window, names)
-    if tape.agent.method.algorithm.has_traces:
+    if n_tables == 2:
         draw_traces(parts[2].subplots(), tape, window, names)
     return figure
+
+
+def _title(tape: Tape, equations: list[str]) -> str:
+    """What became of Q(s, a), and the equations below it."""
+    frame = tape.frame
+    if frame is None:
+        return "Before the first step"
+    step = frame.step
+    change = "stays"
+    if frame.q_sa_new > frame.q_sa:
+        change = "rises"
+    elif frame.q_sa_new < frame.q_sa:
+        change = "falls"
+    new = number(frame.q_sa_new)
+    lines = [f"Step {tape.t}: Q({step.s}, {step.a}) {change} to {new}"]
+    for equation in equations:
+        lines.append(textwrap.fill(equation, LINE, subsequent_indent="    "))
+    return "\n".join(lines)
 
 
 def sentence(tape: Tape, names: Names) -> str:
@@ -82,56 +86,60 @@ def sentence(tape: Tape, names: Names) -> str:
         return f"{text}, where the episode ends."
     if step.truncated:
         return f"{text}; the time of this episode is up."
-    takes_next = "{Q(s′, a′)}" in "".join(
-        in_symbols(tape.agent.method.algorithm.name).equation(tape.agent.parameters)
-    )
-    if takes_next:
+    agent = tape.agent
+    symbols = in_symbols(agent.method.algorithm.name, agent.parameters)
+    if "{Q(s′, a′)}" in "".join(symbols.equation):
         text += f", where it will take a′ = {_named(step.a_next, names)}"
     return f"{text}."
 
 
 def _named(a: int, names: Names) -> str:
-    short = names.action(a)
-    return str(a) if short == str(a) else f"{a} ({short})"
+    name = names.action(a)
+    return name if name == str(a) else f"{a} ({name})"
 
 
 def _draw_choice(
     ax: Axes, tape: Tape, frame: Frame | None, window: Window, names: Names
 ) -> None:
-    """A bar for each action, with its bias where there is one; the title says at which temperature it was chosen."""
+    """A bar for each action, with its bias if there is one; the title gives the temperature of the choice."""
     if frame is None:
         ax.set_axis_off()
         return
     step = frame.step
     p = step.probabilities[window.actions]
-    ax.barh(range(len(p)), p, color=BLUE)
-    labels = [
-        plain(f"{'▶ ' if a == step.a else ''}{names.row(a)}") for a in window.actions
-    ]
-    ax.set_yticks(range(len(p)), labels, fontsize=8.5)
-    values = [f"{x:.3f}" for x in p]
-    if step.bias is not None:
-        values = [
-            f"{text}  (bias {number(float(step.bias[a]))})"
-            for text, a in zip(values, window.actions, strict=True)
-        ]
-    for row, (x, text) in enumerate(zip(p, values, strict=True)):
-        inside = x > 0.5
-        place, side, ink = (
-            (x - 0.02, "right", "white") if inside else (x + 0.02, "left", "black")
-        )
-        ax.text(place, row, text, ha=side, va="center", fontsize=8.5, color=ink)
+    rows = range(len(p))
+    ax.barh(rows, p, color=BLUE)
+    labels = []
+    for a in window.actions:
+        arrow = "▶ " if a == step.a else ""
+        labels.append(plain(f"{arrow}{names.row(a)}"))
+    ax.set_yticks(rows, labels, fontsize=8.5)
+    for row, a in enumerate(window.actions):
+        text = f"{p[row]:.3f}"
+        if step.bias is not None:
+            text += f"  (bias {number(float(step.bias[a]))})"
+        _write_on_bar(ax, row, p[row], text)
     ax.invert_yaxis()
     ax.set_xlim(0, 1.02)
     ax.tick_params(labelsize=8.5)
-    outputs = (
-        f"\n({names.outputs})" if "," in names.outputs else ""
-    )  # one speaks for itself
-    ax.set_xlabel(plain(f"probability of each action{outputs}"), fontsize=8.5)
-    heat = (
-        f", at T = {given(step.temperature)},"
-        if tape.agent.method.selection.is_softmax
-        else ""
+    label = "probability of each action"
+    if "," in names.outputs:  # a single output needs no name
+        label += f"\n({names.outputs})"
+    ax.set_xlabel(plain(label), fontsize=8.5)
+    heat = ""
+    if tape.agent.method.selection.is_softmax:
+        heat = f", at T = {given(step.temperature)},"
+    title = (
+        f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); "
+        f"r = {given(step.r)}"
     )
-    said = f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); r = {given(step.r)}"
-    ax.set_title(plain(textwrap.fill(said, 44)), fontsize=9.5)
+    ax.set_title(plain(textwrap.fill(title, 44)), fontsize=9.5)
+
+
+def _write_on_bar(ax: Axes, row: int, length: float, text: str) -> None:
+    """A text in white at the end of a long bar, or in black beside a short one."""
+    if length > 0.5:
+        x, side, ink = length - 0.02, "right", "white"
+    else:
+        x, side, ink = length + 0.02, "left", "black"
+    ax.text(x, row, text, ha=side, va="center", fontsize=8.5, color=ink)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from matplotlib.axes import Axes
@@ -12,70 +13,74 @@ from rlrobot_edu.widgets.stepper.colours import largest, tint, trace_tint
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.tables import Window, traces_of
-from rlrobot_edu.widgets.stepper.tape import Tape
+from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
-COLUMNS = 10  # so many fit side by side, with their numbers in a type of SIZE points
+COLUMNS = 10  # that fit side by side, with numbers in letters of SIZE points
 SIZE, SMALL = 8.5, 7.5
 GAP = 1.3  # cells between two blocks
+UNTRIED = "·"
 
 Look = tuple[str, str, float]  # of a cell: text, colour, opacity
+Places = dict[tuple[int, int], tuple[float, float]]  # the corner of each pair (s, a)
 
 
 def n_rows(window: Window) -> int:
     """Rows of a table: states that do not fit below each other stand side by side, as far as there is room."""
-    states = sum(s is not None for s in window.states)
-    blocks = max(
-        1, min(int((COLUMNS + GAP) // (len(window.actions) + GAP)), -(-states // 8))
-    )
-    return -(-states // blocks)
+    n_states = sum(s is not None for s in window.states)
+    fit = int((COLUMNS + GAP) // (len(window.actions) + GAP))
+    wanted = math.ceil(n_states / 8)
+    blocks = max(1, min(fit, wanted))
+    return math.ceil(n_states / blocks)
 
 
 def draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
     """Q with a dot where nothing was tried; what the step changed is framed and carries ▲ or ▼."""
-    most, frame, n_actions = (
-        largest(tape.q, tape.agent.parameters.r_max),
-        tape.frame,
-        tape.q.shape[1],
-    )
+    most = largest(tape.q, tape.agent.parameters.r_max)
 
     def look(s: int, a: int) -> Look:
         value = float(tape.q[s, a])
-        return (
-            "·" if not value and not tape.visits[s, a] else short(value),
-            *tint(value, most),
-        )
+        is_untried = value == 0 and not tape.visits[s, a]
+        colour, opacity = tint(value, most)
+        return UNTRIED if is_untried else short(value), colour, opacity
 
     places = _draw(ax, tape, window, names, look)
     ax.set_title(
         f"Q: {window.says}; · never tried; framed: changed by this step, bold: (s, a)",
         fontsize=9.5,
     )
-    if frame is None:
-        return
+    if tape.frame is not None:
+        _mark_changes(ax, tape.frame, tape.q.shape[1], places)
+
+
+def _mark_changes(ax: Axes, frame: Frame, n_actions: int, places: Places) -> None:
+    """Frame what the step changed, boldly the pair (s, a) itself."""
+    change = frame.q_change
     for where, old, new in zip(
-        *(column.tolist() for column in frame.q_change), strict=True
+        change.where.tolist(), change.old.tolist(), change.new.tolist(), strict=True
     ):
         pair = divmod(where, n_actions)
-        if (place := places.get(pair)) is not None:
-            bold = pair == (frame.step.s, frame.step.a)
-            ax.add_patch(Rectangle(place, 1, 1, fill=False, edgecolor="black", linewidth=2.2 if bold else 1.1,
-                                   linestyle="-" if bold else "--", zorder=3))  # fmt: skip
-            ax.text(
-                place[0] + 0.05,
-                place[1] + 0.5,
-                "▲" if new > old else "▼",
-                va="center",
-                fontsize=SMALL - 2,
-            )
+        if pair not in places:
+            continue
+        x, y = places[pair]
+        border = Rectangle((x, y), 1, 1, fill=False, edgecolor="black", zorder=3)
+        if pair == (frame.step.s, frame.step.a):
+            border.set(linewidth=2.2, linestyle="-")
+        else:
+            border.set(linewidth=1.1, linestyle="--")
+        ax.add_patch(border)
+        arrow = "▲" if new > old else "▼"
+        ax.text(x + 0.05, y + 0.5, arrow, va="center", fontsize=SMALL - 2)
 
 
 def draw_traces(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
     """The traces by which the update learned."""
-    traces, n_actions = traces_of(tape.frame), tape.q.shape[1]
+    n_actions = tape.q.shape[1]
+    traces = traces_of(tape.frame)
 
     def look(s: int, a: int) -> Look:
         e = traces.get(s * n_actions + a, 0.0)
-        return short(e) if e else "·", *trace_tint(e)
+        colour, opacity = trace_tint(e)
+        return short(e) if e else UNTRIED, colour, opacity
 
     _draw(ax, tape, window, names, look)
     ax.set_title("Traces e, as this update used them", fontsize=9.5)
@@ -83,51 +88,48 @@ def draw_traces(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
 
 def _draw(
     ax: Axes, tape: Tape, window: Window, names: Names, look: Callable[[int, int], Look]
-) -> dict[tuple[int, int], tuple[float, float]]:
-    """Cells with what `look(s, a)` says, block beside block. Returns the corner of each pair (s, a)."""
-    states, n, rows = (
-        [s for s in window.states if s is not None],
-        len(window.actions),
-        n_rows(window),
-    )
-    places, step = {}, tape.frame.step if tape.frame else None
+) -> Places:
+    """Cells with the text and the colour of `look(s, a)`, block beside block. Returns the corner of each cell."""
+    states = [s for s in window.states if s is not None]
+    n = len(window.actions)
+    rows = n_rows(window)
+    size = SIZE if n <= 4 else SMALL
+    places = {}
     for i, s in enumerate(states):
-        x, y = i // rows * (n + GAP), i % rows
-        role = "s " * (step is not None and s == step.s) + "s′ " * (
-            step is not None and s == step.s_next
-        )
-        ax.text(x - 0.1, y + 0.5, f"{role}{s}", ha="right", va="center", fontsize=SIZE)
+        block, row = divmod(i, rows)
+        x, y = block * (n + GAP), row
+        name = f"{_role_of(s, tape.frame)}{s}"
+        ax.text(x - 0.1, y + 0.5, name, ha="right", va="center", fontsize=SIZE)
         for j, a in enumerate(window.actions):
-            text, colour, opacity = look(s, a)
             places[s, a] = x + j, y
-            ax.add_patch(
-                Rectangle(
-                    (x + j, y), 1, 1, facecolor=colour, alpha=opacity, linewidth=0
-                )
-            )
-            ax.add_patch(
-                Rectangle((x + j, y), 1, 1, fill=False, edgecolor="#ccc", linewidth=0.5)
-            )
-            place, side = (0.5, "center") if text == "·" else (0.94, "right")
-            ax.text(
-                x + j + place,
-                y + 0.5,
-                text,
-                ha=side,
-                va="center",
-                fontsize=SIZE if n <= 4 else SMALL,
-            )
-    blocks = -(-len(states) // rows)
-    for block in range(blocks):
+            _draw_cell(ax, x + j, y, look(s, a), size)
+    n_blocks = math.ceil(len(states) / rows)
+    for block in range(n_blocks):
         for j, a in enumerate(window.actions):
-            ax.text(
-                block * (n + GAP) + j + 0.5,
-                -0.1,
-                plain(names.column(a)),
-                ha="center",
-                va="bottom",
-                fontsize=SIZE,
-            )
-    ax.set(xlim=(-GAP, blocks * (n + GAP) - GAP + 0.1), ylim=(rows + 0.05, -1))
+            middle = block * (n + GAP) + j + 0.5
+            head = plain(names.column(a))
+            ax.text(middle, -0.1, head, ha="center", va="bottom", fontsize=SIZE)
+    ax.set(xlim=(-GAP, n_blocks * (n + GAP) - GAP + 0.1), ylim=(rows + 0.05, -1))
     ax.set_axis_off()
     return places
+
+
+def _role_of(s: int, frame: Frame | None) -> str:
+    """What a state is in the step shown, to stand before its number."""
+    role = ""
+    if frame is not None and s == frame.step.s:
+        role += "s "
+    if frame is not None and s == frame.step.s_next:
+        role += "s′ "
+    return role
+
+
+def _draw_cell(ax: Axes, x: float, y: float, look: Look, size: float) -> None:
+    """One cell, whose corner is at (x, y)."""
+    text, colour, opacity = look
+    floor = Rectangle((x, y), 1, 1, facecolor=colour, alpha=opacity, linewidth=0)
+    ax.add_patch(floor)
+    border = Rectangle((x, y), 1, 1, fill=False, edgecolor="#ccc", linewidth=0.5)
+    ax.add_patch(border)
+    place, side = (0.5, "center") if text == UNTRIED else (0.94, "right")
+    ax.text(x + place, y + 0.5, text, ha=side, va="center", fontsize=size)

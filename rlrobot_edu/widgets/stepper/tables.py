@@ -6,10 +6,9 @@ from typing import NamedTuple
 
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
-MOST_STATES, MOST_ACTIONS = (
-    48,
-    9,
-)  # with more of them, the most recent BLOCK states and MOST_ACTIONS actions are shown
+# Of more than this, only the most recent BLOCK states and MOST_ACTIONS actions are shown.
+MOST_STATES = 48
+MOST_ACTIONS = 9
 BLOCK = 12  # rows in one block; the next block stands beside it
 
 
@@ -25,7 +24,8 @@ class Window(NamedTuple):
         """All states and actions if they fit, otherwise those of the latest steps."""
         n_states, n_actions = tape.q.shape
         states: list[int | None] = list(range(n_states))
-        actions, says = list(range(n_actions)), []
+        actions = list(range(n_actions))
+        says = []
         if n_states <= MOST_STATES and n_actions <= MOST_ACTIONS:
             return cls(states, actions, f"all {n_states} states")
         recent_states, recent_actions = tape.recent(BLOCK)
@@ -33,23 +33,24 @@ class Window(NamedTuple):
             states = recent_states + [None] * (BLOCK - len(recent_states))
             says.append(f"the {BLOCK} states visited last, of {n_states}")
         if n_actions > MOST_ACTIONS:
-            # what the update took for the value of s′ is always shown
-            step, best = (tape.frame.step, tape.frame.best) if tape.frame else (None, 0)
-            follows = (
-                [step.a, best if step.a_next is None else step.a_next, best]
-                if step
-                else []
-            )
-            latest = list(dict.fromkeys([*follows, *recent_actions, *actions]))
+            latest = [*_of_update(tape.frame), *recent_actions, *actions]
+            latest = list(dict.fromkeys(latest))
             actions = sorted(latest[:MOST_ACTIONS])
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
         return cls(states, actions, "; ".join(says) or f"all {n_states} states")
 
 
+def _of_update(frame: Frame | None) -> list[int]:
+    """The actions that an update concerns: a, and those from which it may take the value of s′."""
+    if frame is None:
+        return []
+    follows = frame.best if frame.step.a_next is None else frame.step.a_next
+    return [frame.step.a, follows, frame.best]
+
+
 def traces_of(frame: Frame | None) -> dict[int, float]:
     """The traces of a step by their flat positions."""
-    return (
-        {}
-        if frame is None
-        else dict(zip(*(values.tolist() for values in frame.traces), strict=True))
-    )
+    if frame is None:
+        return {}
+    where, values = frame.traces
+    return dict(zip(where.tolist(), values.tolist(), strict=True))

@@ -1,4 +1,4 @@
-"""What happened while an agent learned, recorded so that it can be looked at forwards and backwards."""
+"""What happened while an agent learned, recorded so that it can be shown forwards and backwards."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
 from rlrobot_edu.learning.observations import state_numbers
-from rlrobot_edu.widgets.stepper.symbols import NEXT, VISITED, in_symbols
+from rlrobot_edu.widgets.stepper.symbols import NEXT, VISITED, Symbols, in_symbols
 
-PATH = 60  # steps; as long is the trail that a robot draws behind itself
+PATH = 60  # steps in the trail that is drawn behind a robot
 
 
 class EnvironmentView(Protocol):
@@ -27,16 +27,16 @@ class EnvironmentView(Protocol):
     heading: str
 
     def look(self, s: int) -> Any:
-        """What can be seen while the environment is in state `s`."""
+        """The view while the environment is in state `s`."""
 
     def constant_data(self) -> dict[str, Any]:
         """What worlds.js needs once; ``kind`` is which of its pictures it is."""
 
     def look_data(self, look: Any) -> Any:
-        """What worlds.js needs of a look; None where the number of the state is all."""
+        """What worlds.js needs of a look; None if the number of the state is enough."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
-        """The look at the position of `tape`, the way to it, and what the agent thinks of the places there."""
+        """Draw the look at the position of `tape`, the path to it, and the values of the places there."""
 
 
 class Change(NamedTuple):
@@ -84,7 +84,7 @@ class Frame(NamedTuple):
 
 
 class _Watched(gymnasium.Wrapper):
-    """The environment as it is; keeps the view at its last reset."""
+    """The environment itself; it keeps the view at its last reset."""
 
     def __init__(self, env: gymnasium.Env, view: EnvironmentView) -> None:
         super().__init__(env)
@@ -108,20 +108,17 @@ class Tape:
     def __init__(
         self, agent: Agent, env: gymnasium.Env, view: EnvironmentView, length: int
     ) -> None:
-        self.agent, self.view, self.keep, self._env = (
-            agent,
-            view,
-            length,
-            _Watched(env, view),
-        )
+        self.agent = agent
+        self.view = view
+        self.keep = length
+        self._env = _Watched(env, view)
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
-        self.q, self.e, self.visits = (
-            agent.q.copy(),
-            agent.e.copy(),
-            agent.visits.copy(),
-        )
-        self.t = self.end = 0
+        self.q = agent.q.copy()
+        self.e = agent.e.copy()
+        self.visits = agent.visits.copy()
+        self.t = 0
+        self.end = 0
         self._stands = self._standing()
         self._take()
         self.first_look = self._at(1).start
@@ -147,19 +144,15 @@ class Tape:
             self._take()
         self.t += 1
         frame = self._at(self.t)
-        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = (
-            frame.q_change.new,
-            frame.e_change.new,
-        )
+        self.q.flat[frame.q_change.where] = frame.q_change.new
+        self.e.flat[frame.e_change.where] = frame.e_change.new
         self.visits[frame.step.s, frame.step.a] += 1
 
     def back(self) -> None:
         """Show the position one step earlier. The agent does not forget what it has learned."""
         frame = self._at(self.t)
-        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = (
-            frame.q_change.old,
-            frame.e_change.old,
-        )
+        self.q.flat[frame.q_change.where] = frame.q_change.old
+        self.e.flat[frame.e_change.where] = frame.e_change.old
         self.visits[frame.step.s, frame.step.a] -= 1
         self.t -= 1
 
@@ -218,11 +211,10 @@ class Tape:
             raise RuntimeError(
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
-        agent, begins = self.agent, self.agent.pending is None
-        q_old, last = (
-            float(agent.memory.now.q_old),
-            self._at(self.end) if self.end else None,
-        )
+        agent = self.agent
+        begins = agent.pending is None
+        q_old = float(agent.memory.now.q_old)
+        last = self._at(self.end) if self.end else None
         before = np.zeros(0, dtype=np.intp) if begins else self._remembered()
         step = next(self._walk, None)
         if step is None:
@@ -253,39 +245,36 @@ class Tape:
 
     def _remembered(self) -> np.ndarray:
         """Flat positions of the pairs whose traces are still there once the agent has visited its next pair."""
-        where, memory = np.flatnonzero(self.e), self.agent.memory
-        register, pending = (
-            memory.register[: memory.now.register_size],
-            self.agent.pending,
-        )
-        if (
-            pending is None
-            or len(register) < len(memory.register)
-            or pending[0] in register
-        ):
+        where = np.flatnonzero(self.e)
+        pending = self.agent.pending
+        memory = self.agent.memory
+        register = memory.register[: memory.now.register_size]
+        is_full = len(register) == len(memory.register)
+        if pending is None or not is_full or pending[0] in register:
             return where
-        return where[
-            where // self.e.shape[1] != register[-1]
-        ]  # a new state takes the place of the oldest one
+        states = where // self.e.shape[1]
+        return where[states != register[-1]]  # a new state replaces the oldest one
 
     def _traces(
         self, before: np.ndarray, s: int, a: int, begins: bool
     ) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
-        parameters = self.agent.parameters
-        trace = in_symbols(self.agent.method.algorithm.name).trace(parameters)
+        trace = self._symbols().trace
         if not trace:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
         others = before[before != pair]
-        new = VISITED[trace](0.0 if begins else float(self.e[s, a]), parameters.alpha)
+        e_sa = 0.0 if begins else float(self.e[s, a])
+        new = VISITED[trace](e_sa, self.agent.parameters.alpha)
         return np.append(others, pair), np.append(self.e.flat[others], new)
 
     def _value_of_next(self, step: Step) -> float:
         """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
-        next_value = NEXT[in_symbols(self.agent.method.algorithm.name).next]
-        return float(
-            next_value(self.q[step.s_next], step.a_next, self.agent.probabilities)
-        )
+        value = NEXT[self._symbols().next]
+        return value(self.q[step.s_next], step.a_next, self.agent.probabilities)
+
+    def _symbols(self) -> Symbols:
+        agent = self.agent
+        return in_symbols(agent.method.algorithm.name, agent.parameters)

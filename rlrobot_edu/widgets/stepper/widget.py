@@ -28,7 +28,7 @@ from rlrobot_edu.widgets.stepper.saved_page import script, style
 from rlrobot_edu.widgets.stepper.still import still
 from rlrobot_edu.widgets.stepper.tape import Tape
 
-# One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
+# All views of a widget share one set of steps, whichever cells show them; a later view asks for what is new.
 _SHOW = """
 const kept = { frames: [], at: 0 };
 function keep({ frames = [] }) {
@@ -62,7 +62,7 @@ class Stepper(Displayed):
     Parameters
     ----------
     agent : Agent
-        What learns.
+        The agent that learns.
     env : gymnasium.Env
         Where it learns, see `steps`. It is reset, and an episode begins.
     at : int
@@ -77,9 +77,8 @@ class Stepper(Displayed):
 
     Notes
     -----
-    The agent takes a new step when the view goes beyond the last one. Going back moves the view alone: what the agent
-    has learned stays learned, and going forward again shows the same steps. The first step is taken at once, also at
-    t = 0.
+    The agent takes a new step when the view goes beyond the last one. Going back moves only the view: the agent keeps
+    what it has learned, and going forward again shows the same steps. The first step is taken at once, also at t = 0.
     """
 
     def __init__(
@@ -106,11 +105,11 @@ class Stepper(Displayed):
     @cached_property
     def widget(self) -> StepperWidget:
         """The page's program in a notebook."""
-        told = feed(self._tape, self._names, self.t)
-        return StepperWidget(self._script(), told, self._hear)
+        data = feed(self._tape, self._names, self.t)
+        return StepperWidget(self._script(), data, self._hear)
 
     def forward(self, n: int = 1) -> None:
-        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet.
+        """Show the step `n` steps later; the agent takes the steps that it has not taken yet.
 
         Parameters
         ----------
@@ -147,7 +146,7 @@ class Stepper(Displayed):
         ValueError
             If that step is no longer kept.
         RuntimeError
-            If agent or world has taken a step elsewhere since the last one, so that no new one can be taken.
+            If agent or world has taken a step elsewhere in between, so that no new step can be taken.
         """
         end = self._tape.end
         self._tape.go(t)
@@ -156,14 +155,14 @@ class Stepper(Displayed):
     def save(self, path: str | Path, steps: int | None = None) -> None:
         """Write the steps to one HTML page that any browser opens, without a kernel and without a network.
 
-        The page begins with the earliest step that is kept. The view stays where it is.
+        The page begins with the earliest step that is kept. The view does not change.
 
         Parameters
         ----------
         path : str or Path
             The file, such as ``page.html``; the address ``page.html#31`` leads to step 31.
         steps : int, optional
-            The last step of the page, by default the last one taken; the agent takes those that it has not taken yet.
+            The last step of the page, by default the last one taken; the agent takes the steps up to it.
 
         Raises
         ------
@@ -180,9 +179,8 @@ class Stepper(Displayed):
             self._tape.go(last)
             write_whole(path, self._page(min(shown, last), last))
         finally:
-            self._tape.go(
-                max(shown, self._tape.first)
-            )  # new steps may have taken the place of the one shown
+            # The step shown is no longer kept if there are too many new ones.
+            self._tape.go(max(shown, self._tape.first))
             self._tell(end)
 
     def picture(self) -> Picture:
@@ -217,19 +215,16 @@ class Stepper(Displayed):
 
     def _page(self, at: int, last: int) -> str:
         """The page with the steps up to `last`, which shows step `at` first."""
-        told = feed(self._tape, self._names, at)
-        frames = [frame for frame in told["frames"] if frame["t"] < last]
+        data = feed(self._tape, self._names, at)
+        frames = [frame for frame in data["frames"] if frame["t"] < last]
         columns = {}  # they pack better than rows
         if frames:
-            columns = {name: [frame[name] for frame in frames] for name in frames[0]}
-        told["frames"] = columns
+            for name in frames[0]:
+                columns[name] = [frame[name] for frame in frames]
+        data["frames"] = columns
         world = f" in {self._names.task.name}" if self._names.task else ""
-        return page_html(
-            f"{self._tape.agent.method.name}{world}, step by step",
-            told,
-            self._script(),
-            style(),
-        )
+        title = f"{self._tape.agent.method.name}{world}, step by step"
+        return page_html(title, data, self._script(), style())
 
     def _script(self) -> str:
         """The page's program."""
@@ -241,9 +236,10 @@ class Stepper(Displayed):
         )
 
     def _hear(self, question: dict[str, Any]) -> None:
-        """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""
+        """Answer a page: ``take`` asks for so many new steps, ``have`` for all after these, ``at`` goes to a step."""
         tape = self._tape
-        end, error = question.get("have", tape.end), ""
+        end = question.get("have", tape.end)
+        error = ""
         try:
             if "take" in question:
                 tape.go(tape.end + question["take"])
@@ -255,16 +251,12 @@ class Stepper(Displayed):
         self._tell(end, error=error)
 
     def _tell(self, end: int, **more: Any) -> None:
-        """Send the pages, if there are any, the steps after `end`, and what else there is to say."""
-        if "widget" in vars(self):
-            frames = [frame_data(frame, self._tape) for frame in self._tape.since(end)]
-            self.widget.send(
-                {
-                    "frames": frames,
-                    "parameters": asdict(self._tape.agent.parameters),
-                    **more,
-                }
-            )
+        """Send the steps after `end`, and `more`, to the pages if there are any."""
+        if "widget" not in vars(self):
+            return
+        frames = [frame_data(frame, self._tape) for frame in self._tape.since(end)]
+        parameters = asdict(self._tape.agent.parameters)
+        self.widget.send({"frames": frames, "parameters": parameters, **more})
 
 
 class StepperWidget(anywidget.AnyWidget):
@@ -278,6 +270,7 @@ class StepperWidget(anywidget.AnyWidget):
     def __init__(
         self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]
     ) -> None:
-        self._esm, self._css = script + _SHOW, style()
+        self._esm = script + _SHOW
+        self._css = style()
         super().__init__(feed=feed)
         self.on_msg(lambda _, question, buffers: hear(question))

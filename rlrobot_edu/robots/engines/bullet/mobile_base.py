@@ -22,19 +22,14 @@ class Wheels:
     def __init__(
         self, simulation: BulletSimulation, body: int, level: KinematicBase
     ) -> None:
-        self._simulation, self._body, self._motors = (
-            simulation,
-            body,
-            Motors(simulation, body, WHEELS),
-        )
+        self._simulation = simulation
+        self._body = body
         self._level = level
+        self._motors = Motors(simulation, body, WHEELS)
         wheels = self._motors.numbers.values()
-        for part in range(
-            -1, simulation.getNumJoints(body)
-        ):  # what touches floor or wall glides, but for the wheels
-            simulation.changeDynamics(
-                body, part, lateralFriction=GRIP if part in wheels else 0.0
-            )
+        for part in range(-1, simulation.getNumJoints(body)):
+            friction = GRIP if part in wheels else 0.0  # all but the wheels glide
+            simulation.changeDynamics(body, part, lateralFriction=friction)
         for wheel in wheels:  # as spheres they stick out of the body
             simulation.floor_only(body, wheel)
 
@@ -45,11 +40,8 @@ class Wheels:
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
-        self._level.parts.place[:] = (
-            here[0, 3],
-            here[1, 3],
-            math.atan2(here[1, 0], here[0, 0]),
-        )
+        theta = math.atan2(here[1, 0], here[0, 0])
+        self._level.parts.place[:] = (here[0, 3], here[1, 3], theta)
         return self._level.look()
 
 
@@ -64,7 +56,8 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
     """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
     x, y, theta = arena.start
-    place = (*PIONEER.axle_at(x, y, theta), PIONEER.wheel_radius)
+    axle_x, axle_y = PIONEER.axle_at(x, y, theta)
+    place = (axle_x, axle_y, PIONEER.wheel_radius)
     return simulation.load(urdf, place, theta)
 
 
@@ -76,17 +69,9 @@ class BulletBase(BulletRobot):
     """
 
     def __init__(self, scene: Place, step_time: float) -> None:
-        simulation, level = (
-            BulletSimulation(PHYSICS_HZ),
-            KinematicBase(scene, step_time),
-        )
+        simulation = BulletSimulation(PHYSICS_HZ)
+        level = KinematicBase(scene, step_time)
         add_arena(simulation, level.arena)
         body = load(simulation, URDF, level.arena)
-        super().__init__(
-            "mobile_base",
-            simulation,
-            body,
-            [Wheels(simulation, body, level)],
-            step_time,
-            level,
-        )
+        wheels = Wheels(simulation, body, level)
+        super().__init__("mobile_base", simulation, body, [wheels], step_time, level)

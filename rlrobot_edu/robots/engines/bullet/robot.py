@@ -1,4 +1,4 @@
-"""What the robots in PyBullet do alike: rest, begin again, and move; and the motors in their joints."""
+"""What all robots in PyBullet do in the same way: rest, begin again, and move; and the motors in their joints."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -15,46 +15,50 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 class Motors:
     """The motors in the joints `names` of the robot that is `body` in `simulation`: their commands are speeds.
 
-    numbers: of the joints, by name; limits: lowest and highest angle of each [rad]; torques: the most that each motor
-        can give [N m], in their order
+    numbers: the simulation's number of each joint; limits: lowest and highest angle of each joint [rad]
+    torques: the largest of each motor [N m], in the order of the joints
     """
 
     def __init__(
         self, simulation: BulletSimulation, body: int, names: Sequence[str]
     ) -> None:
-        self._simulation, self._body = simulation, body
+        self._simulation = simulation
+        self._body = body
         joints = simulation.joints(body)
         self.numbers = {name: joints[name] for name in names}
-        about = {
-            name: simulation.getJointInfo(body, i) for name, i in self.numbers.items()
-        }
-        self.limits = {name: facts[8:10] for name, facts in about.items()}
-        self.torques = [facts[10] for facts in about.values()]
+        self.limits = {}
+        self.torques = []
+        for name, i in self.numbers.items():
+            facts = simulation.getJointInfo(body, i)
+            self.limits[name] = facts[8:10]
+            self.torques.append(facts[10])
 
     def angles(self) -> dict[str, float]:
         """Angle of each joint [rad]."""
-        states = self._simulation.getJointStates(self._body, [*self.numbers.values()])
-        return {
-            name: state[0] for name, state in zip(self.numbers, states, strict=True)
-        }
+        joints = list(self.numbers.values())
+        states = self._simulation.getJointStates(self._body, joints)
+        angles = [state[0] for state in states]
+        return dict(zip(self.numbers, angles, strict=True))
 
     def drive(self, speeds: Mapping[str, float]) -> None:
         """Turn the joints at `speeds` [rad/s] from now on."""
-        told = [speeds[name] for name in self.numbers]
         self._simulation.setJointMotorControlArray(
-            self._body, [*self.numbers.values()], self._simulation.VELOCITY_CONTROL, targetVelocities=told,
+            self._body,
+            list(self.numbers.values()),
+            self._simulation.VELOCITY_CONTROL,
+            targetVelocities=[speeds[name] for name in self.numbers],
             forces=self.torques,
-        )  # fmt: skip
+        )
 
 
 class Part(Protocol):
-    """What a robot is made of, such as wheels or an arm: motors to drive, and sensors."""
+    """A part of a robot, such as its wheels or its arm: motors to drive, and sensors."""
 
     def drive(self, command: Mapping[str, float]) -> None:
         """Set the motors' speeds; a part picks its own from the robot's `command`."""
 
     def readings(self) -> dict[str, float]:
-        """What the part's sensors say now."""
+        """What the part's sensors read now."""
 
 
 class BulletRobot(SimulatedRobot):
@@ -62,7 +66,7 @@ class BulletRobot(SimulatedRobot):
 
     name: of the robot's card
     step_time: duration of one control step [s]
-    twin: the same robot without PyBullet, which shows what the readings say
+    twin: the same robot without PyBullet, which draws the scene that the readings describe
     """
 
     _built: Callable[[], "BulletRobot"]  # builds such a robot once more
@@ -82,14 +86,17 @@ class BulletRobot(SimulatedRobot):
         twin: SimulatedRobot,
     ) -> None:
         super().__init__(ROBOTS[name])
-        self._simulation, self._body, self._parts = simulation, body, parts
-        self._step_time, self._twin = step_time, twin
+        self._simulation = simulation
+        self._body = body
+        self._parts = parts
+        self._step_time = step_time
+        self._twin = twin
         self._stand_still()
         simulation.run(1.0)  # until nothing moves any more
         self._beginning = simulation.saveState()
         self._readings = self._sense()
 
-    # A copy, or a robot in another process, is built anew in a simulation of its own and then goes on from here.
+    # A copy, or a robot in another process, is built in a simulation of its own and then goes on from this state.
     def __reduce__(self) -> tuple[Any, ...]:
         return self._built, (), (self._simulation.state(), self._readings)
 
@@ -113,14 +120,13 @@ class BulletRobot(SimulatedRobot):
         self._simulation.run(self._step_time)
 
     def _sense(self) -> dict[str, float]:
-        return {
-            name: reading
-            for part in self._parts
-            for name, reading in part.readings().items()
-        }
+        readings: dict[str, float] = {}
+        for part in self._parts:
+            readings |= part.readings()
+        return readings
 
     def scene(self) -> Scene:
-        """What there is to see, drawn level, as the readings say."""
+        """The scene at the place that the readings give; the robot is drawn level."""
         self._twin._readings = self._readings
         return self._twin.scene()
 

@@ -1,4 +1,4 @@
-"""A simulation in PyBullet (three-dimensional physics): its clock, and what stands in it."""
+"""A simulation in PyBullet (three-dimensional physics): its clock, and the bodies in it."""
 
 import os
 import sys
@@ -17,7 +17,7 @@ from rlrobot_edu.robots.scene import Solid, pose
 
 @contextmanager
 def _quiet_stderr() -> Iterator[None]:
-    """Inside, what C code writes to stderr (file descriptor 2) is lost; Python's own messages come through after."""
+    """Discard what C code writes to stderr (file descriptor 2) inside the block."""
     sys.stderr.flush()
     kept = os.dup(2)
     with open(os.devnull, "wb") as nothing:
@@ -39,16 +39,16 @@ except ImportError:
     ) from None
 
 GRAVITY = 9.81  # [m/s²]
-# groups of what may meet
+# Groups of bodies, which decide what collides with what
 _FIXED, _FLOOR, _ROBOT = 2, 64, 128
 
 
 class BulletSimulation:
-    """A simulation without a window, for one robot alone; whatever PyBullet can do, it does in this simulation.
+    """A simulation without a window, for one robot alone; it has all functions of PyBullet, which act on it.
 
     physics_hz: physics steps a second [1/s]
 
-    The simulation ends with `close`, or once nobody holds it any more.
+    The simulation ends with `close`, or when it is no longer used.
     """
 
     def __init__(self, physics_hz: int) -> None:
@@ -60,7 +60,7 @@ class BulletSimulation:
         self.setPhysicsEngineParameter(
             deterministicOverlappingPairs=1,  # runs repeat bit for bit
             solverResidualThreshold=0.0,  # servos that hold still do not sink
-            collisionFilterMode=0,  # two bodies meet only if each has the other's group in its mask
+            collisionFilterMode=0,  # two bodies collide only if each has the other's group in its mask
         )
 
     # pybullet_utils.bullet_client does the same, but prints a line each time that it connects.
@@ -78,7 +78,7 @@ class BulletSimulation:
             self.stepSimulation()
 
     def state(self) -> bytes:
-        """How everything stands and moves now, for `resume`. PyBullet itself gives it to a file only."""
+        """The places and velocities of all bodies now, for `resume`. PyBullet itself only writes them to a file."""
         with TemporaryDirectory() as folder:
             file = Path(folder, "state.bullet")
             self.saveBullet(str(file))
@@ -109,19 +109,18 @@ class BulletSimulation:
         return body
 
     def add(self, solid: Solid) -> int:
-        """Put a solid that nothing can move, a box or a cylinder, to its place; returns the number of its body."""
+        """Put a box or a cylinder, which nothing can move, to its place; returns the number of its body."""
         if solid.shape == "box":
-            shape = self.createCollisionShape(
-                self.GEOM_BOX, halfExtents=[v / 2 for v in solid.size]
-            )
+            half = [length / 2 for length in solid.size]
+            shape = self.createCollisionShape(self.GEOM_BOX, halfExtents=half)
         else:
+            radius, height = solid.size
             shape = self.createCollisionShape(
-                self.GEOM_CYLINDER, radius=solid.size[0], height=solid.size[1]
+                self.GEOM_CYLINDER, radius=radius, height=height
             )
-        turn = self.getQuaternionFromEuler(
-            (0, 0, float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0])))
-        )
-        # "maximal coordinates": a plain rigid body; the other kind would be solved like a robot in every step
+        yaw = float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0]))
+        turn = self.getQuaternionFromEuler((0, 0, yaw))
+        # With "maximal coordinates" it is a plain rigid body, which takes less time in each step than a robot.
         body: int = self.createMultiBody(
             0, shape, -1, solid.pose[:3, 3].tolist(), turn, useMaximalCoordinates=1
         )
@@ -135,7 +134,7 @@ class BulletSimulation:
         return floor
 
     def floor_only(self, body: int, link: int) -> None:
-        """Let this link of a robot meet the floor and nothing else."""
+        """Let this link of a robot collide with the floor and nothing else."""
         self.setCollisionFilterGroupMask(body, link, _ROBOT, _FLOOR)
 
     def joints(self, body: int) -> dict[str, int]:
@@ -149,9 +148,9 @@ class BulletSimulation:
         """Homogeneous transform of a link's frame, −1 for the base; array (4, 4) [m]."""
         if link == -1:
             return transform(*self.getBasePositionAndOrientation(body))
-        return transform(
-            *self.getLinkState(body, link, computeForwardKinematics=True)[4:6]
-        )
+        state = self.getLinkState(body, link, computeForwardKinematics=True)
+        position, quaternion = state[4:6]
+        return transform(position, quaternion)
 
 
 def transform(position: tuple[float, ...], quaternion: tuple[float, ...]) -> np.ndarray:
