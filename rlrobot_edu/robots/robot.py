@@ -1,11 +1,12 @@
 """What an environment asks of a robot, and what all our simulated robots do in the same way."""
 
 from abc import abstractmethod
-from collections.abc import Mapping
-from typing import Protocol
+from collections.abc import Mapping, Sequence
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from rlrobot_edu.learning.kernel_world import KernelWorld
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import RobotCard
 from rlrobot_edu.task.task import Task
@@ -36,6 +37,22 @@ class LinkedRobot(Robot, Protocol):
 
     def prepare(self, task: Task) -> None:
         """Get ready for a task. Raises ValueError, which names the task's file, if the robot cannot carry it out."""
+
+
+@runtime_checkable
+class KernelRobot(Robot, Protocol):
+    """A robot that moves and senses by kernels, so that the compiled loop of learning can run it."""
+
+    def kernel_world(
+        self, task: Task, commands: Sequence[Mapping[str, float]], at_goal: int
+    ) -> KernelWorld | None:
+        """The robot as it stands there, with its task. None if this robot or this task has no kernels after all.
+
+        commands: the command of each action; at_goal: steps at the goal without a break
+        """
+
+    def look(self) -> dict[str, float]:
+        """Sense again, because the kernels have moved the robot, and return the readings."""
 
 
 class SimulatedRobot(Robot):

@@ -12,9 +12,8 @@ import numpy as np
 
 from rlrobot_edu.checks import check_index, check_name
 from rlrobot_edu.learning.kernel_world import KernelWorld
-from rlrobot_edu.robots.engines.kinematic.robot import world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.robots.robot import LinkedRobot, Robot
+from rlrobot_edu.robots.robot import KernelRobot, LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
@@ -216,9 +215,12 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             None if the robot or its task has no kernels, if there are few steps, and for a class of your own, which may
             step in another way.
         """
-        if steps < WORTH_COMPILING or type(self) is not RobotEnv:
+        robot = self.robot
+        if not isinstance(robot, KernelRobot) or type(self) is not RobotEnv:
             return None
-        world = world_of(self.task, self.robot, self._commands, self._at_goal)
+        if steps < WORTH_COMPILING:
+            return None
+        world = robot.kernel_world(self.task, self._commands, self._at_goal)
         if world is not None:
             self._kernel_arrays = world.arrays
         return world
@@ -231,7 +233,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         s : int
             Number of the state.
         """
-        robot: Any = self.robot
+        robot = self.robot
+        assert isinstance(robot, KernelRobot)  # kernels have moved it
         self.state = s
         self._at_goal = int(self._kernel_arrays.at_goal[0])
         self._readings = robot.look()

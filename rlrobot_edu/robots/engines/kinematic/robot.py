@@ -15,6 +15,7 @@ from rlrobot_edu.robots.engines.kinematic import kernels
 from rlrobot_edu.robots.engines.kinematic.compiled_task import INPUT, judge_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.variables import InputVariable
 
 # What the loop is given.
 # parts, start: the robot's; place: array, where it was before the step
@@ -56,37 +57,51 @@ class KinematicRobot(SimulatedRobot):
         for_python(self.kernels[1])(self.parts, readings)
         return dict(zip(self._card.sensors, readings.tolist(), strict=True))
 
+    def kernel_world(
+        self, task: Task, commands: Sequence[Mapping[str, float]], at_goal: int
+    ) -> KernelWorld | None:
+        """What the compiled loop is given of a task and this robot, see `KernelRobot`."""
+        has_kernels = "kernels" in vars(type(self)) and not IS_PLAIN
+        start = self.start() if has_kernels else None
+        if start is None or any(v.values is not None for v in task.inputs):
+            return None
+        names = tuple(self.readings)
+        judge = judge_of(task, names)
+        if judge is None:
+            return None
+        numbers = np.array([list(self.readings.values())] * 2)
+        records = numbers.view([(name, float) for name in names])[:, 0]
+        move, sense = self.kernels
+        built = build(kernels, move=move, sense=sense)
+        arrays = World(
+            parts=self.parts,
+            start=start,
+            place=start.copy(),
+            commands=np.array([self.command_array(command) for command in commands]),
+            numbers=numbers,
+            records=records,
+            inputs=np.array([_input(v, names) for v in task.inputs], INPUT),
+            cuts=_cuts(task),
+            judge=judge,
+            at_goal=np.array([at_goal]),
+            rewards=np.array(task.rewards),
+            goal_steps=task.goal_steps,
+            episode_steps=task.episode_steps or NEVER,
+        )
+        state = (self.parts.place, numbers, arrays.at_goal)
+        return KernelWorld(built.begin, built.outcome, arrays, state)
 
-def world_of(
-    task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int
-) -> KernelWorld | None:
-    """What the compiled loop is given of a task and its robot, as it stands there; None where there is no such loop."""
-    start = robot.start() if "kernels" in vars(type(robot)) else None
-    if IS_PLAIN or start is None or any(v.values is not None for v in task.inputs):
-        return None
-    names = tuple(robot.readings)
-    judge = judge_of(task, names)
-    if judge is None:
-        return None
-    numbers = np.array([[*robot.readings.values()]] * 2)
-    records = numbers.view([(name, float) for name in names])[:, 0]
+
+def _input(v: InputVariable, readings: Sequence[str]) -> tuple[Any, ...]:
+    """A row of INPUT."""
+    return readings.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins
+
+
+def _cuts(task: Task) -> np.ndarray:
+    """The cuts of each input, then infinity up to the width of the widest, array (n_inputs, n)."""
     width = max(v.n_bins for v in task.inputs)
-    cuts = [
-        [*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))]
-        for v in task.inputs
-    ]
-    inputs = [
-        (names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins)
-        for v in task.inputs
-    ]
-    told = [robot.command_array(command) for command in commands]
-    move, sense = robot.kernels
-    built = build(kernels, move=move, sense=sense)
-    arrays = World(
-        parts=robot.parts, start=start, place=start.copy(), commands=np.array(told),
-        numbers=numbers, records=records, inputs=np.array(inputs, INPUT), cuts=np.array(cuts), judge=judge,
-        at_goal=np.array([at_goal]), rewards=np.array(task.rewards), goal_steps=task.goal_steps,
-        episode_steps=task.episode_steps or NEVER,
-    )  # fmt: skip
-    state = (robot.parts.place, numbers, arrays.at_goal)
-    return KernelWorld(built.begin, built.outcome, arrays, state)
+    cuts = np.full((len(task.inputs), width), math.inf)
+    for row, variable in zip(cuts, task.inputs, strict=True):
+        own = variable.cuts or ()
+        row[: len(own)] = own
+    return cuts
