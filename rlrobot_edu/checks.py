@@ -35,7 +35,7 @@ def check_index(kind: str, number: int, n: int) -> int:
     """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
     if not (isinstance(number, WHOLE) and 0 <= number < n):
         raise ValueError(
-            f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers"
+            f"there is no {kind} {number!r:.200}: {kind}s are the integers 0 to {n - 1}"
         )
     return int(number)
 
@@ -49,7 +49,7 @@ def check_pair(shape: tuple[int, ...], s: int, a: int = 0) -> tuple[int, int]:
 def check_transition(
     shape: tuple[int, ...], s: int, a: int, r: Any, s_next: int
 ) -> tuple[int, int, float, int]:
-    """(s, a, r, s_next) in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
+    """(s, a, r, s_next) in Python's own numbers, which kernels know. Raises ValueError for an impossible one."""
     s, a = check_pair(shape, s, a)
     s_next = check_index("state", s_next, shape[0])
     if isinstance(r, np.generic | np.ndarray) and r.ndim == 0:
@@ -87,7 +87,7 @@ def check_between(
 def check_numbers(
     what: str, given: Sequence[float], finite: bool = False
 ) -> tuple[float, ...]:
-    """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
+    """The given numbers as floats; if `finite`, one or more finite ones. Raises ValueError that names `what`."""
     try:
         if isinstance(given, str | bytes | bytearray | Mapping):
             raise TypeError("its letters or keys are not meant")
@@ -122,7 +122,7 @@ def all_in_range(numbers: np.ndarray, n: float) -> bool:
 
 
 def first_difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
-    """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
+    """The first fact, by name, that differs `there`, in a `place` such as "file"; empty if none does."""
     for name in there | here:
         was = _in_a_line(there.get(name, "missing"))
         given = _in_a_line(here.get(name, "missing"))
@@ -143,7 +143,7 @@ def file_and_line(path: str | Path, error: BaseException) -> str:
 
 
 def describe_error(error: BaseException, names: Iterable[str] | None = None) -> str:
-    """What went wrong in a task's own code; for a missing key also the `names` there are."""
+    """What went wrong in a task's own code; for a missing key also the existing `names`."""
     if isinstance(error, KeyError) and names is not None:
         known = ", ".join(str(name) for name in names)
         return f"there is no {error}; there are {_in_a_line(known)}"
@@ -151,7 +151,7 @@ def describe_error(error: BaseException, names: Iterable[str] | None = None) -> 
 
 
 def check_parts(what: str, parts: Iterable[tuple[str, object]]) -> None:
-    """Raises ValueError for the first of `parts`, names and whether it is as it must be, that makes no `what`."""
+    """Raises ValueError for the first of `parts`, pairs of a name and whether that part is sound, that is not."""
     for name, is_sound in parts:
         if not is_sound:
-            raise ValueError(f"{name} cannot be that of one {what}")
+            raise ValueError(f"{name} does not fit this {what}")

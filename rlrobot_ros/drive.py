@@ -1,4 +1,4 @@
-"""What was received in a drive as transitions of a task. No ROS is needed: messages are numbers here already."""
+"""The messages of a drive as transitions of a task. No ROS is needed: here messages are numbers already."""
 
 import math
 from bisect import bisect_left, bisect_right
@@ -26,15 +26,15 @@ MAX_STEPS = 1.5
 FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
 
 T = TypeVar("T")
-_Told = list[dict[str, float]] | None
-_Hold = tuple[
-    int | None, list[int], int
-]  # an action in force, None if it is no action, when it was said, until when
+# The readings at a time, as near and as far as they may be: empty if unknown, None if too old
+_Seen = list[dict[str, float]] | None
+# A command in force: its action, or None; the times at which it came; the time at which it ends
+_Hold = tuple[int | None, list[int], int]
 
 
 @dataclass
 class Track(Generic[T]):
-    """What came over a topic: times [ns], none before the one before, and values; `nothing` where it cannot be."""
+    """The messages of a topic: times [ns] that never decrease, and values; `nothing` is that of an impossible one."""
 
     nothing: T
     times: list[int] = field(default_factory=list)
@@ -48,7 +48,9 @@ class Track(Generic[T]):
     def at(self, time: int, max_age: int) -> T | None:
         """The latest value at `time`, None if it was more than `max_age` old [ns]."""
         i = bisect_right(self.times, time) - 1
-        return self.values[i] if i >= 0 and time - self.times[i] <= max_age else None
+        if i < 0 or time - self.times[i] > max_age:
+            return None
+        return self.values[i]
 
 
 @dataclass
@@ -58,8 +60,8 @@ class Drive:
     poses, scans: readings by name; "farthest laser_front" besides, where rays that measured nothing leave open how far
         it sees
     twists: speed ahead and aside [m/s], turning to the left [rad/s]
-    rays, lost: of all scans, and how many of them measured nothing
-    faults: how many messages say what cannot be, and what is wrong with the last of them, by topic
+    rays, lost: the rays of all scans, and how many of them measured nothing
+    faults: how many messages have impossible values, and what is wrong with the last of them, by topic
     """
 
     poses: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
@@ -72,7 +74,7 @@ class Drive:
     faults: dict[str, tuple[int, str]] = field(default_factory=dict)
 
     def add_fault(self, topic: str, fault: str) -> None:
-        """Count one more message that says what cannot be."""
+        """Count one more message with impossible values."""
         before, _ = self.faults.get(topic, (0, ""))
         self.faults[topic] = (before + 1, fault)
 
@@ -93,16 +95,17 @@ class Drive:
 
 
 def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
-    """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for.
+    """Raises ValueError if `task` needs a laser that is not among those `seen`, which the scanner can replace.
 
-    note: what the sentence adds
+    note: an addition to the message
     """
     inputs = [variable.name for variable in task.inputs if variable.name in LASERS]
     unseen = [laser for laser in inputs if laser not in seen]
     if unseen:
+        others = [laser for laser in LASERS if laser in seen]
         raise ValueError(
             f"{task.name} needs {', '.join(unseen)}, where the scanner does not look or never measures anything{note}; "
-            f"say how it is mounted, or choose a task that needs only {', '.join(x for x in LASERS if x in seen)}"
+            f"say how it is mounted, or choose a task that needs only {', '.join(others)}"
         )
 
 
@@ -133,25 +136,22 @@ def transitions_of(
             )
     lasers = _lasers_of(task, drive)
     counts: Counter[str] = Counter()
-    twists = drive.twists.values
-    actions = [motions.action(v, omega, aside) for v, aside, omega in twists]
-    unexplained = Counter(
-        (round(v, 2), round(w, 2))
-        for (v, _, w), a in zip(twists, actions, strict=True)
-        if a is None
-    )
+    actions: list[int | None] = []
+    unexplained: Counter[tuple[float, float]] = Counter()
+    for v, aside, omega in drive.twists.values:
+        action = motions.action(v, omega, aside)
+        actions.append(action)
+        if action is None:
+            unexplained[round(v, 2), round(omega, 2)] += 1
     jump = JUMP + 2 * motions.max_speed * task.step_time
     rows: list[list[float]] = []
     since = 0  # steps since the episode began
     at_goal = 0  # steps at the goal without a break
     before_end = -1
     for begin, end, a in _spans(task, _holds(drive, actions, age), counts):
-        step = _step(
-            task,
-            _readings(drive, begin, age, lasers),
-            _readings(drive, end, age, lasers),
-            jump,
-        )
+        before = _readings(drive, begin, age, lasers)
+        after = _readings(drive, end, age, lasers)
+        step = _step(task, before, after, jump)
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -200,15 +200,17 @@ def _lasers_of(task: Task, drive: Drive) -> set[str]:
     known = Counter(chain.from_iterable(drive.scans.values))
     check_view(task, known, f" ({drive.lost} of all its {drive.rays} rays)")
     inputs = [variable.name for variable in task.inputs]
-    return {
-        laser
-        for laser in LASERS
-        if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)
-    }
+    half = len(drive.scans.values) / 2
+    lasers = set()
+    for laser in LASERS:
+        least = 0 if laser in inputs else half
+        if known[laser] > least:
+            lasers.add(laser)
+    return lasers
 
 
-def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
-    """What the robot's sensors said last, as near and as far as it may be: nothing if unknown, None if too old."""
+def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Seen:
+    """The latest readings of the robot's sensors."""
     pose = drive.poses.at(time, age)
     scan = drive.scans.at(time, age)
     if pose is None or scan is None:
@@ -216,16 +218,15 @@ def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
     if not pose or not lasers <= scan.keys():
         return []
     names = [name for name in scan if name in lasers]
-    return [
-        {name: scan.get(side + name, scan[name]) for name in names} | pose
-        for side in ("", FARTHEST)
-    ]
+    near = {name: scan[name] for name in names}
+    far = {name: scan.get(f"{FARTHEST}{name}", scan[name]) for name in names}
+    return [near | pose, far | pose]
 
 
 def _step(
-    task: Task, before: _Told, after: _Told, jump: float
+    task: Task, before: _Seen, after: _Seen, jump: float
 ) -> tuple[int, float, int, bool] | str:
-    """State, reward, next state, and whether that is the goal; or which kind of step it is that does not count.
+    """State, reward, next state, and whether that is the goal; or the reason why the step does not count.
 
     before, after: as `_readings` gives them; jump: no step is as long as that [m]
     """
@@ -235,13 +236,15 @@ def _step(
     for here, there in zip(before, after, strict=False):
         if math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > jump:
             return "jumps"
-        s, s_next = task.states.encode(here), task.states.encode(there)
-        steps.add((s, task.reward_for(here, there), s_next, task.at_goal(there)))
+        s = task.states.encode(here)
+        s_next = task.states.encode(there)
+        r = task.reward_for(here, there)
+        steps.add((s, r, s_next, task.at_goal(there)))
     return steps.pop() if len(steps) == 1 else "unknown"
 
 
 def _holds(drive: Drive, actions: list[int | None], age: int) -> Iterator[_Hold]:
-    """Which action was in force when. A command holds until the next one comes or it is too old."""
+    """The commands in force, one after the other. A command holds until the next one comes or it is too old."""
     times = drive.twists.times
     end_of_drive = max(drive.poses.times[-1], drive.scans.times[-1])
     held: list[int] = []
@@ -253,6 +256,13 @@ def _holds(drive: Drive, actions: list[int | None], age: int) -> Iterator[_Hold]
         if not is_repeated or following - time > age:
             yield actions[i], held, min(time + age, following)
             held = []
+
+
+def _nearest(times: list[int], due: int) -> int:
+    """The one of `times`, which increase, that is nearest to `due`; the earlier one of two."""
+    i = bisect_left(times, due)
+    neighbours = times[max(i - 1, 0) : i + 1]
+    return min(neighbours, key=lambda time: abs(time - due))
 
 
 def _spans(
@@ -269,11 +279,9 @@ def _spans(
                 counts["cut"] += 1
                 break
             if due < end - slack:
-                i = bisect_left(times, due)
-                said = min(
-                    times[max(i - 1, 0) : i + 1], key=lambda time: abs(time - due)
-                )
-                due = said if abs(said - due) <= slack else due
+                nearest = _nearest(times, due)
+                if abs(nearest - due) <= slack:
+                    due = nearest
             else:
                 due = end
             yield begin, due, action

@@ -1,7 +1,7 @@
-"""The messages of ROS, and what they say in numbers.
+"""The messages of ROS, and the numbers in them.
 
-A message that was received is any object with ROS's fields: from a bag, or over rosbridge from ROS 1 or ROS 2. One that
-is sent is a dictionary of these fields, for rosbridge; those of which nothing is known are left out.
+A message that was received is any object with ROS's fields: from a bag, or over rosbridge from ROS 1 or ROS 2. A
+message to be sent is a dictionary of these fields, for rosbridge; unknown fields are left out.
 """
 
 import math
@@ -10,26 +10,26 @@ from typing import Any
 
 from rlrobot_ros.odometry import heading
 
-ODOMETRY, LASER_SCAN = "nav_msgs/Odometry", "sensor_msgs/LaserScan"
-TWIST, TWIST_STAMPED = "geometry_msgs/Twist", "geometry_msgs/TwistStamped"
+ODOMETRY = "nav_msgs/Odometry"
+LASER_SCAN = "sensor_msgs/LaserScan"
+TWIST = "geometry_msgs/Twist"
+TWIST_STAMPED = "geometry_msgs/TwistStamped"
 BASE_FRAME = "base_link"
 
 Message = dict[str, Any]
 
 
 def stamp_of(message: Any) -> float:
-    """When what the message tells was so, by its sender's clock [s]; 0 if the sender does not say.
+    """The time of the message's content, by its sender's clock [s]; 0 if the sender gives none.
 
-    Raises ValueError for a time that cannot be.
+    Raises ValueError for an impossible time.
     """
     try:
         stamp = message.header.stamp
-        seconds, nanoseconds = (
-            (stamp.sec, stamp.nanosec)
-            if hasattr(stamp, "sec")
-            else (stamp.secs, stamp.nsecs)
-        )
-        time = float(seconds + 1e-9 * nanoseconds)
+        if hasattr(stamp, "sec"):
+            time = float(stamp.sec + 1e-9 * stamp.nanosec)
+        else:
+            time = float(stamp.secs + 1e-9 * stamp.nsecs)
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(
             f"a message without a readable time: {message!r:.200}"
@@ -45,7 +45,8 @@ def pose_of(odometry: Any) -> tuple[float, float, float]:
     Raises ValueError if the message does not say.
     """
     try:
-        place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
+        place = odometry.pose.pose.position
+        q = odometry.pose.pose.orientation
         return float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(
@@ -66,14 +67,11 @@ def velocity_of(twist: Any) -> tuple[float, float, float]:
 
 
 def make_odometry(stamp: float, x: float, y: float, theta: float) -> Message:
-    """A message that at time `stamp` [s] ``base_link`` is at x, y [m] and looks in direction theta [rad]."""
+    """The message that ``base_link`` was at x, y [m] with heading theta [rad] at the time `stamp` [s]."""
     position = {"x": x, "y": y, "z": 0.0}
-    orientation = {
-        "x": 0.0,
-        "y": 0.0,
-        "z": math.sin(theta / 2),
-        "w": math.cos(theta / 2),
-    }
+    z = math.sin(theta / 2)
+    w = math.cos(theta / 2)
+    orientation = {"x": 0.0, "y": 0.0, "z": z, "w": w}
     pose = {"position": position, "orientation": orientation}
     return {
         "header": _header(stamp, "odom"),
@@ -83,7 +81,7 @@ def make_odometry(stamp: float, x: float, y: float, theta: float) -> Message:
 
 
 def make_laser_scan(stamp: float, ranges: Sequence[float], range_max: float) -> Message:
-    """A message of what a scanner on ``base_link`` sees all round [m], the first ray straight ahead."""
+    """The message of a scanner on ``base_link`` that looks all round, the first ray straight ahead; ranges in m."""
     increment = 2 * math.pi / len(ranges)
     return {
         "header": _header(stamp, BASE_FRAME),
@@ -98,17 +96,16 @@ def make_laser_scan(stamp: float, ranges: Sequence[float], range_max: float) -> 
 
 def make_twist(v: float, omega: float) -> Message:
     """A message that tells a robot to drive at v [m/s] and to turn to the left at omega [rad/s]."""
-    return {
-        "linear": {"x": v, "y": 0.0, "z": 0.0},
-        "angular": {"x": 0.0, "y": 0.0, "z": omega},
-    }
+    linear = {"x": v, "y": 0.0, "z": 0.0}
+    angular = {"x": 0.0, "y": 0.0, "z": omega}
+    return {"linear": linear, "angular": angular}
 
 
 def make_twist_stamped(v: float, omega: float) -> Message:
     """The same as a TwistStamped.
 
-    It has no time: rosbridge then puts in the robot's own. That is better, since many robots take a command for
-    outdated whose sender's clock is late.
+    It has no time: rosbridge then puts in the robot's own. That is better, because many robots ignore a command as
+    outdated if its sender's clock is late.
     """
     return {"header": {"frame_id": BASE_FRAME}, "twist": make_twist(v, omega)}
 

@@ -16,10 +16,8 @@ MOST_RAYS = 100_000
 # as wide as that at twice its radius from its middle: nothing wider hides there once the robot is half its width away.
 GAP = 0.1
 
-
-LaserScan = (
-    Any  # a message with the fields of ROS's sensor_msgs/LaserScan, from any source
-)
+# A message with the fields of ROS's sensor_msgs/LaserScan, from any source
+LaserScan = Any
 Floats = NDArray[np.float64]
 
 
@@ -29,8 +27,8 @@ class Mounting(NamedTuple):
     x, y: ahead of the point midway between the wheels and to its left [m]
     yaw: direction of the scanner's own angle 0, to the left from straight ahead [rad]
     upside_down: whether it hangs, so that its angles count to the right
-    far: what it says where nothing is within its range: infinity, as ROS wants it (REP 117), 0, NaN, or any number
-        above its range_max
+    far: its value where nothing is within its range: infinity, as ROS wants it (REP 117), 0, NaN, or any number above
+        its range_max
     """
 
     x: float = 0.0
@@ -41,7 +39,7 @@ class Mounting(NamedTuple):
 
     @classmethod
     def of(cls, given: Any) -> Self:
-        """The mounting that these four or five values say. Raises ValueError if they are none."""
+        """The mounting of these four or five values. Raises ValueError if they do not make one."""
         try:
             x, y, yaw, upside_down, *rest = given
             far = float(rest[0]) if rest else math.inf
@@ -59,13 +57,13 @@ class Mounting(NamedTuple):
 
 
 class Rays(NamedTuple):
-    """What the rays of a scan say. Arrays have one number a ray.
+    """The rays of a scan. Arrays have one number for each ray.
 
     angle_min, increment: angle of the first ray, and the step to the next [rad]
-    ranges: how far each got [m]: 0 if something was too near to be measured, infinity if nothing is within range. For a
-        ray that measured nothing, that of the nearer of its neighbours; NaN if the gap between them is wider than `GAP`
-    farthest: the same, but as far as such a ray may have got
-    known: whether it said something itself
+    ranges: how far each ray got [m]: 0 if something was too near to be measured, infinity if nothing is within range.
+        A ray that measured nothing has the range of its nearer neighbour, or NaN if the gap is wider than `GAP`
+    farthest: the same, but such a ray has the range of its farther neighbour
+    known: whether the ray itself measured something
     """
 
     angle_min: float
@@ -76,7 +74,7 @@ class Rays(NamedTuple):
 
 
 class _Crossing(NamedTuple):
-    """How a laser's beam crosses the rays of a scanner that stands elsewhere. Arrays have one number a ray crossed.
+    """How a laser's beam crosses the rays of a scanner in another place. Arrays have one number for each ray crossed.
 
     rays: their numbers; each stands for the directions nearer to it than to its neighbours
     enter, leave: between which distances from the laser the beam is in these directions [m]
@@ -103,9 +101,7 @@ def laser_readings(
     """
     rays = measured(scan, mounting.far)
     readings = beams_end(rays, rays.ranges, chassis, mounting)
-    return {
-        laser: reading for laser, reading in readings.items() if not math.isnan(reading)
-    }
+    return {laser: x for laser, x in readings.items() if not math.isnan(x)}
 
 
 def beams_end(
@@ -115,10 +111,10 @@ def beams_end(
     crossings = _crossings(
         chassis, mounting, rays.angle_min, rays.increment, len(ranges)
     )
-    return {
-        laser: _reach(crossing, ranges[crossing.rays])
-        for laser, crossing in crossings.items()
-    }
+    readings = {}
+    for laser, crossing in crossings.items():
+        readings[laser] = _reach(crossing, ranges[crossing.rays])
+    return readings
 
 
 def looking_out(chassis: Chassis, ahead: float) -> Chassis:
@@ -136,60 +132,58 @@ def looking_out(chassis: Chassis, ahead: float) -> Chassis:
         )
     lasers = []
     for _, _, angle in chassis.lasers:
-        way = math.sqrt(
-            chassis.radius**2 - (ahead * math.sin(angle)) ** 2
-        ) - ahead * math.cos(angle)
-        lasers.append((ahead + way * math.cos(angle), way * math.sin(angle), angle))
+        aside = ahead * math.sin(angle)
+        way = math.sqrt(chassis.radius**2 - aside**2) - ahead * math.cos(angle)
+        x = ahead + way * math.cos(angle)
+        y = way * math.sin(angle)
+        lasers.append((x, y, angle))
     return chassis._replace(lasers=tuple(lasers))
 
 
 def measured(scan: LaserScan, far: float = math.inf) -> Rays:
-    """What the rays of a scan say.
+    """The rays of a scan.
 
-    Infinity says that nothing is within range. What is below `range_min`, or minus infinity, says that something is too
-    near. NaN (over rosbridge also null), 0 and what is above `range_max` say nothing: drivers write them for a thing
-    too near, too far or too dark alike. If `far` is one of them, it says that nothing is within range, but in a gap of
-    at most `GAP` even then the nearer neighbour counts.
+    Infinity means that nothing is within range. A value below `range_min`, or minus infinity, means that something is
+    too near. NaN (over rosbridge also null), 0 and values above `range_max` mean nothing, because drivers write them
+    for things that are too near, too far or too dark. If `far` is one of them, it means that nothing is within range;
+    but in a gap of at most `GAP` the nearer neighbour counts even then.
 
-    Raises ValueError for a scan that cannot be: without rays, with more than its angles say, or without numbers.
+    Raises ValueError for an impossible scan: without rays, with more rays than its angles allow, or without numbers.
     """
     try:
         ranges = np.asarray(scan.ranges, dtype=float)
-        angle_min, increment = float(scan.angle_min), float(scan.angle_increment)
-        nearest, most = float(scan.range_min), float(scan.range_max)
-        angle_max = float(
-            getattr(scan, "angle_max", None) or math.nan
-        )  # many drivers leave it at 0
+        angle_min = float(scan.angle_min)
+        increment = float(scan.angle_increment)
+        nearest = float(scan.range_min)
+        most = float(scan.range_max)
+        # Many drivers leave it at 0.
+        angle_max = float(getattr(scan, "angle_max", None) or math.nan)
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(
             f"this is no message of type LaserScan: {scan!r:.200}"
         ) from error
-    has_rays = (
-        ranges.ndim == 1
-        and 0 < len(ranges) <= MOST_RAYS
-        and math.isfinite(angle_min + increment)
-        and increment
-    )
-    if (
-        not has_rays
-        or not nearest < most
-        or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5
-    ):
+    has_rays = ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS
+    has_angles = math.isfinite(angle_min + increment) and increment != 0
+    is_possible = has_rays and has_angles and nearest < most
+    if is_possible:
+        # false for NaN
+        has_too_many = 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5
+        is_possible = not has_too_many
+    if not is_possible:
         raise ValueError(
             f"an impossible laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of "
             f"{increment}, which measures from {nearest} to {most} m"
         )
-    said = np.where(ranges < nearest, 0.0, ranges)
-    said[(ranges == 0) | ((ranges > most) & np.isfinite(ranges))] = math.nan
-    near, farthest = _between(said, abs(increment))
-    says_far = (
-        np.isnan(ranges)
-        if math.isnan(far)
-        else (ranges == far) | ((ranges > most) & (most < far < math.inf))
-    )
-    near[np.isnan(near) & says_far] = math.inf
-    farthest[np.isnan(farthest) & says_far] = math.inf
-    return Rays(angle_min, increment, near, farthest, says_far | ~np.isnan(said))
+    known = np.where(ranges < nearest, 0.0, ranges)
+    is_beyond = ranges > most
+    known[(ranges == 0) | (is_beyond & np.isfinite(ranges))] = math.nan
+    near, farthest = _between(known, abs(increment))
+    is_far = (ranges == far) | (is_beyond & (most < far < math.inf))
+    if math.isnan(far):
+        is_far = np.isnan(ranges)
+    near[np.isnan(near) & is_far] = math.inf
+    farthest[np.isnan(farthest) & is_far] = math.inf
+    return Rays(angle_min, increment, near, farthest, is_far | ~np.isnan(known))
 
 
 def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
@@ -197,9 +191,8 @@ def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
     known = np.flatnonzero(~np.isnan(ranges))
     rays = np.arange(len(ranges))
     turn = 2 * math.pi / increment
-    places = np.concatenate(
-        [[-math.inf], known - turn, known, known + turn, [math.inf]]
-    )
+    all_turns = [known - turn, known, known + turn]
+    places = np.concatenate([[-math.inf], *all_turns, [math.inf]])
     values = np.concatenate([[math.nan], np.tile(ranges[known], 3), [math.nan]])
     order = np.argsort(places, kind="stable")  # a scan may be of more than a turn
     left = order[np.searchsorted(places[order], rays, "right") - 1]
@@ -217,10 +210,9 @@ def directions(
     mounting: Mounting, angle_min: float, increment: float, n: int
 ) -> Floats:
     """Where the scanner's rays look, to the left from straight ahead of the robot [rad]; array (n,)."""
+    angles = angle_min + increment * np.arange(n, dtype=np.float64)
     sense = -1 if mounting.upside_down else 1
-    return mounting.yaw + sense * (
-        angle_min + increment * np.arange(n, dtype=np.float64)
-    )
+    return mounting.yaw + sense * angles
 
 
 def _reach(crossing: _Crossing, ranges: Floats) -> float:
@@ -229,16 +221,15 @@ def _reach(crossing: _Crossing, ranges: Floats) -> float:
     NaN if on its way there it comes into the direction of a ray of which nothing is known.
     """
     _, enter, leave, along, aside = crossing
-    is_behind = (
-        np.hypot(along + enter, aside) >= ranges
-    )  # it comes from nearer walls into these directions
-    there = np.where(
-        is_behind, enter, np.sqrt(np.maximum(ranges**2 - aside**2, 0.0)) - along
-    )
-    reach = float(
-        min(max(there[there <= leave].min(initial=LASER_RANGE), 0.0), LASER_RANGE)
-    )
-    return math.nan if np.isnan(ranges[enter < reach]).any() else reach
+    # It comes from nearer walls into these directions.
+    is_behind = np.hypot(along + enter, aside) >= ranges
+    at_range = np.sqrt(np.maximum(ranges**2 - aside**2, 0.0)) - along
+    there = np.where(is_behind, enter, at_range)
+    first = there[there <= leave].min(initial=LASER_RANGE)
+    reach = float(min(max(first, 0.0), LASER_RANGE))
+    if np.isnan(ranges[enter < reach]).any():
+        return math.nan
+    return reach
 
 
 @lru_cache(maxsize=64)  # a scanner looks the same way in every scan
@@ -266,15 +257,13 @@ def _crossing(
     if abs(aside) < EPSILON:  # it comes straight from the scanner
         off = np.abs(turned(rays - angle, 0.0))
         i = int(np.argmin(off))
-        return (
-            _Crossing(np.array([i]), np.zeros(1), np.full(1, LASER_RANGE), along, 0.0)
-            if off[i] <= half
-            else None
-        )
+        if off[i] > half:
+            return None
+        whole = np.full(1, LASER_RANGE)
+        return _Crossing(np.array([i]), np.zeros(1), whole, along, 0.0)
     first = math.atan2(y, x)
-    turn = math.remainder(
-        math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead) - first, 2 * math.pi
-    )
+    last = math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead)
+    turn = math.remainder(last - first, 2 * math.pi)
     # from now on angles count from its start towards its end
     sense = math.copysign(1.0, turn)
     turn = abs(turn)

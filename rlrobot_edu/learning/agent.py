@@ -1,4 +1,4 @@
-"""The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
+"""The learner: a method, its parameters, and what it has learned. It knows nothing about robots or pictures."""
 
 import dataclasses
 from collections.abc import Callable
@@ -45,7 +45,7 @@ class Agent:
     Parameters
     ----------
     world : Task, str, Path, SampleModel, gymnasium.Env, EnvSpec or function
-        Whatever `make_env` takes, or the environment itself; its states and actions must be discrete.
+        Anything that `make_env` takes, or the environment itself; its states and actions must be discrete.
     method : str or Method
         ``ALGORITHM+SELECTION``, or one with parts of your own. Algorithms: Q (Q-learning), SARSA, ESARSA (expected
         SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased),
@@ -63,7 +63,7 @@ class Agent:
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
         the biased ones need it where no reward is above 0.
     planner : str or Planner, optional
-        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was observed before.
+        ``dyna`` (Dyna-Q), or one of your own: it learns between two steps from earlier observations.
     planning_steps : int
         Steps that a planner imagines after each real one, 0 to 1,000,000.
     seed : int or numpy.random.SeedSequence, optional
@@ -76,7 +76,7 @@ class Agent:
     parameters : Parameters
         Its parameters as they are now, see `change`.
     task : Task, optional
-        The task that it was made for; None for a world without one.
+        The task for which it was made; None for a world without one.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The loop of learning as one kernel, for an environment whose world is kernels, too: a sample model or a robot."""
+"""The loop of learning as one kernel, for an environment whose world consists of kernels: a sample model or a robot."""
 
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -18,7 +18,8 @@ from rlrobot_edu.learning.step import make_step, own_parts
 from rlrobot_edu.learning.templates import loop
 from rlrobot_edu.learning.transitions import Transitions
 
-SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
+# Compiled steps, imagined ones too, after which Ctrl-C is heard; about 0.1 s
+SLICE = 50_000
 
 
 @cache
@@ -45,12 +46,13 @@ def run_slices(
     log: Transitions,
     episodes: int | None,
 ) -> Iterator[int]:
-    """Fill `log`, in slices: each yields its number of steps. It ends sooner where the world cannot tell.
+    """Fill `log`, in slices, and yield the number of steps of each. It ends sooner if the world cannot compute a step.
 
-    After each, `agent` is where it can go on, and `env` is told the state there.
+    After each slice, `agent` can go on from there, and `env` has taken over the state.
     """
     run = make_run(agent.method, world.begin, world.outcome)
-    at = np.array([*(agent.pending or (0, -1)), env.episode_step, 0, episodes or 0])
+    s, a = agent.pending or (0, -1)
+    at = np.array([s, a, env.episode_step, 0, episodes or 0])
     size = SLICE
     if agent.method.planner:
         size = SLICE // (1 + agent.parameters.planning_steps) + 1
@@ -67,12 +69,11 @@ def run_slices(
             env.arrive(s)
             agent.pending = None if a < 0 else (s, a)
             earlier = left.reward if env.episode_step > n else 0.0
-            rewards = np.append(earlier, part.r[max(n - env.episode_step, 0) : n])
-            agent.resume_point = ResumePoint(
-                env.episode_step,
-                float(rewards.cumsum()[-1]),
-                place_of(cast(Env, env)),
-            )
+            first_of_episode = max(n - env.episode_step, 0)
+            rewards = np.append(earlier, part.r[first_of_episode:n])
+            total = float(rewards.cumsum()[-1])
+            place = place_of(cast(Env, env))
+            agent.resume_point = ResumePoint(env.episode_step, total, place)
         yield n
         if n < len(part.r) or (episodes and not episodes_left):
             return
@@ -86,19 +87,20 @@ def _run(
     at: np.ndarray,
     log: Transitions,
 ) -> None:
-    """Run the loop. If a kernel of somebody's own fails, all is left as it was before that step.
+    """Run the loop. If a kernel of the user's own fails, everything is restored as it was before that step.
 
-    The plain loop takes it then, and says what is wrong.
+    Then the plain loop takes that step, and its error names the mistake.
     """
-    kernels = world.arrays, agent.memory, agent.experience, env.np_random, agent.rng, at
+    learner = (agent.memory, agent.experience)
+    given = (world.arrays, *learner, env.np_random, agent.rng, at)
     if not own_parts(agent.method):
-        run(*kernels, log)
+        run(*given, log)
         return
     before = Before(agent.memory, agent.experience, agent.rng)
     place = [array.copy() for array in (*world.state, at)]
     world_rng = env.np_random.bit_generator.state
     try:
-        run(*kernels, log)
+        run(*given, log)
     except Exception:
         n = at[3]
         before.put_back()
@@ -106,4 +108,4 @@ def _run(
         for array, old in zip((*world.state, at), place, strict=True):
             array[...] = old
         if n > 0:  # the whole steps before it once more
-            run(*kernels, log.part(slice(n)))
+            run(*given, log.part(slice(n)))

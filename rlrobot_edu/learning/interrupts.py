@@ -8,22 +8,22 @@ from typing import Any, Protocol, runtime_checkable
 
 @runtime_checkable
 class StopsAtOnce(Protocol):
-    """An environment in which Ctrl-C may have to be heard at once, as in one with a real robot.
+    """An environment in which Ctrl-C may have to act at once, for example because its robot is real.
 
-    stops_at_once: whether it must be
+    stops_at_once: whether it has to
     """
 
     stops_at_once: bool
 
 
 class DelayedInterrupt:
-    """While it is in force, Ctrl-C waits for `raise_if_pressed` or for the end. A second one is heard at once.
+    """Within this context, Ctrl-C waits for `raise_if_pressed` or for the end. A second one acts at once.
 
-    It replaces only Python's own handler, which raises KeyboardInterrupt. Any other stays in force, and so do all where
-    Python hears no signals: in threads and in subinterpreters.
+    It replaces only Python's own handler, which raises KeyboardInterrupt. Any other handler stays in force. In threads
+    and in subinterpreters, which receive no signals, nothing is replaced.
 
-    To put it in force and to end it takes 20 µs with Python 3.11 and 7 µs with 3.13. So `steps` takes this longer for
-    each step, of some 200 µs on wander_1k, and `learn` for the whole call.
+    Entering and leaving it takes 20 µs with Python 3.11 and 7 µs with 3.13: for `steps` in each step, which takes about
+    200 µs on wander_1k, and for `learn` once a call.
 
     waits: whether it does anything at all
     """

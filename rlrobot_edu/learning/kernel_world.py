@@ -37,7 +37,7 @@ class KernelEnv(Protocol):
     np_random: np.random.Generator
 
     def kernel_world(self, steps: int) -> KernelWorld | None:
-        """Its world as it stands, for about so many steps; None where there are no kernels, or it is not worth it."""
+        """Its world as it is now, for about so many steps; None without kernels, or if they are not worth it."""
 
     def arrive(self, s: int) -> Any:
         """Be in state `s`, to which the kernels have led."""

@@ -1,4 +1,4 @@
-"""What a method is, and those that the toolkit brings, by name."""
+"""Methods: what one consists of, and those of the toolkit, by name."""
 
 from dataclasses import dataclass, field
 from types import FunctionType
@@ -46,13 +46,13 @@ class Method:
     Raises
     ------
     ValueError
-        If a name is unknown; it lists the known ones and suggests the nearest. If a part is no function.
+        If a name is unknown (the message suggests the nearest of the known ones), or if a part is not a function.
     """
 
     algorithm: Algorithm
     selection: Selection
     planner: Planner | None
-    # with all that it refers to, as it is now: kernels are made for it
+    # The code of its parts and of all that they refer to, as it is now: kernels are made for it.
     _code: str = field(init=False, repr=False)
 
     def __init__(
@@ -85,7 +85,7 @@ class Method:
 
 
 def check_function(what: str, kernel: object) -> None:
-    """Raises ValueError if `kernel` is not what ``def`` makes, compiled by numba or not."""
+    """Raises ValueError if `kernel` is not a function made with ``def``, compiled by numba or not."""
     if not isinstance(getattr(kernel, "py_func", kernel), FunctionType):
         raise ValueError(
             f"{what} must be a function that is written with def, got {kernel!r:.200}"
@@ -93,7 +93,7 @@ def check_function(what: str, kernel: object) -> None:
 
 
 def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
-    """What is given, or the toolkit's part of this name."""
+    """The given part, or the toolkit's part of this name."""
     if isinstance(given, kind):
         return given
     return toolkits[check_name(given, toolkits, kind.__name__.lower(), "the toolkit")]
@@ -116,7 +116,7 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
 def made_of(method: Method) -> dict[str, str | None]:
     """The name of a method's planner, and the code of each part that is not the toolkit's, as a short name.
 
-    The code is that of all it refers to. By these and by its own name, a file knows a method again.
+    The code includes all that it refers to. These and the method's name identify it in a file.
     """
     brought = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
     toolkits = {code_of(tuple(part)) for part in brought}

@@ -1,4 +1,4 @@
-"""An error in somebody's own kernel: one sentence with its line, and the agent is as it was before the step."""
+"""An error in a kernel of the user's own: one sentence with its line, and the agent is as it was before the step."""
 
 import re
 import traceback
@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 
 class Before:
-    """What an agent remembers, as it is now.
+    """A copy of what an agent remembers, taken before a step.
 
     memory, experience, rng: the agent's
     """
@@ -27,13 +27,13 @@ class Before:
     def __init__(
         self, memory: Memory, experience: Experience | None, rng: np.random.Generator
     ) -> None:
-        self._now = memory, experience or ()
+        self._now = (memory, experience or ())
         self._saved = copies(self._now)
         self._rng = rng
         self._state = rng.bit_generator.state
 
     def put_back(self) -> None:
-        """All is again as it was."""
+        """Restore everything as it was."""
         put_back(self._now, self._saved)
         self._rng.bit_generator.state = self._state
 
@@ -45,7 +45,7 @@ def guarded(
     rng: np.random.Generator,
     one_step: Callable[[StepKernels], T],
 ) -> T:
-    """What `one_step` of an agent answers with the kernels of its method.
+    """The result of `one_step` of an agent with the kernels of its method.
 
     memory, experience, rng: the agent's
 

@@ -9,21 +9,20 @@ import gymnasium
 from rlrobot_edu.checks import WHOLE
 from rlrobot_edu.learning.size import Env
 
-# Attributes by which environments and their wrappers say where they stand
+# Attributes that show where environments and their wrappers are
 COUNTS = ("episode_step", "_elapsed_steps")
 PLACE = ("state", "s", *COUNTS)
 
-# Which call of `learn` or `steps` came last to the environment with this id. Some environments say nothing of where
-# they stand: only this shows that another agent has acted there. It is kept here and not in the environment, which
-# belongs to somebody else.
+# The last call of `learn` or `steps` in the environment with this id. Some environments have none of these attributes:
+# only this shows that another agent has acted there. It is kept here, because the environment may not be ours.
 _last_walk: dict[int, int] = {}
 
 
 class Place(NamedTuple):
-    """Where an environment stands, as far as this can be seen from outside.
+    """Where an environment is, as far as this can be seen from outside.
 
-    walk: number of the call of `learn` or `steps` that came to it last; None without any, as of a copy
-    numbers: its state and the steps of its episode, where it and its wrappers say them
+    walk: number of the last call of `learn` or `steps` in it; None without any, as for a copy
+    numbers: its state and the steps of its episode, if it and its wrappers have them
     """
 
     walk: int | None
@@ -36,7 +35,7 @@ class ResumePoint(NamedTuple):
     It holds no environment: an agent can be copied and sent away without it.
 
     steps, reward: number of steps of the episode so far, and the sum of their rewards
-    place: where the environment stood then
+    place: where the environment was then
     """
 
     steps: int = 0
@@ -45,7 +44,7 @@ class ResumePoint(NamedTuple):
 
 
 def place_of(env: Env) -> Place:
-    """Where `env` stands now."""
+    """Where `env` is now."""
     return Place(_last_walk.get(id(env.unwrapped)), _numbers_of(env))
 
 
@@ -60,7 +59,7 @@ def _numbers_of(env: Env) -> dict[str, int]:
 
 
 def begin_walk(env: Env) -> Place:
-    """Note that an agent begins to act in `env`. Returns where it stands: no other agent can resume there now."""
+    """Note that an agent begins to act in `env`, so that no other agent can resume there. Returns where it is."""
     inner = env.unwrapped
     key = id(inner)
     if key not in _last_walk:
@@ -70,9 +69,9 @@ def begin_walk(env: Env) -> Place:
 
 
 def is_at(env: Env, place: Place | None) -> bool:
-    """Whether `env` stands where it was left, and nobody has come to it since, as far as this can be seen.
+    """Whether `env` is where it was left, and no other agent has acted in it since, as far as this can be seen.
 
-    A copy of the environment is as good, if it counts the steps of its episode.
+    A copy of the environment can take its place, if it counts the steps of its episode.
     """
     if place is None:
         return False

@@ -1,4 +1,4 @@
-"""What an agent must know of a world: how many states and actions there are, and what its largest reward is."""
+"""What an agent must know about a world: how many states and actions it has, and its largest reward."""
 
 import math
 from numbers import Real
@@ -20,7 +20,7 @@ class Size(NamedTuple):
 
     shape, n_actions: bins of each input variable, number of actions
     r_max: largest reward
-    episode_steps: steps of a whole episode, for the rest of which a goal counts; None where no goal does so
+    episode_steps: steps of a whole episode; a goal counts for the rest of them. None where it does not
     """
 
     shape: tuple[int, ...]
@@ -86,7 +86,7 @@ class Size(NamedTuple):
 
 
 def can_end(world: object) -> bool:
-    """Whether episodes can end for good: of a task by its goal, of a model as recorded, of others as far as known."""
+    """Whether episodes can end for good: in a task by its goal, in a model as recorded, elsewhere as far as known."""
     task = task_of(world)
     if task is not None:
         return task.goal is not None

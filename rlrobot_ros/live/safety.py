@@ -1,12 +1,14 @@
-"""What keeps a robot from harm: how much room is ahead, how fast it may be, and a person who says yes."""
+"""What keeps a robot from harm: the room ahead, limits of its speed, and a person who says yes."""
 
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_ros.scan import (
     GAP,
+    Floats,
     LaserScan,
     Mounting,
     Rays,
@@ -15,11 +17,10 @@ from rlrobot_ros.scan import (
     turned,
 )
 
-AHEAD = math.radians(
-    60
-)  # to each side of straight ahead: as far as forward motion can bring the robot near to a thing
-# Share of the rays ahead that must say something themselves. Now and then a ray is lost by chance; where most are, that
-# is dirt, the sun or a fault, and then it is not chance what the others miss.
+# To each side of straight ahead: as far as forward motion can bring the robot near to a thing [rad]
+AHEAD = math.radians(60)
+# Share of the rays ahead that must have measured something. Now and then a ray is lost by chance. If most are lost,
+# the reason is dirt, the sun or a fault, and what the others miss is not chance either.
 MOST_KNOWN = 0.5
 
 
@@ -38,29 +39,38 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     """
     angles = directions(mounting, rays.angle_min, rays.increment, len(rays.ranges))
     off = np.abs(turned(angles, 0.0))
-    looks_ahead, met = off < AHEAD, np.isfinite(rays.ranges)
-    if off.min() >= min(abs(rays.increment) / 2 + GAP, AHEAD):
-        return (
-            math.nan,
-            f"no ray of the scan looks straight ahead, the nearest is {math.degrees(off.min()):.0f}° off",
-        )
-    if not met.any():
-        return (
-            math.nan,
-            f"none of the {len(met)} rays of the scan met anything, as if it were covered",
-        )
-    lost, hides = ~rays.known[looks_ahead], np.isnan(rays.ranges[looks_ahead])
+    looks_ahead = off < AHEAD
+    why_unknown = _why_unknown(rays, off, looks_ahead)
+    if why_unknown:
+        return math.nan, why_unknown
+    met = np.isfinite(rays.ranges)
+    x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
+    y = mounting.y + rays.ranges[met] * np.sin(angles[met])
+    is_too_near = looks_ahead & (rays.ranges == 0)
+    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | is_too_near[met]
+    rooms = np.hypot(x, y)[is_ahead] - chassis.radius
+    return float(rooms.min(initial=math.inf)), ""
+
+
+def _why_unknown(rays: Rays, off: Floats, looks_ahead: NDArray[np.bool_]) -> str:
+    """Why the rays do not show what is ahead; empty if they do.
+
+    off: angle of each ray from straight ahead [rad]; looks_ahead: whether that is at most `AHEAD`
+    """
+    nearest = off.min()
+    if nearest >= min(abs(rays.increment) / 2 + GAP, AHEAD):
+        return f"no ray of the scan looks straight ahead, the nearest is {math.degrees(nearest):.0f}° off"
+    n = len(rays.ranges)
+    if not np.isfinite(rays.ranges).any():
+        return f"none of the {n} rays of the scan met anything, as if it were covered"
+    lost = ~rays.known[looks_ahead]
+    hides = np.isnan(rays.ranges[looks_ahead])
     if hides.any() or lost.mean() > 1 - MOST_KNOWN:
-        return math.nan, (
+        return (
             f"{lost.sum()} of the {len(lost)} rays ahead say nothing (0, NaN, or above range_max), {hides.sum()} of "
             f"them in gaps of more than {math.degrees(GAP):.1f}°"
         )
-    x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
-    y = mounting.y + rays.ranges[met] * np.sin(angles[met])
-    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | (looks_ahead & (rays.ranges == 0))[
-        met
-    ]
-    return float((np.hypot(x, y)[is_ahead] - chassis.radius).min(initial=math.inf)), ""
+    return ""
 
 
 def within(
@@ -68,7 +78,7 @@ def within(
 ) -> tuple[float, float]:
     """A motion on the same curve that is nowhere above the limits [m/s], [rad/s].
 
-    Raises ValueError for a motion that is no number.
+    Raises ValueError for a motion that is not finite.
     """
     if not (math.isfinite(v) and math.isfinite(omega)):
         raise ValueError(
@@ -82,11 +92,8 @@ def confirm(question: str) -> None:
     """Ask the person at the keyboard. Raises PermissionError if the answer is not yes, or if nobody can be asked."""
     try:
         answer = input(f"{question} Type yes: ")
-    except (
-        EOFError,
-        OSError,
-        NotImplementedError,
-    ):  # the last is Jupyter's, where a notebook runs by itself
+    # NotImplementedError is Jupyter's, where a notebook runs by itself.
+    except (EOFError, OSError, NotImplementedError):
         raise PermissionError(
             "nobody can be asked whether the robot may move: if that is safe, say RobotLink(…, confirmed=True)"
         ) from None

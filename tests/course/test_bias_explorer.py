@@ -176,7 +176,7 @@ def test_a_task_of_one_input_can_be_shown():
             {"tables": {"bad": np.full((24, 3), np.nan)}},
             "'bad' must hold finite numbers",
         ),
-        ({"state": 24}, "state 24 does not exist"),
+        ({"state": 24}, "there is no state 24"),
     ],
 )
 def test_what_does_not_fit_is_refused_in_words(arguments, message):

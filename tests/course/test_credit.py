@@ -116,7 +116,7 @@ def test_who_plans_and_a_state_that_does_not_exist_are_refused():
     env = rl.make_env("worked_example", seed=0)
     with pytest.raises(ValueError, match="do not plan"):
         credit_in(rl.Agent("worked_example", "Q+SR", planner="dyna", seed=0), env, 10)
-    with pytest.raises(ValueError, match="state 24 does not exist"):
+    with pytest.raises(ValueError, match="there is no state 24"):
         credit_of("Q+SR", steps=3)[1].weights(24, 0)
 
 

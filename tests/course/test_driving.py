@@ -92,7 +92,7 @@ def test_an_episode_that_has_ended_begins_anew():
 def test_nothing_is_recorded_before_the_first_step(pad):
     with pytest.raises(ValueError, match="nothing has been driven yet"):
         _ = pad.recording
-    with pytest.raises(ValueError, match="action 9 does not exist"):
+    with pytest.raises(ValueError, match="there is no action 9"):
         pad.press(9)
     with pytest.raises(ValueError, match="no robot"):
         teleoperate(gymnasium.make("CliffWalking-v1"))

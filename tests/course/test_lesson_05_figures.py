@@ -38,7 +38,7 @@ def test_each_row_of_maps_is_a_set_and_the_state_itself_is_in_each(s):
 
 
 def test_a_state_that_does_not_exist_is_named():
-    with pytest.raises(ValueError, match="state 24 does not exist"):
+    with pytest.raises(ValueError, match="there is no state 24"):
         plot_similar_states(24)
 
 

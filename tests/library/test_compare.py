@@ -211,7 +211,7 @@ def test_a_history_that_cannot_be_is_refused_by_name(
     dataclasses.replace(history, **changed).save(path)
     with pytest.raises(
         ValueError,
-        match=rf"it\.npz: this history is damaged.*\({name} cannot be that of one history",
+        match=rf"it\.npz: this history is damaged.*\({name} does not fit this history",
     ):
         History.load(path)
 

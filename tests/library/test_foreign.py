@@ -116,7 +116,7 @@ def test_rewards_that_no_agent_could_bear_are_refused_in_recordings_models_and_t
     model = rl.SampleModel.from_recording(
         recording_of([(0, 0, 1.0, 1, False)], rewards=(-1.0, 1.0))
     )
-    with pytest.raises(ValueError, match="rewards cannot be that of one sample model"):
+    with pytest.raises(ValueError, match="rewards does not fit this sample model"):
         replace(model, rewards=np.array([-1e308, 1.0]))
     with pytest.raises(
         ValueError,
@@ -136,7 +136,7 @@ def test_an_observation_that_is_no_whole_number_is_called_so():
         Paying(), float, Paying.observation_space
     )
     with pytest.raises(
-        ValueError, match=r"bin 0\.0 does not exist: bins are 0 to 1, in whole numbers"
+        ValueError, match=r"there is no bin 0\.0: bins are the integers 0 to 1"
     ):
         rl.learn(rl.Agent(env), env, 5, progress=False)
 

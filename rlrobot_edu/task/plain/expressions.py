@@ -17,7 +17,8 @@ from rlrobot_edu.task.plain.names import (
 )
 from rlrobot_edu.task.plain.source import NotPlainError, place
 
-ZERO, ONE = ast.Constant(0.0), ast.Constant(1.0)
+ZERO = ast.Constant(0.0)
+ONE = ast.Constant(1.0)
 COMPARISONS = ast.Lt | ast.LtE | ast.Gt | ast.GtE | ast.Eq | ast.NotEq
 DEEPEST = 3  # an `or` as a number writes its first part twice, an `or` in that part four times
 INSTEAD = {
@@ -58,24 +59,28 @@ class Calls(Protocol):
 class Expressions:
     """Turns the expressions of one function into plain ones.
 
-    function: whose expressions they are
-    kinds: what each of its arguments is
+    function: the function with these expressions
+    kinds: the kind of each of its arguments
     assigned: names of arguments and variables that surely have a value now
     """
 
     def __init__(
         self, function: FunctionType, kinds: Mapping[str, Kind], calls: Calls
     ) -> None:
-        self.function, self.kinds, self.calls = function, kinds, calls
+        self.function = function
+        self.kinds = kinds
+        self.calls = calls
         self.assigned = set(kinds)
         self._depth = 0
 
     def refuse(self, node: ast.AST, what: str = "", instead: str = "") -> NoReturn:
         """Raise NotPlainError that names the line of a node."""
-        said = what or f"“{ast.unparse(node).splitlines()[0]:.60}”"
+        if not what:
+            first_line = ast.unparse(node).splitlines()[0]
+            what = f"“{first_line:.60}”"
         advice = f"; {instead}" if instead else ""
         raise NotPlainError(
-            f"{place(self.function, node)}: {said} is not plain{advice}"
+            f"{place(self.function, node)}: {what} is not plain{advice}"
         )
 
     def number(self, node: ast.expr) -> ast.expr:
@@ -93,10 +98,15 @@ class Expressions:
                 return self.number(x)
             case ast.UnaryOp(ast.USub(), x):
                 return ast.UnaryOp(ast.USub(), self.number(x))
-            case ast.BinOp(a, operator, b):
-                return self.operation(self.number(a), operator, self.number(b), node)
-            case ast.IfExp(test, a, b):
-                return ast.IfExp(self.condition(test), self.number(a), self.number(b))
+            case ast.BinOp(left, operator, right):
+                a = self.number(left)
+                b = self.number(right)
+                return self.operation(a, operator, b, node)
+            case ast.IfExp(test, then, otherwise):
+                condition = self.condition(test)
+                a = self.number(then)
+                b = self.number(otherwise)
+                return ast.IfExp(condition, a, b)
             case ast.Compare() | ast.UnaryOp(ast.Not()):
                 return ast.IfExp(self.condition(node), ONE, ZERO)
             case ast.BoolOp(operator, [*values]):
@@ -134,7 +144,7 @@ class Expressions:
         return self.kinds.get(name)
 
     def argument(self, node: ast.expr) -> tuple[Kind, ast.expr]:
-        """What is given to a helper: its kind, and the plain expression."""
+        """The kind of an argument of a helper, and the plain expression for it."""
         if isinstance(node, ast.Name) and self.kind_of(node.id) == READINGS:
             return READINGS, ast.Name(variable(node.id))
         text = self._text(node)
@@ -193,21 +203,20 @@ class Expressions:
     def _call(self, node: ast.Call) -> ast.expr:
         function = meaning(self.function, node.func)
         by_name = {keyword.arg or "**": keyword.value for keyword in node.keywords}
+
+        def refuse(what: str) -> NoReturn:
+            self.refuse(node, what)
+
         if isinstance(function, FunctionType):
-            return self.calls.call(
-                function,
-                node.args,
-                by_name,
-                self.argument,
-                lambda what: self.refuse(node, what),
-            )
+            return self.calls.call(function, node.args, by_name, self.argument, refuse)
         word = word_of(function)
         if word is None:
             name = ast.unparse(node.func).rpartition(".")[2]
             self.refuse(node, instead=INSTEAD_OF_CALL.get(name, ""))
         numbers = [self.number(argument) for argument in node.args]
         is_many = word in ("smaller", "larger")
-        if by_name or len(numbers) < 1 + is_many or (len(numbers) > 1 and not is_many):
+        fits = len(numbers) >= 2 if is_many else len(numbers) == 1
+        if by_name or not fits:
             self.refuse(node, instead="give it numbers, and as many as the table says")
         if not is_many:
             return called(word, numbers[0])
@@ -235,5 +244,5 @@ def called(name: str, *arguments: ast.expr) -> ast.expr:
 
 
 def is_true(number: ast.expr) -> ast.expr:
-    """Whether a number is not 0; it is also for NaN."""
+    """Whether a number is not 0; true for NaN, too."""
     return ast.Compare(number, [ast.NotEq()], [ZERO])

@@ -48,7 +48,7 @@ def _does_nothing(statement: ast.stmt) -> bool:
 
 
 def _choice(statement: ast.If, expressions: Expressions) -> tuple[ast.If, bool]:
-    """An `if` with all its ways, and whether the function returns on each of them."""
+    """An `if` with all its branches, and whether the function returns in each of them."""
     test = expressions.condition(statement.test)
     before = set(expressions.assigned)
     body, body_ends = _block(statement.body, expressions)

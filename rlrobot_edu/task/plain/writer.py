@@ -44,12 +44,12 @@ def plain_text(
     Returns
     -------
     str
-        Where one of its functions raises, Python has to call the task's own, which may raise or go on.
+        The text. Where one of its functions raises, Python has to call the task's own, which may raise or go on.
 
     Raises
     ------
     NotPlainError
-        If a function is not plain, see `rlrobot_edu.task.plain`: it tells file, line and what.
+        If a function is not plain, see `rlrobot_edu.task.plain`; the message names file, line and reason.
     """
     module = _Module(readings)
     for name, function in rewards.items():
@@ -81,12 +81,11 @@ def functions_of(text: str) -> dict[str, FunctionType]:
     linecache.cache[file] = len(text), None, text.splitlines(keepends=True), file
     space: dict[str, Any] = {"__name__": "plain_functions"}
     exec(compile(text, file, "exec"), space)
-    defined = (space[name] for name in space if name != "__name__")
-    return {
-        function.__name__: function
-        for function in defined
-        if isinstance(function, FunctionType) and function.__code__.co_filename == file
-    }
+    functions = {}
+    for value in space.values():
+        if isinstance(value, FunctionType) and value.__code__.co_filename == file:
+            functions[value.__name__] = value
+    return functions
 
 
 class _Module:
@@ -115,10 +114,11 @@ class _Module:
         def refuse(what: str) -> NoReturn:
             raise NotPlainError(f"{place(function)}: {what} is not plain")
 
+        def as_readings(node: ast.expr) -> tuple[Kind, ast.expr]:
+            return READINGS, node
+
         names = [ast.Name(argument) for argument in arguments]
-        return ast.unparse(
-            self.call(function, names, {}, lambda node: (READINGS, node), refuse)
-        )
+        return ast.unparse(self.call(function, names, {}, as_readings, refuse))
 
     def call(
         self,
@@ -131,7 +131,7 @@ class _Module:
         """The call of a function, which is written first if it is not there yet.
 
         given, by_name: its arguments, as the caller has them
-        argument: tells what one of these is, and the plain expression for it
+        argument: the kind of one of these, and the plain expression for it
         refuse: raises NotPlainError that names the line of the call
         """
         reason = unusual(function)
@@ -146,7 +146,8 @@ class _Module:
             bound = signature.bind(*given, **by_name).arguments
         except TypeError as error:
             refuse(f"this call of {function.__name__} ({error})")
-        kinds, written = [], []
+        kinds = []
+        written = []
         for name, parameter in signature.parameters.items():
             if name in bound:
                 kind, value = argument(bound[name])
@@ -174,13 +175,15 @@ class _Module:
             except RecursionError:
                 refuse(f"{function.__name__}, in which too much is nested,")
             self._unfinished.pop()
-            if len(text) + sum(map(len, self.texts)) > LONGEST:
+            length = len(text) + sum(map(len, self.texts))
+            if length > LONGEST:
                 refuse(
                     f"{function.__name__}, which is too long with all that it calls,"
                 )
             name = function.__code__.co_name.replace("<lambda>", "function")
-            self._names[key] = f"{name}_{len(self._names)}"
-            self.texts.append(text.replace("def _(", f"def {self._names[key]}(", 1))
+            unique = f"{name}_{len(self._names)}"
+            self._names[key] = unique
+            self.texts.append(text.replace("def _(", f"def {unique}(", 1))
         return self._names[key]
 
     def _written(self, function: FunctionType, kinds: tuple[Kind, ...]) -> str:
@@ -188,11 +191,12 @@ class _Module:
         named = dict(zip(inspect.signature(function).parameters, kinds, strict=True))
         given = [name for name, kind in named.items() if kind.what != "text"]
         body = body_of(definition_of(function), Expressions(function, named, self))
-        lines = ast.unparse(
-            ast.fix_missing_locations(ast.Module(body, []))
-        ).splitlines()
-        head = f"def _({', '.join(map(variable, given))}):"
-        return "\n".join([head, *(f"    {line}" for line in lines)]) + "\n"
+        module = ast.fix_missing_locations(ast.Module(body, []))
+        arguments = ", ".join(variable(name) for name in given)
+        lines = [f"def _({arguments}):"]
+        for line in ast.unparse(module).splitlines():
+            lines.append(f"    {line}")
+        return "\n".join(lines) + "\n"
 
 
 def _default(function: FunctionType, name: str, value: object) -> tuple[Kind, ast.expr]:
