@@ -111,10 +111,8 @@ class Translator:
                 return ""
             case ast.Expr(value):
                 return f"{self._value(value)};"
-            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(
-                targets
-            ) == len(values):
-                return self._assign_tuple(targets, values)
+            case ast.Assign([ast.Tuple(to)], ast.Tuple(of)) if len(to) == len(of):
+                return self._assign_tuple(to, of)
             case ast.Assign(targets, value):
                 if len(targets) > 1:
                     return self._assign_all(targets, value)
