@@ -1,15 +1,15 @@
-"""Real robots that speak ROS: their measurements and commands, in the words of a task.
+"""Real robots that use ROS: their measurements and commands, in the words of a task.
 
     from rlrobot_ros import RobotLink, ServedRobot, recording_from_bag
 
-messages.py      the messages of ROS, and what they say in numbers
+messages.py      the messages of ROS, and the numbers in them
 scan.py          any laser scan as the readings of the robot's eight lasers
 odometry.py      a pose from odometry as x, y and theta
-motions.py       which action of a task a velocity command is
-drive.py         what was received in a drive, step by step as transitions
-drive_report.py  what of a drive could not be used, and why
+motions.py       the action of a task that a velocity command means
+drive.py         the messages of a drive, step by step as transitions
+drive_report.py  how much of a drive could not be used, and why
 bag.py           drives in bags of ROS 1 and ROS 2: `recording_from_bag`
-live/            a robot that is on now: `RobotLink`; and one that is simulated: `ServedRobot`
+live/            a real robot that is switched on: `RobotLink`; and a simulated one: `ServedRobot`
 commands.py      the command ``rlrobot-edu serve-robot``
 
 Bags and rosbridge need the extra "ros". Lengths are in metres, angles in radians, to the left from straight ahead. A

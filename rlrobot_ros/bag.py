@@ -27,9 +27,9 @@ KINDS = {
 
 
 class BagRecording(Recording):
-    """A recording that was made of a bag. It is a `Recording` like any other.
+    """A recording made from a bag. It is a `Recording` like any other.
 
-    report: what of the drive has become steps, and why the rest has not
+    report: how much of the drive became steps, and why the rest did not
     """
 
     def __init__(
@@ -61,15 +61,15 @@ def recording_from_bag(
         Names of the topics: of type Odometry, LaserScan, and Twist or TwistStamped.
     mounting : tuple of float, float, float, bool, float
         Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
-        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
-        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is the one
+        that it gives where nothing is within its range, if not infinity: 0, NaN, or any number above its range_max.
     tolerance : float
         How far a Twist may be from an action's motion, as part of the task's largest speed and largest turning.
 
     Returns
     -------
     BagRecording
-        A `Recording` with a `report` of what could not be used.
+        A `Recording` with a `report` on the messages that could not be used.
 
     Raises
     ------
@@ -82,12 +82,12 @@ def recording_from_bag(
 
     Notes
     -----
-    What counts is when a message was received. A step begins when its command comes and lasts the task's `step_time`
-    (±10 %, if another command comes then). The state before and after it, and its reward, come from the latest
-    odometry and scan; a step is dropped where these do not say enough, or are older than half a second, or than one and
-    a half steps if that is longer. A Twist that is like no action is dropped. If
-    several actions have the same motion, it takes the one whose outputs are the wheels' speeds, or else the first.
-    After a gap a new episode begins.
+    The time of a message is the time at which it was received. A step begins when its command comes and lasts the
+    task's `step_time` (±10 %, if another command comes then). The state before and after it, and its reward, come from
+    the latest odometry and scan. A step is dropped if these do not say enough, or if they are older than half a second
+    and than one and a half steps. A Twist that is not like any action is dropped. If several actions have the same
+    motion, the one whose outputs are the wheels' speeds counts, or otherwise the first. After a gap a new episode
+    begins.
     """
     task = load_task(task)
     path = Path(path)
@@ -120,11 +120,11 @@ def _opened(path: Path) -> Iterator[Any]:
     if path.suffix in (".db3", ".mcap") and (path.parent / "metadata.yaml").is_file():
         path = path.parent
     try:
-        # older bags of ROS 2 do not say what their messages look like; these have been the same ever since
+        # Older bags of ROS 2 do not define their messages, which have been the same ever since.
         typestore = get_typestore(Stores.ROS2_HUMBLE)
         reader = AnyReader([path], default_typestore=typestore)
         reader.open()
-    except Exception as error:  # of a damaged file anything may be the matter
+    except Exception as error:  # a damaged file may raise anything
         raise ValueError(
             f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(error)})"
         ) from error
@@ -136,9 +136,8 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
     """Connections of the bag by the name of the topic. Raises ValueError if one is missing or of another type."""
     found = {}
     for argument, topic in topics.items():
-        connections = [
-            c for c in reader.connections if c.topic.strip("/") == topic.strip("/")
-        ]
+        name = topic.strip("/")
+        connections = [c for c in reader.connections if c.topic.strip("/") == name]
         kinds = {c.msgtype for c in connections}
         if not kinds or not kinds <= set(KINDS[argument]):
             there = {f"{c.topic} ({c.msgtype})" for c in reader.connections}
@@ -179,12 +178,12 @@ def _read(
             topic = connection.topic
             try:
                 value = read(topic, reader.deserialize(raw, connection.msgtype))
-            except Exception as error:  # of damaged bytes anything may be the matter
+            except Exception as error:  # damaged bytes may raise anything
                 value = tracks[topic].nothing
                 is_ours = isinstance(error, ValueError)
                 drive.add_fault(topic, str(error) if is_ours else describe_error(error))
             tracks[topic].add(time, value)
-    except Exception as error:  # of a damaged file, too
+    except Exception as error:  # so may a damaged file
         raise ValueError(
             f"{path}: this bag is damaged ({describe_error(error)}); copy it again"
         ) from error

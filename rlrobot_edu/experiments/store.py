@@ -1,4 +1,4 @@
-"""A folder of histories in which a stopped experiment goes on: experiment.json, TOSL+SR/0007.npz …"""
+"""A folder of histories from which a stopped experiment goes on: experiment.json, TOSL+SR/0007.npz …"""
 
 import json
 import re
@@ -29,8 +29,8 @@ METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")
 class Store:
     """The repetitions of one experiment on disk. Files are written whole, so several processes may use it.
 
-    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers;
-    its ``methods`` are those of the agents, by label
+    folder: its place; facts: the description of the experiment, by name, the most telling first, in texts and
+    numbers; its ``methods`` are those of the agents, by label
 
     A history keeps its origin, so we notice a file of another experiment, or one under another name.
     """
@@ -122,7 +122,7 @@ class Store:
         return [history for history in kept if history is not None]
 
     def world(self, world: World | str | Path | None = None) -> World:
-        """Where the methods learned: what is given, or else the model kept here, or what the store names.
+        """The world in which the methods learned: the given one, else the model kept here or the one in the facts.
 
         Raises ValueError that says what differs if it is not what the store was made with.
         """
@@ -147,7 +147,7 @@ class Store:
 
 
 def facts_of(world: World) -> dict[str, Any]:
-    """What the world is, by name, the most telling first."""
+    """The description of a world, by name, the most telling first."""
     if isinstance(world, SampleModel):
         about = {name: getattr(world, name) for name in ABOUT}
         recorded = joblib.hash([getattr(world, name) for name in DTYPES])

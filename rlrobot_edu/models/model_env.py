@@ -37,8 +37,8 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state
-    - Next state and reward: one of the outcomes (s', r) that were seen after (s, a), each as often as it was seen; for
-      a pair that was never tried, what the model's `unseen` says
+    - Next state and reward: one of the outcomes (s', r) that were seen after (s, a), each as often as it was seen; a
+      pair that was never tried follows the model's `unseen`
     - Episode start: one of the recorded starts
     - Episode end: terminated where a recorded episode did; truncated after the model's `episode_steps` or `time_limit`
     """

@@ -51,7 +51,7 @@ class SampleModel:
     offsets : int array (pairs + 1,)
         The outcomes of pair p are rows offsets[p] to offsets[p + 1] of the next four arrays.
     s_next, r, terminated : array (outcomes,)
-        What happened.
+        The outcomes.
     cumulative : int array (outcomes,)
         How often this outcome of the pair, or one before it, was seen.
     starts : int array (episodes,)
@@ -59,22 +59,21 @@ class SampleModel:
     rewards : float array
         Every reward that the task can give, increasing.
     unseen : str
-        What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
-        ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none),
-        or ``stay`` (the lowest reward, in the same state, so that a plan avoids the pair).
+        The outcomes of a pair that was never tried: ``uniform`` (the paper's: any state and any reward with the
+        same probability), ``siblings`` (an outcome of the states that share all inputs but one; uniform if these
+        have none), or ``stay`` (the lowest reward, in the same state, so that a plan avoids the pair).
     episode_steps : int, optional
-        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left
-        of them.
+        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for the rest of them.
     time_limit : int, optional
-        The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
+        The same for a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
     task : Task, optional
-        The task that was recorded; None if it is not at hand. A file does not hold it: give it to a model that was
-        loaded with ``dataclasses.replace(model, task=rl.load_task(…))``.
+        The task that was recorded, if it is available. A file does not hold it: give it to a loaded model with
+        ``dataclasses.replace(model, task=rl.load_task(…))``.
 
     Raises
     ------
     ValueError
-        If `unseen` is unknown, or if the arrays cannot be those of a recording.
+        If `unseen` is unknown, or if the arrays do not fit a recording.
     """
 
     shape: tuple[int, ...]
@@ -116,7 +115,7 @@ class SampleModel:
             yield "shape, n_actions, episode_steps or time_limit", is_whole
 
     def _contents(self) -> Iterator[tuple[str, object]]:
-        """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
+        """Each array, and whether it fits a model: the kernels that draw from it check no bounds."""
         outcomes = len(self.s_next)
         pairs = self.n_states * self.n_actions
         yield "rewards", len(self.rewards) > 0
@@ -146,9 +145,9 @@ class SampleModel:
         Parameters
         ----------
         recording : Recording
-            What was seen.
+            The transitions.
         unseen : str
-            What a pair does that was never tried, see the class.
+            The outcomes of a pair that was never tried, see the class.
 
         Returns
         -------
@@ -252,7 +251,7 @@ class SampleModel:
         return np.bincount(self.pair, weights=self.count * x, minlength=pairs)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
-        """What was seen after (s, a).
+        """The outcomes seen after (s, a).
 
         Parameters
         ----------
@@ -284,7 +283,7 @@ class SampleModel:
         )
 
     def diagnose(self) -> Diagnosis:
-        """What the model does not know, and where it may promise too much.
+        """The gaps of the model, and the loops in which it may promise too much.
 
         A pair is suspect if all its recorded outcomes lead to one state, with a mean reward above the recording's
         mean, and there are at most three of them. See `Loop` for what suspect pairs can make.

@@ -50,7 +50,7 @@ class Expected(NamedTuple):
 
 
 def expected_outcomes(model: SampleModel) -> Expected:
-    """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
+    """Probabilities and mean rewards of a model, including those of unseen pairs."""
     if not isinstance(model, SampleModel):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
@@ -100,17 +100,17 @@ def value_iteration(
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
-    The model's `unseen` says what follows a pair never tried. With all but "stay" a plan may go there.
+    A pair that was never tried follows the model's `unseen`. A plan may try such pairs, except with "stay".
 
     Parameters
     ----------
     model : SampleModel
         The model to plan in.
     gamma : float
-        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or
-        earn nothing.
+        Discount rate in [0, 1]. With 1, values have a limit only if episodes cannot go on for ever, or if they
+        earn nothing then.
     tolerance : float
-        It sweeps until no value is further than this from its limit, or than floating-point precision.
+        Sweeps end when no value is further than this from its limit, or further than floating-point precision.
 
     Returns
     -------
@@ -120,14 +120,13 @@ def value_iteration(
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if
-        values still change after 20,000 sweeps: with gamma = 1, because they have no limit.
+        If `model` is not a SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if
+        values still change after 20,000 sweeps, as with gamma = 1 if they have no limit.
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every
-    1,000th is followed by a step of policy iteration (section 4.3): the greedy policy's values are solved
-    for.
+    Paper equation 1; Sutton & Barto, section 4.4. If sweeps approach their limit too slowly, every 1,000th is
+    followed by a step of policy iteration (section 4.3), which solves for the values of the greedy policy.
     """
     expected = expected_outcomes(model)
     check_between("gamma", gamma, 0, 1)

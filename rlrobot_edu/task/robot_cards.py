@@ -1,4 +1,4 @@
-"""What each robot can sense and do: the words that a task file may use, with units and ranges.
+"""The sensors and commands of each robot: the words that a task file may use, with units and ranges.
 
 The cards stand in ``robot_cards.toml``, so that a task file can be checked without starting a simulator.
 """

@@ -1,4 +1,4 @@
-"""A world of one's own for a robot on wheels: a room that can be the scene of a task."""
+"""A world of your own for a robot on wheels: a room that can be the scene of a task."""
 
 from dataclasses import dataclass
 from math import cos, isfinite, sin
@@ -53,7 +53,7 @@ class Room:
         return f"a room with {len(self.walls)} walls, {floor}"
 
     def check_start(self, length: float, width: float) -> None:
-        """Check that a robot has room where it starts.
+        """Check that a robot fits where it starts.
 
         Parameters
         ----------

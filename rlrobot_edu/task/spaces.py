@@ -1,4 +1,4 @@
-"""State and action spaces: what all the variables of a task span together.
+"""State and action spaces: all combinations of the variables of a task.
 
 A *structured state* is one bin for each input variable. The bins of all inputs together make the state's number,
 in C order: the first input varies slowest (``numpy.ravel_multi_index``).

@@ -1,4 +1,4 @@
-"""A task: what a robot perceives, what it can do, and what it is rewarded for."""
+"""A task: what a robot perceives, what it can do, and what earns it a reward."""
 
 import pickle
 from collections.abc import Callable, Mapping, Sequence
@@ -37,11 +37,11 @@ class Task:
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
     scene : str or Room
-        Where it stands: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
+        Its surroundings: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
     inputs : sequence of InputVariable
-        What makes a state, one bin of each.
+        A state is one bin of each input.
     outputs : sequence of OutputVariable
-        What makes an action, one value of each.
+        An action is one value of each output.
     reward : function (readings before, readings after the step) -> float
         The reward of a step, one of `rewards`. Readings are numbers by the names of the robot's sensors.
     rewards : sequence of float
@@ -53,9 +53,9 @@ class Task:
     episode_steps : int, optional
         Steps after which an episode is cut off; None for a task that goes on for ever.
     goal : function (readings) -> bool, optional
-        Whether the robot is where it should be; None for a task without a goal.
+        Whether the robot has reached its goal; None for a task without one.
     goal_steps : int
-        For so many steps in a row `goal` must be true; then the episode terminates.
+        The episode terminates when `goal` was true for so many steps in a row.
     name, path, description, fingerprint : str
         Filled in by `load_task`: the file's name, its path, its docstring, and the SHA-256 of its content.
 
@@ -73,7 +73,7 @@ class Task:
 
     Notes
     -----
-    A loaded task does not change when its file does, also in other processes and copies.
+    A loaded task does not change when its file does. This is true for its copies in other processes, too.
     """
 
     robot: str
@@ -189,7 +189,7 @@ class Task:
         Raises
         ------
         ValueError
-            If the task's function fails, or returns what is not one of `rewards` (so also if that is NaN).
+            If the task's function fails, or returns a value that is not one of `rewards`, such as NaN.
         """
         r = self._ask("reward", self.reward, before, after)
         if not isinstance(r, Real) or r not in self.rewards:
@@ -201,7 +201,7 @@ class Task:
         return float(r) + 0.0  # never −0
 
     def at_goal(self, readings: Readings) -> bool:
-        """Whether the robot is where it should be.
+        """Whether the robot has reached its goal.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""The file of a task: a small Python file that says ``task = Task(...)``, and what it may not do."""
+"""The file of a task: a small Python file with ``task = Task(...)``, and what it may not do."""
 
 import sys
 from dataclasses import replace
@@ -31,8 +31,8 @@ def load_task(task: str | Path | Task) -> Task:
     ----------
     task : str, Path or Task
         The name of a task that comes with the toolkit, or the path of your own Python file, which must define
-        ``task = Task(...)``. It is one file: it cannot import its neighbours, for a task may also run in other
-        places. A `Task` is handed back as it is.
+        ``task = Task(...)``. It is one file: it cannot import its neighbours, because a task may also run in other
+        places. A `Task` is returned unchanged.
 
     Returns
     -------
@@ -43,7 +43,8 @@ def load_task(task: str | Path | Task) -> Task:
     Raises
     ------
     ValueError
-        If there is no task of this name, or something is wrong in the file: it says which file, line and what.
+        If there is no task of this name, or if something is wrong in the file; the message names file, line and
+        mistake.
     FileNotFoundError
         If there is no such file.
     """
@@ -60,7 +61,7 @@ def load_task(task: str | Path | Task) -> Task:
         path = shipped("tasks") / f"{name}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    # A file of one's own is run each time, for what it imports may have been edited, too.
+    # A file of the user's own is run each time, because its imports may have been edited, too.
     define = _task_of if is_own else _shipped_task
     return define(path, path.read_bytes())
 

@@ -1,4 +1,4 @@
-"""What a robot perceives and does, in words and units: input and output variables."""
+"""Input and output variables: what a robot perceives and does, in words and units."""
 
 import math
 from bisect import bisect_left
@@ -10,7 +10,7 @@ from rlrobot_edu.checks import MOST_BINS, check_index, check_numbers
 
 
 def _different(what: str, given: Sequence[float]) -> tuple[float, ...]:
-    """The given numbers, finite and each another one. Raises ValueError that says `what`."""
+    """The given numbers, finite and all different. Raises ValueError that names `what`."""
     values = check_numbers(what, given, finite=True)
     if len(set(values)) < len(values):
         raise ValueError(
@@ -211,11 +211,11 @@ class OutputVariable:
     name : str
         The robot's actuator.
     values : sequence of float [unit]
-        What may be commanded, in the order of the actions.
+        The possible commands, in the order of the actions.
     unit : str
         The actuator's unit, such as ``rad/s``.
     words : sequence of str, optional
-        What each value is called, for an output whose numbers say little by themselves.
+        A name for each value, for an output whose numbers say little by themselves.
 
     Raises
     ------

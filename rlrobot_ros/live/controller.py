@@ -1,4 +1,4 @@
-"""Driving a robot for a while: its command is repeated, and it is stopped as soon as too little is known of it."""
+"""Driving a robot for some time: its command is repeated, and it is stopped as soon as too little is known of it."""
 
 import math
 import time
@@ -11,13 +11,13 @@ from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 
 PERIOD = 0.1  # a command is repeated after so long [s]
 MAX_AGE = 0.5  # of odometry and scan while the robot moves [s]
-PATIENCE = 10.0  # how long a silent robot is waited for [s]
+PATIENCE = 10.0  # how long we wait for a silent robot [s]
 JUMP = 0.5  # [m]; a robot that stood still and is then as far away was carried, or started anew
 INSTANT = 1e-3  # [s]
 
 
 class Limits(NamedTuple):
-    """What no motion exceeds: speed [m/s], turning [rad/s]; and the room ahead that forward motion needs [m]."""
+    """Limits of every motion: speed [m/s], turning [rad/s]; and the room ahead that forward motion needs [m]."""
 
     max_speed: float
     max_turn: float
@@ -27,9 +27,9 @@ class Limits(NamedTuple):
 class Controller:
     """Moves one robot.
 
-    simulated_time: whether time passes only with the robot's commands, and is what its messages say
-    held_back: commands without their forward motion, since something was near
-    pauses: how often the robot had to wait; why: the reason of the last time, in words
+    simulated_time: whether time passes only with the robot's commands, and is that of its messages
+    held_back: commands without their forward motion, because something was near
+    pauses: how often the robot had to wait; why: the reason of the last pause, in words
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class Controller:
         self.why = ""
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
-        """Drive at v [m/s] and turn at omega [rad/s] for a while; while the robot must wait, time does not count.
+        """Drive at v [m/s] and turn at omega [rad/s] for some time; waiting time does not count.
 
         Raises ConnectionError or TimeoutError as `wait` does; then no stop has been sent.
         """
@@ -78,10 +78,10 @@ class Controller:
                 left -= time.monotonic() - begin
 
     def wait(self) -> None:
-        """Return when the robot is heard and sees something; until then it is told to stop.
+        """Return when messages of the robot arrive and its scanner measures something; stop it until then.
 
-        Raises ConnectionError if the connection is lost, or if the robot is elsewhere then; TimeoutError if it takes
-        too long.
+        Raises ConnectionError if the connection is lost, or if the robot is in another place then; TimeoutError if it
+        takes too long.
         """
         if self._can_go():
             return

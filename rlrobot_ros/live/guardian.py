@@ -1,10 +1,10 @@
 """A second process that stops the robot when the first one ends, in whatever way.
 
-It has a connection of its own, and a pipe to the first process. The operating system closes a pipe whose writer is
-gone, also one that was killed: then the guardian tells the robot to stop. It cannot help where the network fails or
-the whole computer does; there the robot's own watchdog must, see docs/real_robot.md.
+It has a connection of its own, and a pipe to the first process. The operating system closes a pipe when its writer is
+gone, even if it was killed: then the guardian tells the robot to stop. It cannot help if the network or the whole
+computer fails. In that case the robot's own watchdog has to stop it, see docs/real_robot.md.
 
-    python -m rlrobot_ros.live.guardian    (what the first process runs; it reads from its standard input)
+    python -m rlrobot_ros.live.guardian    (the first process runs this, and writes to its standard input)
 """
 
 import contextlib
@@ -19,7 +19,7 @@ from rlrobot_ros.live.rosbridge import Rosbridge
 from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 
 READY = "ready"
-STOPS = 3  # more than one: what the dead process sent last may still be on its way
+STOPS = 3  # more than one, because the last commands of the dead process may still be on their way
 PAUSE = 0.1  # between two stops [s]
 
 
@@ -32,7 +32,7 @@ class Guardian:
     """
 
     def __init__(self, address: str, topic: str, stamped: bool) -> None:
-        # in a session of its own: what ends the kernel and all that it started shall not end this
+        # In a session of its own: ending the kernel with all its processes must not end this one.
         self._process: Any = subprocess.Popen(
             [sys.executable, "-m", __name__],
             stdin=subprocess.PIPE,

@@ -5,16 +5,16 @@ from typing import Generic, TypeVar
 
 T = TypeVar("T")
 
-DRIFT = 1e-3  # by which two clocks may run apart [s/s], far more than they do
+DRIFT = 1e-3  # rate at which two clocks may run apart [s/s], far more than they do
 
 
 class LatestMessage(Generic[T]):
-    """The newest of the messages of a topic; those that come twice, or after a newer one, are dropped.
+    """The newest message of a topic. A message that comes twice, or after a newer one, is dropped.
 
-    Two clocks that disagree do not show how old a message was when it came. They do show how much longer it took than
-    the quickest ones, and this counts as its age. A message without a time is as old as it is here.
+    If the two clocks disagree, we cannot tell how old a message was when it came. But we can tell how much longer it
+    took than the quickest ones, and this counts as its age. A message without a time ages from its arrival.
 
-    value: what it says, None before the first one; stamp: its time by the sender's clock [s], 0 if it has none
+    value: its content, None before the first one; stamp: its time by the sender's clock [s], 0 if it has none
     received: how many messages came; dropped: how many of them were not new
     """
 
@@ -27,7 +27,7 @@ class LatestMessage(Generic[T]):
         self._quickest = math.inf  # least of (time here − stamp)
 
     def take(self, stamp: float, value: T, now: float) -> None:
-        """One more message, at the time `now` by our clock [s]."""
+        """Take in one more message, at the time `now` by our clock [s]."""
         self.received += 1
         if self.value is not None and 0 < stamp <= self.stamp:
             self.dropped += 1
@@ -48,5 +48,5 @@ class LatestMessage(Generic[T]):
         return now - self._came + late
 
     def forget(self) -> None:
-        """Take the next message for new, whatever its time."""
+        """Accept the next message as new, whatever its time is."""
         self.value = None

@@ -1,4 +1,4 @@
-"""What was received from a robot and sent to it, in a table."""
+"""A table of what was received from a robot and sent to it."""
 
 from dataclasses import dataclass
 
@@ -7,13 +7,13 @@ from rlrobot_edu.experiments.tables import Table, Tabled
 
 @dataclass(frozen=True, repr=False)
 class LinkReport(Tabled):
-    """What came and went over a link since it was opened. It shows itself as a table.
+    """The messages received and sent over a link since it was opened. It shows itself as a table.
 
     address: of rosbridge; is_dry: whether nothing was really sent
     odometry, scans: messages received; not_new: how many of them came twice or after a newer one
-    unreadable: messages that say what cannot be, or too little; complaint: what is wrong with the last of them
-    commands: 10 a second; held_back: how many of them without their forward motion, since something was near
-    pauses: how often the robot was stopped, since too little was known of it; why: the reason of the last time
+    unreadable: messages that are impossible or incomplete; complaint: what is wrong with the last of them
+    commands: 10 a second; held_back: how many of them without their forward motion, because something was near
+    pauses: how often the robot was stopped, because too little was known of it; why: the reason of the last pause
     """
 
     address: str

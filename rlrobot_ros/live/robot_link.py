@@ -1,4 +1,4 @@
-"""A robot that is on now as a robot of the toolkit."""
+"""A real robot that is switched on, as a robot of the toolkit."""
 
 import math
 import weakref
@@ -21,7 +21,7 @@ from rlrobot_ros.scan import Mounting
 
 
 class RobotLink(Robot):
-    """A robot that is on now, of ROS 1 or ROS 2 behind rosbridge. `rl.make_env(task, link=…)` makes its environment.
+    """A real robot with ROS 1 or ROS 2 behind rosbridge. `rl.make_env(task, link=…)` makes its environment.
 
     Parameters
     ----------
@@ -35,14 +35,14 @@ class RobotLink(Robot):
         Wheels and body of the robot; None takes those of the task's robot.
     mounting : tuple of float, float, float, bool, float
         Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
-        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
-        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is the one
+        that it gives where nothing is within its range, if not infinity: 0, NaN, or any number above its range_max.
     max_speed, max_turn : float [m/s], [rad/s]
         Limits that no command exceeds.
     safety_distance : float [m]
         No forward motion while something ahead is nearer than this to the circle around the robot.
     confirmed : bool
-        Whether the robot may move at once; else a person is asked before its first motion.
+        Whether the robot may move at once; otherwise a person is asked before its first motion.
     dry_run : bool
         Send nothing to the robot, only listen; `report` counts what would have been sent.
     simulated_time : bool
@@ -51,7 +51,7 @@ class RobotLink(Robot):
     Raises
     ------
     ValueError
-        For a limit that is no positive number, or arguments that do not fit together.
+        For a limit that is not a positive number, or arguments that do not fit together.
 
     Notes
     -----
@@ -62,7 +62,7 @@ class RobotLink(Robot):
     - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
       and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
       needs, and all that it showed at `reset`.
-    - `reset` does not move the robot: it stops it and waits until it is heard.
+    - `reset` does not move the robot: it stops it and waits for its messages.
     """
 
     def __init__(
@@ -121,12 +121,12 @@ class RobotLink(Robot):
         Parameters
         ----------
         task : Task
-            What the robot shall do.
+            The robot's task.
 
         Raises
         ------
         ValueError
-            If the task's robot is not one on wheels, or if one of its actions is above the limits.
+            If the task's robot has no wheels, or if one of its actions is above the limits.
         """
         chassis = self._own_chassis or chassis_of(task)
         limits = self._settings.limits
@@ -144,7 +144,7 @@ class RobotLink(Robot):
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the sensors say now, by name.
+        """The sensors' readings now, by name.
 
         Raises
         ------
@@ -165,12 +165,12 @@ class RobotLink(Robot):
         return self._last_report or self._open_session().report()
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Stop the robot, connect to it if need be, and wait until it is heard. It stays where it is.
+        """Stop the robot, connect to it if necessary, and wait for its messages. It stays where it is.
 
         Parameters
         ----------
         rng : numpy.random.Generator, optional
-            Not used; in a real robot nothing is drawn.
+            Not used; a real robot has no random numbers.
 
         Returns
         -------
@@ -180,9 +180,9 @@ class RobotLink(Robot):
         Raises
         ------
         OSError
-            If nothing answers (ConnectionError), or if the robot is not heard in time (TimeoutError).
+            If nothing answers (ConnectionError), or if no messages of the robot come in time (TimeoutError).
         ValueError
-            If the task needs a laser where the scanner does not look, or for what is no address.
+            If the task needs a laser where the scanner does not look, or if the address is not one.
         """
         if self._task is None:
             raise ValueError(
@@ -227,19 +227,19 @@ class RobotLink(Robot):
         return self.readings
 
     def scene(self) -> Scene:
-        """The robot where its odometry says, and its laser beams; of walls nothing is known.
+        """The robot at the place of its odometry, with its laser beams; the walls are unknown.
 
         Returns
         -------
         Scene
-            What there is to see.
+            The robot and its beams.
 
         Raises
         ------
         ConnectionError
             Before the first `reset`.
         """
-        # a beam of which nothing is known shows nothing free
+        # An unknown beam shows no free space.
         readings = dict.fromkeys(LASERS, 0.0) | self.readings
         x, y = readings["x"], readings["y"]
         here = pose(x, y, 0.0, readings["theta"])

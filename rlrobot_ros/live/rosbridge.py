@@ -51,13 +51,13 @@ OPTIONS: dict[str, Any] = {
 
 
 class Rosbridge:
-    """A connection to rosbridge. After it was lost it does not come back by itself: make a new one.
+    """A connection to rosbridge. A lost one does not come back by itself: make a new one.
 
     address: of rosbridge, such as "ws://192.168.0.10:9090"
-    lost: why no message comes or goes any more, in words; None while all is well
-    errors: the latest errors that rosbridge reported, or that arose from its messages
+    lost: why no more messages come or go, in words; None while all is well
+    errors: the latest errors that rosbridge reported, or that its messages caused
 
-    Raises ValueError for what is no address, ConnectionError if no rosbridge answers there within 5 s.
+    Raises ValueError if the address is not one, ConnectionError if no rosbridge answers there within 5 s.
     """
 
     def __init__(self, address: str = "ws://127.0.0.1:9090") -> None:
@@ -121,7 +121,7 @@ class Rosbridge:
         """Receive messages until the end, in a thread of its own."""
         try:
             while self.lost is None:
-                # as bytes: what is no UTF-8 shall not end the connection
+                # As bytes, so that an error of UTF-8 does not end the connection.
                 text = self._socket.recv(decode=False)
                 if self.lost is None:
                     self._receive(text)
@@ -143,9 +143,9 @@ class Rosbridge:
 def _opened(address: str) -> Any:
     """An open websocket."""
     opening = connect(address, proxy=None, **OPTIONS)
-    # all versions of websockets can open a connection for longer than a block in this way
+    # In this way all versions of websockets can keep a connection open beyond a block.
     opened = ExitStack().enter_context(opening)
-    # a sender does not wait for ever for a robot that takes nothing any more
+    # A sender must not wait for ever for a robot that has stopped reading.
     if sys.platform == "win32":
         timeout = struct.pack("I", SEND_TIMEOUT * 1000)
     else:

@@ -31,13 +31,13 @@ class RosbridgeServer(contextlib.AbstractContextManager["RosbridgeServer"]):
     """A server of rosbridge's protocol on this computer, and for this computer only.
 
     As rosbridge does between nodes of ROS, it passes each message on to all clients that have subscribed to its topic.
-    A client that reads nothing for 15 s is disconnected, and holds up nobody. A web page is refused: otherwise any page
-    in a browser on this computer could drive the robot.
+    A client that reads nothing for 15 s is disconnected, and does not delay the others. A web page is refused:
+    otherwise any page in a browser on this computer could drive the robot.
 
     address: for clients, "ws://127.0.0.1:PORT"
     port: at which it listens; 0 picks one that is free
 
-    Raises ValueError for what is no port, ConnectionError if the port is taken.
+    Raises ValueError if the port is not one, ConnectionError if it is taken.
     """
 
     def __init__(self, port: int = 9090) -> None:

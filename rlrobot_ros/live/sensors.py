@@ -1,4 +1,4 @@
-"""What a robot that is on reports: where it is, what its lasers see, how old that is."""
+"""The sensors of a real robot: where it is, what its lasers see, and how old that is."""
 
 import threading
 import time
@@ -18,7 +18,7 @@ from rlrobot_ros.scan import Mounting, beams_end, measured
 
 
 class Sight(NamedTuple):
-    """What a scan says.
+    """The content of a scan.
 
     lasers: readings of those in view [m], NaN for one that is not known
     room: how far the nearest thing ahead is [m], NaN if that is not known; blind: why not, in words
@@ -34,7 +34,7 @@ class Sensors:
 
     chassis, mounting: of the robot, and of the scanner on it; odom, scan: names of the topics
     pose: readings x, y and theta by name; sight: of the lasers
-    unreadable: how many messages say what cannot be, or too little; complaint: what is wrong with the last of them
+    unreadable: how many messages are impossible or incomplete; complaint: what is wrong with the last of them
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class Sensors:
         return pose_readings(*pose_of(odometry), self._chassis)
 
     def _look(self, scan: Any) -> Sight:
-        """What a scan says. Raises ValueError if that is too little; but what it shows ahead counts even so."""
+        """The content of a scan. Raises ValueError if a laser is missing; but what it shows ahead counts even then."""
         rays = measured(scan, self._mounting.far)
         lasers = beams_end(rays, rays.ranges, self._chassis, self._mounting)
         room, blind = look_ahead(rays, self._chassis, self._mounting)
@@ -124,7 +124,7 @@ class Sensors:
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the robot's sensors say, by name. Both must have been received."""
+        """The robot's readings, by name. Odometry and a scan must have been received."""
         assert self.sight.value is not None and self.pose.value is not None
         lasers = self.sight.value.lasers
         seen = {name: lasers[name] for name in lasers if name in self._needed}
@@ -136,7 +136,7 @@ class Sensors:
         return np.nan if self.sight.value is None else self.sight.value.room
 
     def problems(self, max_age: float) -> list[str]:
-        """Why the robot cannot be driven, in words, where messages may be `max_age` old [s]."""
+        """Why the robot cannot be driven, in words, if messages may be `max_age` old [s]."""
         problems = []
         for topic, latest in self._topics.items():
             age = latest.age(time.monotonic())

@@ -1,4 +1,4 @@
-"""One of the toolkit's own robots as if it were a real one behind rosbridge: to rehearse, and to test with."""
+"""One of the toolkit's robots, served as if it were a real one behind rosbridge: for rehearsals and tests."""
 
 import contextlib
 import math
@@ -27,18 +27,18 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     task : str, Path or Task
         The task of the robot, one on wheels, and of its scene.
     realism : Realism, optional
-        Weaknesses that the robot shall have; its control steps are tenths of a second here.
+        Imperfections to simulate; a control step is a tenth of a second here.
     seed : int, optional
         Makes them repeatable, in simulated time.
     simulated_time : bool
-        Each command takes the robot a tenth of a second on, and nothing else does; else its time is the clock's.
+        Time passes only with commands, a tenth of a second for each; otherwise it is that of the clock.
     port : int
-        Of rosbridge; 0 is one that is free.
+        Port of rosbridge; 0 takes a free one.
 
     Raises
     ------
     ValueError
-        For a task that cannot be served, or what is no port.
+        If the task cannot be served, or if the port is not one.
     OSError
         If the port is taken, or if there is no such task file.
 
@@ -60,7 +60,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         port: int = 9090,
     ) -> None:
         self._body = SimulatedBody(task, realism, seed)
-        # only once where it stands: how often it is published must not cost random numbers
+        # Only once in each place: the number of messages must not change the random numbers.
         self._ranges = self._body.look()
         self._commands: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
         self._simulated_time = simulated_time
@@ -92,7 +92,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         ConnectionError
             If it is cut off.
         """
-        # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it.
+        # Not thread.join: if Ctrl-C comes within it, Python 3.11 believes that the thread has ended.
         # On Windows, Ctrl-C is not heard in a longer wait.
         while not self._has_ended.wait(1.0):
             pass
@@ -106,7 +106,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self._opened.close()
 
     def _receive(self, message: Any) -> None:
-        """Take in a Twist; one that says nothing that can be is not obeyed."""
+        """Take in a Twist; an impossible one is ignored."""
         with contextlib.suppress(ValueError):
             v, _, omega = messages.velocity_of(message)
             if math.isfinite(v) and math.isfinite(omega):
@@ -140,7 +140,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         received_at = -math.inf
         due = time.monotonic()
         while True:
-            # ticks that a busy computer has missed are not made up for
+            # Ticks that a busy computer has missed are skipped.
             due = max(due + TICK, time.monotonic())
             if self._ends.wait(max(due - time.monotonic(), 0.0)):
                 return
@@ -158,7 +158,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self._ranges = self._body.look()
 
     def _publish(self) -> None:
-        """Tell where the robot is and what its scanner sees."""
+        """Publish where the robot is and what its scanner sees."""
         pose = self._body.pose()
         self._publish_pose(messages.make_odometry(self._time, *pose))
         self._publish_scan(

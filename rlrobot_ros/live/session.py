@@ -1,4 +1,4 @@
-"""An open connection to one robot, with all that hears it, moves it and guards it."""
+"""An open connection to one robot: its sensors, its controller and its guardian."""
 
 import threading
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from rlrobot_ros.scan import Mounting
 
 @dataclass(frozen=True)
 class Settings:
-    """How a robot is reached, and what it may do: see `RobotLink`."""
+    """How to reach a robot, and what it may do: see `RobotLink`."""
 
     address: str
     odom: str
@@ -67,9 +67,9 @@ class Session:
         self._idle = threading.Timer(0.0, self.stop)
 
     def begin(self, task: Task) -> None:
-        """Stop the robot and wait until it is heard anew. Raises ConnectionError or TimeoutError if it is not.
+        """Stop the robot and wait for new messages. Raises ConnectionError or TimeoutError if there are none.
 
-        Raises ValueError if the task needs a laser that the scanner cannot stand for.
+        Raises ValueError if the task needs a laser that the scanner cannot replace.
         """
         self.stop()
         self.sensors.forget()
@@ -78,7 +78,7 @@ class Session:
         self._controller.wait()
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
-        """Drive at v [m/s] and turn at omega [rad/s] for a while; then stop, unless one drives on within 0.1 s.
+        """Drive at v [m/s] and turn at omega [rad/s] for some time; then stop, unless driving goes on within 0.1 s.
 
         Raises PermissionError if nobody has said that the robot may move, ConnectionError or TimeoutError if it is
         lost. An exception stops the robot.
@@ -100,7 +100,7 @@ class Session:
             self._idle.start()
 
     def _get_leave(self) -> None:
-        """Ask the person, and have somebody watch over the robot."""
+        """Ask the person, and start the guardian."""
         settings = self._settings
         if not settings.confirmed:
             confirm(

@@ -21,9 +21,9 @@ RANGE_MAX = 2 * LASER_RANGE  # of its scanner [m]
 class SimulatedBody:
     """The robot of a task in pymunk, as `ServedRobot` serves it, and without ROS.
 
-    realism: its weaknesses, in control steps of a tenth of a second; seed: makes them repeatable
+    realism: its imperfections, in control steps of a tenth of a second; seed: makes them repeatable
 
-    Raises ValueError for a task or weaknesses that the robot cannot have.
+    Raises ValueError for a task or imperfections that the robot cannot have.
     """
 
     def __init__(
@@ -40,7 +40,7 @@ class SimulatedBody:
         self._robot.reset(self._rng)
 
     def move(self, v: float, omega: float) -> None:
-        """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
+        """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick, as far as its wheels can."""
         speeds = self.chassis.wheel_speeds(v, omega)
         possible = {}
         for wheel, command in self._card.commands.items():
@@ -48,13 +48,13 @@ class SimulatedBody:
         self._robot.act(possible)
 
     def pose(self) -> tuple[float, float, float]:
-        """Where odometry says the point midway between its wheels is: x, y [m], theta [rad]."""
+        """The pose of the point midway between its wheels by odometry: x, y [m], theta [rad]."""
         readings = self._robot.readings
         theta = readings["theta"]
         return *self.chassis.axle_at(readings["x"], readings["y"], theta), theta
 
     def look(self) -> list[float]:
-        """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""
+        """The scanner's measurements now [m], at most its range; with noise, each look draws random numbers."""
         ranges = np.array(self._base.look_around(RAYS))
         if self._noise:
             ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3)

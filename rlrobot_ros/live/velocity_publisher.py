@@ -9,7 +9,7 @@ from rlrobot_ros.messages import TWIST, TWIST_STAMPED, make_twist, make_twist_st
 class VelocityPublisher:
     """Publishes a Twist, or a TwistStamped if `stamped`, on a topic; in a dry run it publishes nothing.
 
-    commands: how many the robot was given, or would have been if it is dry
+    commands: how many the robot received, or would have received without the dry run
     """
 
     def __init__(
@@ -29,7 +29,7 @@ class VelocityPublisher:
         self._send(v, omega)
 
     def stop(self) -> None:
-        """Tell the robot to stop, if it was ever told to do anything; where it cannot be reached, nothing happens."""
+        """Stop the robot, if it ever received a command; do nothing if it cannot be reached."""
         if self.commands:
             with contextlib.suppress(ConnectionError):
                 self._send(0.0, 0.0)

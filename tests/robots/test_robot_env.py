@@ -126,7 +126,7 @@ def test_an_action_that_does_not_exist_and_a_step_before_the_reset_are_refused()
         env.step(0)
     env.reset()
     for action in (-1, 4):
-        with pytest.raises(ValueError, match="actions are 0 to 3"):
+        with pytest.raises(ValueError, match="actions are the integers 0 to 3"):
             env.step(action)
 
 

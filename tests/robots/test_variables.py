@@ -161,9 +161,9 @@ def test_names_that_appear_twice_and_numbers_that_do_not_exist_are_refused():
     twice = InputVariable("laser", cuts=[1.0])
     with pytest.raises(ValueError, match="'laser' appears twice"):
         StateSpace([twice, twice])
-    with pytest.raises(ValueError, match="states are 0 to 1"):
+    with pytest.raises(ValueError, match="states are the integers 0 to 1"):
         StateSpace([twice]).decode(2)
-    with pytest.raises(ValueError, match="actions are 0 to 1"):
+    with pytest.raises(ValueError, match="actions are the integers 0 to 1"):
         ActionSpace([OutputVariable("wheel", [0, 1])]).decode(-1)
 
 
