@@ -130,10 +130,9 @@ class Translator:
                 # This was decided when the kernel was made.
                 return self._block(body if self.around[x] is None else rest)
             case ast.If(test, body, rest):
+                otherwise = f" else {{\n{self._block(rest)}\n}}" if rest else ""
                 text = f"if ({self._number(test)}) {{\n{self._block(body)}\n}}"
-                if rest:
-                    text += f" else {{\n{self._block(rest)}\n}}"
-                return text
+                return text + otherwise
             case ast.While(test, body, []):
                 return f"while ({self._number(test)}) {{\n{self._block(body)}\n}}"
             case ast.For(
@@ -173,10 +172,9 @@ class Translator:
     ) -> str:
         """All values first, then all assignments: a browser would make an array for [a, b] = [x, y]."""
         held = []
-        given = []
         for i, (target, value) in enumerate(zip(targets, values, strict=True)):
             held.append(f"${i} = {self._given_to(target, value)}")
-            given.append(self._assign(target, f"${i}"))
+        given = [self._assign(target, f"${i}") for i, target in enumerate(targets)]
         lines = "\n".join(given)
         return f"{{\nconst {', '.join(held)};\n{lines}\n}}"
 
@@ -224,8 +222,9 @@ class Translator:
             case ast.Compare(left, operators, others):
                 return self._comparison([left, *others], operators, node)
             case ast.IfExp(test, body, otherwise):
+                condition = self._number(test)
                 yes, no = self._value(body), self._value(otherwise)
-                return f"({self._number(test)} ? {yes} : {no})"
+                return f"({condition} ? {yes} : {no})"
             case ast.Attribute(ast.Name("math"), word) if word in OF_MATH:
                 return OF_MATH[word]
             case ast.Attribute(record, field) if field not in NOT_TRANSLATED:
@@ -235,8 +234,8 @@ class Translator:
             ) if not self._is_record(array):
                 return f"{self._value(array)}{'[0]' * axis}.length"
             case ast.Subscript(array, ast.Tuple([row, column])):
-                i, j = self._value(row), self._value(column)
-                return f"{self._value(array)}[{i}][{j}]"
+                rows = self._value(array)
+                return f"{rows}[{self._value(row)}][{self._value(column)}]"
             case ast.Subscript(array, index) if not (
                 isinstance(index, ast.Slice) or is_negative(index)
             ):
