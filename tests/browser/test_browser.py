@@ -370,13 +370,10 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
             "a page from elsewhere, behind a proxy, could not see it"
         )
 
-        page.keyboard.press("Control+s")
         saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
-        soon(
-            lambda: keeps_view(saved, "rl.watch(novice"),
-            rest=lambda: page.wait_for_timeout(500),
-        )
+        is_saved(page, saved)
         is_seen_again(page)  # its kernel tells
+        is_saved(page, saved)
         page.evaluate(STOP_KERNELS)
         is_seen_again(page)  # the notebook has kept it
 
@@ -397,11 +394,24 @@ def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
         ends_without_a_trace(page)
 
 
-def keeps_view(notebook, code):
-    """Whether a notebook holds the widget that the cell with this code shows; not while it is being written.
+def is_saved(page, notebook):
+    """Save the notebook, with the robot that is seen.
 
-    JupyterLab saves by itself, too, perhaps before the cell has run.
+    JupyterLab saves by itself, too, perhaps before the robot is there.
     """
+    earlier = notebook.stat().st_mtime_ns
+    page.keyboard.press("Control+s")
+    soon(
+        lambda: (
+            notebook.stat().st_mtime_ns > earlier
+            and keeps_view(notebook, "rl.watch(novice")
+        ),
+        rest=lambda: page.wait_for_timeout(500),
+    )
+
+
+def keeps_view(notebook, code):
+    """Whether a notebook holds the widget that the cell with this code shows; not while it is being written."""
     with contextlib.suppress(ValueError):
         kept = json.loads(notebook.read_text(encoding="utf-8"))
         (cell,) = [cell for cell in kept["cells"] if code in "".join(cell["source"])]
