@@ -35,9 +35,10 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
 
     @property
     def curves(self) -> NDArray[np.float64]:
-        """Learning curves, array (repetitions, steps): average reward; of the last episode, if it has any.
+        """The learning curve of each repetition, array (repetitions, steps): the average reward so far.
 
-        Where a repetition is shorter than the longest, its row ends in NaN.
+        In a task with episodes it is the average reward of the last episode alone. Where a repetition is shorter than
+        the longest, its row ends in NaN.
         """
         curves = []
         for history in self:

@@ -13,7 +13,8 @@ from rlrobot_edu.experiments.tables import Table, Tabled
 
 # Numbers closer together than this part of the largest are equal but for rounding, half an ulp an operation.
 ROUNDING = 64 * float(np.finfo(float).eps)
-# From here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does.
+# SciPy's noncentral quantiles fail above this. There a noncentrality is nearly proportional to its statistic: it is
+# computed for a smaller statistic, and multiplied by the same factor again.
 LARGE = 2500.0
 
 
@@ -25,10 +26,9 @@ def without_rounding(
     scale: the size of what was rounded, where that is larger than they are
     """
     ordered = np.sort(np.concatenate(groups))
-    is_equal = np.diff(ordered, prepend=np.nan) <= ROUNDING * max(
-        scale, np.abs(ordered).max(initial=0)
-    )
-    distinct = ordered[~is_equal]  # to the number before it
+    largest = max(scale, np.abs(ordered).max(initial=0))
+    equals_previous = np.diff(ordered, prepend=np.nan) <= ROUNDING * largest
+    distinct = ordered[~equals_previous]
     return [
         distinct[np.searchsorted(distinct, group, side="right") - 1] for group in groups
     ]
@@ -50,7 +50,7 @@ def mean_band(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     samples: array (n, points). Returns two arrays (points,), low and high; where all are equal, both are that number.
     A bootstrap of so few would be too narrow: of 5 repetitions its "95 %" hold the mean in 84 of 100 cases.
     """
-    # between the samples it is but for rounding
+    # rounding can put the mean of equal samples beside them
     mean = np.clip(samples.mean(axis=0), samples.min(axis=0), samples.max(axis=0))
     half = stats.t.ppf(0.975, len(samples) - 1) * stats.sem(samples - mean)
     return mean - half, mean + half
@@ -137,7 +137,7 @@ class Anova(Tabled):
                 self.df_between,
                 self.ms_between,
                 self.f,
-                exact(self.p),
+                shown_p(self.p),
             ],
             [
                 "within groups",
@@ -195,7 +195,7 @@ class Tukey(Tabled):
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
         rounded = without_rounding(list(groups.values()))
-        # from one of them: then the mean of equal numbers is exact
+        # Where all numbers are equal they become 0, whose mean and variance are exact.
         shifted = [group - rounded[0][0] for group in rounded]
         with np.errstate(all="ignore"):
             p_values = stats.tukey_hsd(*shifted).pvalue
@@ -213,15 +213,15 @@ class Tukey(Tabled):
     def table(self) -> Table:
         """The table in the paper's layout, with the size of each difference."""
         rows = []
-        for p in self.pairs:
+        for pair in self.pairs:
             rows.append(
                 [
-                    f"{p.first} vs {p.second}",
-                    p.q,
-                    exact(p.p),
-                    p.inference,
-                    p.difference,
-                    p.g,
+                    f"{pair.first} vs {pair.second}",
+                    pair.q,
+                    shown_p(pair.p),
+                    pair.inference,
+                    pair.difference,
+                    pair.g,
                 ]
             )
         columns = [
@@ -235,9 +235,9 @@ class Tukey(Tabled):
         return Table("Post-hoc Tukey HSD test", columns, rows)
 
 
-def exact(p: float) -> float | str:
-    """A p-value as a table shows it: nothing is known of those below 1e-15 but that they are."""
-    return p if not p < 1e-15 else "p < 1e-15"
+def shown_p(p: float) -> float | str:
+    """A p-value as a table shows it. Of those below 1e-15 only the bound is known: the rest is rounding."""
+    return "p < 1e-15" if p < 1e-15 else p
 
 
 def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:

@@ -17,18 +17,19 @@ except ImportError:
 
 PACKAGE = Path(__file__).parents[1]
 IS_PLAIN = numba is None or bool(numba.config.DISABLE_JIT)
-OURS = ("rlrobot_edu", "rlrobot_course")  # packages whose kernels are tested
+# Kernels of these packages are tested: they are compiled as they are. All others go through own.py.
+OURS = ("rlrobot_edu", "rlrobot_course")
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
 def cache_folder() -> Path | None:
-    """Folder of the compiled kernels; None if no place is writable."""
-    # the second is for a package that was installed where this user cannot write
+    """Folder of the compiled kernels, which is made; None if no place is writable."""
+    # the second place is for a package that was installed where this user cannot write
     for parent in (PACKAGE / "__pycache__", Path("~/.cache/rlrobot_edu")):
         with suppress(OSError, RuntimeError):  # RuntimeError: this user has no home
             folder = parent.expanduser() / "kernels"
             folder.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=folder):
+            with tempfile.TemporaryFile(dir=folder):  # proves that it is writable
                 return folder
     return None
 
@@ -42,10 +43,11 @@ def is_ours(kernel: Callable[..., Any]) -> bool:
 
 
 def compiled(kernel: Kernel) -> Kernel:
-    """The kernel, to be compiled when it is first called; as it is where kernels stay plain, or if that was done.
+    """Wrap a kernel, so that numba compiles it when it is first called.
 
-    Outside an array, and where a divisor is zero, it stops with an error, as Python does. A kernel in the folder of
-    built ones is kept on disk.
+    The kernel is returned unchanged if there is no numba, if numba is switched off, or if it is wrapped already.
+    As in Python, an index outside an array and a division by zero are errors. numba keeps what it compiles on disk if
+    the kernel's file is in `FOLDER`.
     """
     if IS_PLAIN or hasattr(kernel, "py_func"):
         return kernel
@@ -53,9 +55,10 @@ def compiled(kernel: Kernel) -> Kernel:
         nogil=True,
         boundscheck=True,
         error_model="python",
-        # one function in the end, however many it is written in: that alone halves a step
+        # All calls are inlined, so that a step is one machine function: it takes half the time.
         forceinline=True,
-        no_cfunc_wrapper=True,  # C calls none: compiling takes a quarter less
+        # No kernel is called from C; without the wrapper for it, compiling takes a quarter less.
+        no_cfunc_wrapper=True,
         cache=FOLDER in Path(kernel.__code__.co_filename).parents,
     )(kernel)
     return cast(Kernel, dispatcher)

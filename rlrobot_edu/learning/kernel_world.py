@@ -1,4 +1,4 @@
-"""Worlds of kernels, in which a whole learning process can run compiled. They know no agent."""
+"""Worlds of kernels, in which a whole learning process can run compiled. They do not depend on the agent."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple, Protocol, runtime_checkable
@@ -9,14 +9,16 @@ NEVER = 2**53  # steps after which an episode is cut off
 
 
 class KernelWorld(NamedTuple):
-    """What the compiled loop of learning is given of a world.
+    """A world as the compiled loop of learning needs it.
 
     begin: kernel (arrays, rng) -> state in which an episode begins
-    outcome: kernel (arrays, s, a, rng) -> (s', r, terminated). A state below 0: the kernels cannot tell. Then all is
-        as if they had not been asked, and the plain loop takes this step.
-    arrays: named tuple of arrays and numbers, what both are given; its `episode_steps` are those after which an episode
-        is cut off, `NEVER` for none
-    state: those of its arrays that the kernels change
+    outcome: kernel (arrays, s, a, rng) -> (s', r, terminated)
+    arrays: named tuple of arrays and numbers, the first argument of both kernels. Its `episode_steps` is the number of
+        steps after which an episode is cut off, `NEVER` for none
+    state: those of the arrays that the kernels write. The loop copies them, to put them back if a kernel fails
+
+    A kernel that cannot compute its state returns one below 0. It must have changed nothing then: no array, no random
+    number. The plain loop in Python takes the step instead.
     """
 
     begin: Callable[..., Any]
@@ -27,17 +29,17 @@ class KernelWorld(NamedTuple):
 
 @runtime_checkable
 class KernelEnv(Protocol):
-    """An environment that can offer its world as kernels, besides what Gymnasium asks of it.
+    """An environment that can offer its world as kernels, besides what Gymnasium asks of an environment.
 
-    episode_step: steps of the episode so far
-    np_random: its random numbers, from which its kernels draw as its `step` does
+    episode_step: steps of the episode so far; the loop sets it, too
+    np_random: the generator from which both `step` and the kernels draw, in the same order
     """
 
     episode_step: int
     np_random: np.random.Generator
 
     def kernel_world(self, steps: int) -> KernelWorld | None:
-        """Its world as it is now, for about so many steps; None without kernels, or if they are not worth it."""
+        """The world as it is now. None if there are no kernels, or if for so few steps they are not worth it."""
 
     def arrive(self, s: int) -> Any:
-        """Be in state `s`, to which the kernels have led."""
+        """Take over state `s`, which the kernels have reached. The loop calls this now and then, and at the end."""

@@ -10,7 +10,7 @@ from paper import paper
 from paper.experiments import FAULTY, PRELIMINARIES, Experiment
 from paper.outcome import Outcome, significant_with
 from paper.verdicts import DIRECTION, LEVEL
-from rlrobot_edu.experiments.statistics import Anova, exact
+from rlrobot_edu.experiments.statistics import Anova, shown_p
 from rlrobot_edu.experiments.tables import Table
 
 Outcomes = Mapping[str, Outcome]
@@ -56,7 +56,7 @@ def pairs_table(outcomes: Outcomes, task: str) -> Table:
             n = len(next(iter(groups.values())))
             rows += [[
                 str(length), f"{its.better} less {its.worse}", paper.difference(task, its), its.q, its.p,
-                gain, n, exact(p), str(verdict),
+                gain, n, shown_p(p), str(verdict),
             ] for its, gain, p, verdict in o.judged(length)]  # fmt: skip
     columns = [
         "length",
@@ -89,7 +89,7 @@ def set_ups_table(outcomes: Outcomes, task: str) -> Table:
                         len(groups[Q]),
                         *cells,
                         anova.f,
-                        exact(anova.p),
+                        shown_p(anova.p),
                     ]
                 )
     if task in paper.ANOVA:
@@ -113,7 +113,7 @@ def changes_table(outcomes: Outcomes, task: str) -> Table:
                 if was.verdict.is_opposite or was.verdict.name != now.verdict.name:
                     rows.append([
                         set_up(changed.experiment), str(length), f"{was.pair.better} less {was.pair.worse}",
-                        was.gain, now.gain, exact(now.p), str(was.verdict), str(now.verdict),
+                        was.gain, now.gain, shown_p(now.p), str(was.verdict), str(now.verdict),
                     ])  # fmt: skip
     columns = [
         "what is changed",
@@ -138,7 +138,7 @@ def order_table(outcomes: Outcomes) -> Table:
             q = FAULTY if o.experiment.faulty else Q
             means, (difference, p) = o.means(), o.pair(SR, q)
             rows.append(
-                [set_up(o.experiment), means[SR], means[q], difference, exact(p)]
+                [set_up(o.experiment), means[SR], means[q], difference, shown_p(p)]
             )
     return Table(
         "TOSL+SR and Q+SR in wander_1k", ["set-up", SR, Q, f"{SR} less {Q}", "p"], rows
@@ -189,7 +189,7 @@ def values_table(outcomes: Outcomes) -> Table:
                     f"{chosen} is {name}",
                     best,
                     loss or None,
-                    None if p is None else exact(p),
+                    None if p is None else shown_p(p),
                 ]
             )
     columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
@@ -199,7 +199,7 @@ def values_table(outcomes: Outcomes) -> Table:
 def methods_table(outcomes: Outcomes) -> Table:
     """The methods that the paper chose."""
     rows = [
-        [title, where, pair.name, gain, exact(p), str(verdict)]
+        [title, where, pair.name, gain, shown_p(p), str(verdict)]
         for title, where, o in _preliminary(outcomes) for pair, gain, p, verdict in o.judged()
     ]  # fmt: skip
     columns = ["question", "on the", "pair", "difference", "p", "verdict"]
