@@ -59,7 +59,7 @@ def _cuts_of(variable: InputVariable) -> str:
     """How an input is cut into bins."""
     if variable.sectors:
         return f"{variable.sectors} sectors"
-    return str(variable.cuts or variable.values).strip("(,)")
+    return ", ".join(map(str, variable.cuts or variable.values or ()))
 
 
 def inputs_table(task: Task, trials: Iterable[Trial]) -> Table:

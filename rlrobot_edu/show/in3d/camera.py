@@ -12,10 +12,16 @@ import numpy as np
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.in3d.looks import Name, has_walls
 
-FIELD = 35  # of view, from bottom to top [degrees]
+FIELD_OF_VIEW = 35  # from bottom to top [degrees]
 ASPECT = 1.5  # width over height
+MARGIN = 1.13  # distance of the camera, in parts of the least one
 ROUNDS = 12  # until the picture's frame no longer changes
-HIDDEN = (  # of meshcat's own things
+# Turned to the left and raised [rad]: a room with walls hides what is in it, unless it is seen from above.
+OVER_WALLS = (0.0, 1.0)
+FROM_THE_SIDE = (0.35, 0.55)
+WALL_SHOWN = 0.4  # height up to which walls are in the picture [m]
+INNER = 0.6  # part of the floor's width in which high things are in the picture
+HIDDEN_PATHS = (  # meshcat's own background and lights
     "/Background",
     "/Grid",
     "/Axes",
@@ -27,24 +33,25 @@ HIDDEN = (  # of meshcat's own things
 def camera(scene: Scene) -> tuple[g.PerspectiveCamera, np.ndarray, np.ndarray]:
     """A camera that sees the floor, the walls and, in the middle of the room, what is high.
 
-    Returns the camera, where it looks and where it is from there, arrays (3,) [m].
+    Returns the lens, the point at which it looks, and its position from there, arrays (3,) [m].
     """
     points = _points_to_see(scene)
-    turn, rise = (0.0, 1.0) if has_walls(scene) else (0.35, 0.55)  # [rad]
+    turn, rise = OVER_WALLS if has_walls(scene) else FROM_THE_SIDE
     axes = _axes(turn, rise)
     back = axes[2]
-    tall = math.tan(math.radians(FIELD / 2))
-    reach = np.array([ASPECT * tall, tall])
+    half_height = math.tan(math.radians(FIELD_OF_VIEW / 2))  # at a distance of 1
+    half_picture = np.array([ASPECT * half_height, half_height])
     target = np.append(_corners(scene).mean(axis=0), 0.0)
     # Each round comes as near as all points allow, then moves their middle to that of the picture.
     for _ in range(ROUNDS):
-        seen = (points - target) @ axes.T
-        needed = seen[:, 2] + np.abs(seen[:, :2] / reach).max(axis=1)
-        distance = 1.13 * needed.max()
+        seen = (points - target) @ axes.T  # to the right, up, towards the camera
+        # a point is in the picture if |right|, |up| ≤ half_picture · (distance − towards)
+        needed = seen[:, 2] + np.abs(seen[:, :2] / half_picture).max(axis=1)
+        distance = MARGIN * needed.max()
         slopes = seen[:, :2] / (distance - seen[:, 2:])
         middle = (slopes.max(axis=0) + slopes.min(axis=0)) / 2
         target = target + middle * distance @ axes[:2]
-    lens = g.PerspectiveCamera(FIELD, ASPECT, distance / 100, 10 * distance)
+    lens = g.PerspectiveCamera(FIELD_OF_VIEW, ASPECT, distance / 100, 10 * distance)
     return lens, target, distance * back
 
 
@@ -60,9 +67,9 @@ def _points_to_see(scene: Scene) -> np.ndarray:
     high = max(tops)
     corners = _corners(scene)
     middle = corners.mean(axis=0)
-    inner = middle + 0.6 * (corners - middle)
+    inner = middle + INNER * (corners - middle)
     floor = np.insert(corners, 2, 0.0, axis=1)
-    walls = np.insert(corners, 2, min(high, 0.4), axis=1)
+    walls = np.insert(corners, 2, min(high, WALL_SHOWN), axis=1)
     inside = np.insert(inner, 2, high, axis=1)
     return np.vstack([floor, walls, inside])
 
@@ -77,7 +84,7 @@ def _axes(turn: float, rise: float) -> np.ndarray:
 
 def surroundings(scene: Scene) -> Iterator[tuple[str, str, object]]:
     """Properties of meshcat's own background and lights: (path, name, value)."""
-    for path in HIDDEN:
+    for path in HIDDEN_PATHS:
         yield path, "visible", False
     yield "/Lights/SpotLight", "visible", True
     x_min, y_min, x_max, y_max = scene.bounds

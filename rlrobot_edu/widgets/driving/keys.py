@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import string
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import dist
 
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.wheel_icons import motion, wheel_icon
 
-KEYS = string.digits[1:] + string.ascii_lowercase  # of the buttons, in their order
+BUTTON_KEYS = string.digits[1:] + string.ascii_lowercase  # row by row
 # The speeds of the wheels for each arrow, in parts of full speed
 ARROWS = {
     "ArrowUp": (1, 1),
     "ArrowLeft": (-1, 1),
     "ArrowRight": (1, -1),
-    "ArrowDown": (0, 0),
+    "ArrowDown": (0, 0),  # stop: few tasks have a way back
 }
 
 
@@ -43,28 +43,37 @@ def buttons_of(task: Task) -> list[Button]:
     """
     commands = task.commands
     distinct = [a for a, command in enumerate(commands) if command not in commands[:a]]
-    icons = []
     if has_wheels(task):
-        icons = [wheel_icon(*commands[a].values()) for a in distinct]
-    faces = []
-    for i, a in enumerate(distinct):
-        if icons:
-            left, right = commands[a].values()
-            ahead, turn = motion(left, right)
-            place = (1 - ahead, 1 - turn)
-            text = icons[i]
-            if icons.count(text) > 1:
-                text = f"{text} {left:g}, {right:g}"
-        else:
-            place = divmod(a, task.actions.shape[-1])
-            text = task.actions.label(a)
-        words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
-        faces.append((place, a, text.replace("-", "−"), words.replace("-", "−")))
+        places = [_place_of_motion(*commands[a].values()) for a in distinct]
+        texts = _icons([tuple(commands[a].values()) for a in distinct])
+    else:
+        # a column for each value of the last output
+        places = [divmod(a, task.actions.shape[-1]) for a in distinct]
+        texts = [task.actions.label(a) for a in distinct]
     buttons = []
-    for i, (place, a, text, words) in enumerate(sorted(faces)):
-        key = KEYS[i] if i < len(KEYS) else ""
-        buttons.append(Button(a, key, text, words, place))
-    return buttons
+    for a, place, text in zip(distinct, places, texts, strict=True):
+        words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
+        button = Button(a, "", text.replace("-", "−"), words.replace("-", "−"), place)
+        buttons.append(button)
+    buttons.sort(key=lambda button: (button.place, button.a))  # row by row
+    keys = BUTTON_KEYS.ljust(len(buttons))
+    return [replace(buttons[i], key=keys[i].strip()) for i in range(len(buttons))]
+
+
+def _place_of_motion(left: float, right: float) -> tuple[int, int]:
+    """Row and column among 3 × 3: ahead is the top row, a turn to the left the left column."""
+    ahead, turn = motion(left, right)
+    return (1 - ahead, 1 - turn)
+
+
+def _icons(speeds: list[tuple[float, ...]]) -> list[str]:
+    """An arrow for each pair of wheel speeds, with the speeds where several have the same arrow."""
+    icons = [wheel_icon(left, right) for left, right in speeds]
+    texts = []
+    for icon, (left, right) in zip(icons, speeds, strict=True):
+        is_unique = icons.count(icon) == 1
+        texts.append(icon if is_unique else f"{icon} {left:g}, {right:g}")
+    return texts
 
 
 def keys_of(task: Task) -> dict[str, int]:
