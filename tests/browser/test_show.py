@@ -630,7 +630,9 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
     view = show_scene(SCENES)
     monkeypatch.setenv("RLROBOT_EDU_STILLS", "3d")
     monkeypatch.setattr(
-        photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES)
+        photograph,
+        "EXECUTABLES",
+        (browser.browser_type.executable_path, *photograph.EXECUTABLES),
     )
     solid, image = view.still(), view.get_image()
     assert solid.alt == view.text and image.size == (2 * 585, 2 * 378)

@@ -5,12 +5,12 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
+EXECUTABLES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 OPTIONS = (
     "--headless",
-    "--no-sandbox",
+    "--no-sandbox",  # root, in a container, has none; the page is our own
     "--hide-scrollbars",
-    "--use-angle=swiftshader",
+    "--use-angle=swiftshader",  # WebGL without a graphics card
     "--enable-unsafe-swiftshader",
     "--window-size=585,378",
     "--force-device-scale-factor=2",
@@ -23,7 +23,7 @@ def photograph(page: str) -> bytes:
 
     Raises RuntimeError if Chromium is not installed, or if it makes no picture.
     """
-    found = [shutil.which(name) for name in NAMES]
+    found = [shutil.which(name) for name in EXECUTABLES]
     installed = [path for path in found if path is not None]
     if not installed:
         raise RuntimeError(
@@ -38,10 +38,12 @@ def photograph(page: str) -> bytes:
             *OPTIONS,
             f"--user-data-dir={folder}/profile",
             f"--screenshot={picture}",
-            f"{file.as_uri()}#still",
+            f"{file.as_uri()}#still",  # a page that moves stands still at its end
         ]
         try:
             subprocess.run(command, capture_output=True, timeout=120, check=True)
         except subprocess.SubprocessError as error:
             raise RuntimeError(f"Chromium made no picture: {error}") from error
+        if not picture.is_file():
+            raise RuntimeError("Chromium made no picture, and did not say why")
         return picture.read_bytes()
