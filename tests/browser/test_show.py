@@ -640,7 +640,7 @@ def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(
         sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90)
         > 100
     ), "no robot"
-    monkeypatch.setattr(photograph, "NAMES", ())
+    monkeypatch.setattr(photograph, "EXECUTABLES", ())
     flat = view.still()
     assert flat.alt == view.text and flat.data != solid.data
     with pytest.raises(RuntimeError, match="install chromium"):
