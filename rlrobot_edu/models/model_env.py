@@ -69,7 +69,6 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             rewards=model.rewards,
             unseen=UNSEEN.index(model.unseen),
             episode_steps=limit,
-            time_limit=limit,
         )
 
     def reset(

@@ -12,7 +12,7 @@ class Tables(NamedTuple):
     """A SampleModel in types that numba knows, without its task.
 
     shape: array (inputs,) of int; unseen: the place of its word in UNSEEN
-    episode_steps, time_limit: steps after which an episode is cut off
+    episode_steps: steps after which an episode is cut off, by the task or by a time limit
     """
 
     shape: Any
@@ -26,7 +26,6 @@ class Tables(NamedTuple):
     rewards: Any
     unseen: int
     episode_steps: int
-    time_limit: int
 
 
 @compiled
