@@ -58,7 +58,11 @@ class Corridor:
             self._cell = min(max(self._cell + (1 if a == 1 else -1), 0), CELLS - 1)
             self._charge = max(self._charge - 1, 0)
         there, empty = self._cell == CELLS - 1, self._charge == 0 and self._cell > 0
-        reward = 20.0 if there else -20.0 if empty else -1.0
+        reward = -1.0
+        if there:
+            reward = 20.0
+        elif empty:
+            reward = -20.0
         return self._state(), reward, there or empty, self._t >= LONGEST
 
     def _state(self) -> int:

@@ -102,9 +102,11 @@ class Design(Exercise):
             return ANOTHER
         more = float(paid[0]) - float(paid[1])
         better, worse = (name for name, _, _ in case.values())
-        return (
-            better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
-        )
+        if more > 1e-12:
+            return better
+        if more < -1e-12:
+            return worse
+        return "both pay the same"
 
     def _called(self, case: Case) -> str:
         return "; and with ".join(

@@ -156,7 +156,8 @@ class SideBySide(Displayed):
 
     def still(self) -> Still:
         """All in one picture, a moving one of films."""
-        if films := self._films():
+        films = self._films()
+        if films:
             ends = (
                 f"{film.notes[0]}, at the end: {describe(film.frames[-1])}"
                 for film in films

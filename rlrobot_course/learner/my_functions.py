@@ -148,7 +148,11 @@ def owner_of(*functions: Function) -> str:
     yours = [
         function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions
     ]
-    return "your" if all(yours) else "partly your" if any(yours) else "the given"
+    if all(yours):
+        return "your"
+    if any(yours):
+        return "partly your"
+    return "the given"
 
 
 @cache
@@ -246,10 +250,10 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
             if callable(one.right)
         }
         for (owner, name), source in known.items():
-            if (
-                owner == number
-                and (mine := safely(None, _made, source, name, names)) is not None
-            ):
+            if owner != number:
+                continue
+            mine = safely(None, _made, source, name, names)
+            if mine is not None:
                 names[name] = mine
     return names
 

@@ -46,11 +46,17 @@ class Progress(NamedTuple):
 
     def __str__(self) -> str:
         wide = max(len(lesson.title) for lesson in self.lessons)
-        rows = [
-            f"{x.number:<4}{x.title:<{wide}}  {len(x.right)} of {len(x.right) + len(x.write)}"
-            f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
-            for x in self.lessons
-        ]
+        rows = []
+        for x in self.lessons:
+            mark = "   "
+            if not x.write:
+                mark = "  ✓"
+            elif not x.right:
+                mark = "  ·"
+            counts = f"{len(x.right)} of {len(x.right) + len(x.write)}"
+            rows.append(
+                f"{x.number:<4}{x.title:<{wide}}  {counts}{mark}{x.minutes:5} min  {', '.join(x.write)}"
+            )
         return "\n".join([*rows, "", self.next])
 
 
@@ -87,5 +93,6 @@ def show(folder: str | None) -> None:
     """Print how far the learner is, and whether Python cannot read my_functions.py."""
     folder = folder or FOLDER
     print(progress(folder))
-    if mistake := syntax_error(Path(folder, FILE)):
+    mistake = syntax_error(Path(folder, FILE))
+    if mistake:
         print(mistake)

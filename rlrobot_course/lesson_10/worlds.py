@@ -48,7 +48,11 @@ class Ring:
         self.s = (self.s + (0, 1, -1, 2)[a] * moves) % self.n_states
         steps, terminates = self.ends[self.episode % len(self.ends)]
         ended = self.t >= steps
-        reward = -2.0 if a == 0 else (self.r_max if moves and self.s % 5 == 0 else -0.5)
+        reward = -0.5
+        if a == 0:
+            reward = -2.0
+        elif moves and self.s % 5 == 0:
+            reward = self.r_max
         return self.s, reward, ended and terminates, ended and not terminates
 
 

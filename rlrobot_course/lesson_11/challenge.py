@@ -16,7 +16,8 @@ def read(sensors: Any) -> Task:
         raise ValueError(
             'a dict of sensors and cut points is expected, as {"laser_front": [0.5]}'
         )
-    if others := [name for name in sensors if name not in LASERS]:
+    others = [name for name in sensors if name not in LASERS]
+    if others:
         raise ValueError(
             f"{others[0]} is none of the eight lasers: {', '.join(LASERS)}"
         )

@@ -24,7 +24,9 @@ SPIN = 0.36  # radius of an arrow for turning on the spot [m]
 def in_words(v: float, turn: float) -> str:
     """A motion in a word or two. v: forward speed [m/s]; turn: [degrees/s], positive to the left."""
     if abs(turn) < STILL:
-        return "stays" if abs(v) < STILL else ("forward" if v > 0 else "backward")
+        if abs(v) < STILL:
+            return "stays"
+        return "forward" if v > 0 else "backward"
     side = "left" if turn > 0 else "right"
     return f"spins {side}" if abs(v) < STILL else f"curves {side}"
 
@@ -62,13 +64,11 @@ def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
     if word == "stays":
         ax.plot([0], [0], "s", color=BLACK, markersize=9, zorder=9)
         return
-    colour = (
-        BLUE
-        if word in ("forward", "backward")
-        else PURPLE
-        if "curves" in word
-        else VERMILION
-    )
+    colour = VERMILION
+    if word in ("forward", "backward"):
+        colour = BLUE
+    elif "curves" in word:
+        colour = PURPLE
     way = np.array([FRONT, 0]) + scale * path_of(v, turn)
     if "spins" in word:
         angles = np.radians(np.linspace(0, SECONDS * turn, 40))

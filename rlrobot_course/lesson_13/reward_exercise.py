@@ -44,7 +44,8 @@ class RewardExercise(Exercise):
         if not callable(answer):
             return super().judge(answer)
         got = self.outcomes(answer)
-        if odd := [i for i, outcome in enumerate(got) if not _is_number(outcome)]:
+        odd = [i for i, outcome in enumerate(got) if not _is_number(outcome)]
+        if odd:
             return self._no_number(answer, got, odd)
         rewards, failure, _ = attempt(
             _in_all_steps, answer, endless=issubclass(type(answer), Elsewhere)

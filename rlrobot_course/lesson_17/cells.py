@@ -82,11 +82,10 @@ def steps_needed(seed: int, most: int = 20_000, **planner: Any) -> tuple[int, in
     agent = Agent(env, "Q+EG", seed=seed, **planner)
     for step in walk(agent, env, most):
         arrived = arrived or (step.t + 1) * step.terminated
-        if (
-            arrived
-            and len(way := best_way(agent.q)) - 1 == SHORTEST
-            and way[-1] == GOAL
-        ):
+        if not arrived:
+            continue
+        way = best_way(agent.q)
+        if len(way) - 1 == SHORTEST and way[-1] == GOAL:
             return arrived, step.t + 1
     return arrived or most, most
 

@@ -83,12 +83,10 @@ def scoreboard(
             for number, bar in bars.items()
             if number in kept
         }
-        if (
-            owner == "your"
-            and IN_TIME == ROBOTS
-            and (told := enter(FILE, lesson, score, score_of))
-        ):
-            print(told)
+        if owner == "your" and IN_TIME == ROBOTS:
+            told = enter(FILE, lesson, score, score_of)
+            if told:
+                print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
     title = f"Lesson {lesson}: {score} a step" + f" ({IN_TIME} robots)" * (
         IN_TIME < ROBOTS

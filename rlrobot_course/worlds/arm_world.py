@@ -159,7 +159,8 @@ def with_reward(task: Task, reward: Callable[[float, float], float], name: str) 
     def of_readings(before: dict[str, float], after: dict[str, float]) -> float:
         return float(reward(gripper_to_object(before), gripper_to_object(after)))
 
-    seen, after = (places := places_of(task)).readings, places.next
+    places = places_of(task)
+    seen, after = places.readings, places.next
     values = {of_readings(seen[i], seen[j]) for i, row in enumerate(after) for j in row}
     return dataclasses.replace(
         task, reward=of_readings, rewards=sorted(values), name=name

@@ -121,6 +121,10 @@ def read_page(
     section, begin = "", 0
     lines = page.read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, start=1):
+        known = KNOWN.fullmatch(line)
+        shared = SHARED.fullmatch(line)
+        edit = EDIT.fullmatch(line)
+        value = VALUE.fullmatch(line)
         if begin:
             if line == END:
                 entries[-1].answers.append(
@@ -131,16 +135,16 @@ def read_page(
             section = line.lstrip("# ")
         elif section != "Mistakes":
             sections[section] += [line] if line else []
-        elif known := KNOWN.fullmatch(line):
+        elif known:
             entries.append(Entry(known[1], known[2], {}, []))
-        elif shared := SHARED.fullmatch(line):
+        elif shared:
             others = read_page(page.with_name(f"{shared[1]}.md"), names)[1]
             entries += [other._replace(answers=[]) for other in others if other.edits]
-        elif edit := EDIT.fullmatch(line):
+        elif edit:
             entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace(
                 "⏎", "\n"
             )
-        elif value := VALUE.fullmatch(line):
+        elif value:
             entries[-1].answers.append(eval(value[1], dict(names)))
         elif line == BEGIN:
             begin = number

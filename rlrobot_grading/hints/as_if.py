@@ -92,7 +92,8 @@ def _changed(
         ):
             if changes is put_around and any(part in said for part in bounded):
                 continue  # it is rather the bound that is another
-            if (function := safely(None, made, tree, right)) is not None:
+            function = safely(None, made, tree, right)
+            if function is not None:
                 yield kind, said, function
 
 
@@ -116,12 +117,14 @@ def _changed_inside(
 
 def _rank(kind: int, said: str, seen: Evidence) -> float:
     """How far-fetched a change is; NEVER if it puts a thing of another type in a name's place."""
-    if number := ALWAYS.fullmatch(said):
+    number = ALWAYS.fullmatch(said)
+    if number:
         types, is_whole = _types(number[1], seen), number[2] in "01"
         if "float" not in types and not (is_whole and types <= {"int", "bool"}):
             return NEVER
         return kind if is_whole and types <= {"float", "bool"} else kind + 3.5
-    if pair := IN_PLACE.search(said):
+    pair = IN_PLACE.search(said)
+    if pair:
         types, others = (_types(name, seen) for name in pair.groups())
         others = {"int", "float"} if pair[2] in (None, pair[1]) else others
         if types and others and types.isdisjoint(others):
@@ -180,7 +183,8 @@ def _in_its_words(said: str, seen: Evidence) -> str:
     terms |= safely({}, _set_alike, right, answer, {*terms, *once})
     for name, value in once.items():
         terms[name] = _put(value, terms, known) or name
-    if (number := ALWAYS.fullmatch(said)) and _types(number[1], seen) == {"bool"}:
+    number = ALWAYS.fullmatch(said)
+    if number and _types(number[1], seen) == {"bool"}:
         said = f"“{number[1]}” were always {number[2] == '1'}"
     pieces = {piece: _put(piece, terms, known) for piece in QUOTED.findall(said)}
     told = QUOTED.sub(lambda piece: f"“{pieces[piece[1]]}”", said)

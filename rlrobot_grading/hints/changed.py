@@ -58,14 +58,12 @@ def changed(
 
 def _around(node: ast.AST, parents: Mapping[ast.AST, ast.AST]) -> ast.AST:
     """In which piece of code a name or a number stands, if there is one that is short; else itself."""
+    pieces = ast.expr | ast.keyword | ast.Assign | ast.Return | ast.AugAssign
     around = node
-    while isinstance(
-        above := parents[around],
-        ast.expr | ast.keyword | ast.Assign | ast.Return | ast.AugAssign,
-    ):
-        if len(ast.unparse(above)) > LONGEST:
-            break
+    above = parents[around]
+    while isinstance(above, pieces) and len(ast.unparse(above)) <= LONGEST:
         around = above
+        above = parents[around]
     return around
 
 

@@ -94,7 +94,8 @@ def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
             before = f"after {mine[k - 1].name}" if k else "at first"
             told = f"the order of the calls: {before} yours calls {got.name}, where {wanted.name} is due."
             return told, told
-        if (which := _other_argument(wanted, got)) is not None:
+        which = _other_argument(wanted, got)
+        if which is not None:
             theirs, its = wanted.given[which], got.given[which]
             if np.ndim(theirs):
                 return (
