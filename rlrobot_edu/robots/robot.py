@@ -40,8 +40,12 @@ class LinkedRobot(Robot, Protocol):
 
 
 @runtime_checkable
-class KernelRobot(Robot, Protocol):
-    """A robot that moves and senses by kernels, so that the compiled loop of learning can run it."""
+class KernelRobot(Protocol):
+    """What a robot offers besides if kernels move it, so that the compiled loop of learning can run it.
+
+    It is no `Robot` here: to ask whether a robot is of this kind, Python 3.11 would read its `readings`, which a robot
+    has only after its first reset.
+    """
 
     def kernel_world(
         self, task: Task, commands: Sequence[Mapping[str, float]], at_goal: int

@@ -349,7 +349,7 @@ def test_a_link_needs_an_environment_and_an_environment_no_engine():
         "realism": rl.Realism(laser_noise=0.1),
         "lag": 0.1,
     }.items():
-        with pytest.raises(ValueError, match=f"leave {name} out"):
+        with pytest.raises(ValueError, match=f"takes no {name}: leave it out"):
             rl.make_env("giraff_wander_simple", link=link, **{name: value})
     with pytest.raises(ValueError, match=r"only a task has a robot: .* link"):
         rl.make_env(

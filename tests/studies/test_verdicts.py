@@ -12,7 +12,7 @@ from worlds import recording_of
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_13.contact import contact_alone
-from rlrobot_edu.experiments.statistics import Anova, Tukey, exact
+from rlrobot_edu.experiments.statistics import Anova, Tukey, shown_p
 
 QBIASSR, SR, Q = paper.THREE
 
@@ -91,9 +91,9 @@ def test_a_tiny_p_value_is_never_printed_as_zero():
         for text in (str(table), in_markdown(table), table._repr_html_()):
             assert "1e-15" in text and " 0.0000" not in text
     assert (
-        exact(0.0) == exact(9e-16) == "p < 1e-15"
-        and exact(1e-15) == 1e-15
-        and np.isnan(exact(float("nan")))
+        shown_p(0.0) == shown_p(9e-16) == "p < 1e-15"
+        and shown_p(1e-15) == 1e-15
+        and np.isnan(shown_p(float("nan")))
     )
 
 
