@@ -46,7 +46,7 @@ if sys.platform == "emscripten":
 import gymnasium
 import lazy_loader
 
-from rlrobot_edu.public_names import no_such_name, without_extra
+from rlrobot_edu.missing_names import no_such_name, without_extra
 from rlrobot_edu.task.task_file import available_tasks as _available_tasks
 from rlrobot_edu.version import __version__ as __version__
 

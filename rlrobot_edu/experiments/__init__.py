@@ -9,5 +9,6 @@ Table        (tables.py)      rows of words and numbers, as text or HTML
 
 Begin with compare.py: `compare`, how each repetition gets its random numbers, and `repeat`, which compares one method.
 Then repetitions.py: what a repetition does, and how all of them run on several cores; store.py, the folder of
-histories in which a comparison keeps what is finished; and statistics.py.
+histories in which a comparison keeps what is finished; and statistics.py, which takes numbers that rounding alone
+makes unequal as equal (rounding.py).
 """

@@ -9,9 +9,9 @@ import numpy as np
 
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import World
-from rlrobot_edu.experiments import statistics
+from rlrobot_edu.experiments.rounding import average, squares, without_rounding
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.statistics import Anova, Tukey
+from rlrobot_edu.experiments.statistics import Anova, Tukey, mean_band
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.sample_model import SampleModel
@@ -129,7 +129,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
             for history in runs
         )
         finals = [runs.final for runs in self.values()]
-        equalled = statistics.without_rounding(finals, scale)
+        equalled = without_rounding(finals, scale)
         return dict(zip(self, equalled, strict=True))
 
     @property
@@ -203,14 +203,14 @@ class Comparison(Tabled, Mapping[str, Runs]):
         interval = None
         deviation = None
         if len(final) > 1:
-            low, high = statistics.mean_band(final)
+            low, high = mean_band(final)
             interval = f"[{low:.2f}, {high:.2f}]"
-            deviation = math.sqrt(statistics.squares(final) / (len(final) - 1))
+            deviation = math.sqrt(squares(final) / (len(final) - 1))
         seconds = np.median([history.seconds / len(history) for history in self[label]])
         return [
             label,
             len(final),
-            statistics.average(final),
+            average(final),
             interval,
             deviation,
             final.min(),

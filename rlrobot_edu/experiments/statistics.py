@@ -9,39 +9,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy import special, stats
 
+from rlrobot_edu.experiments.rounding import average, squares, without_rounding
 from rlrobot_edu.experiments.tables import Table, Tabled
 
-# Numbers closer together than this part of the largest are equal but for rounding, half an ulp an operation.
-ROUNDING = 64 * float(np.finfo(float).eps)
-# SciPy's noncentral quantiles fail above this. There a noncentrality is nearly proportional to its statistic: it is
-# computed for a smaller statistic, and multiplied by the same factor again.
+# SciPy's noncentral quantiles fail for a statistic above 2500. There a noncentrality is nearly proportional to its
+# statistic: it is computed for a smaller statistic, and multiplied by the same factor again.
 LARGE = 2500.0
-
-
-def without_rounding(
-    groups: Sequence[np.ndarray], scale: float = 0.0
-) -> list[np.ndarray]:
-    """The same groups, arrays (n,), in which numbers that differ by rounding alone are equal.
-
-    scale: the size of what was rounded, where that is larger than they are
-    """
-    ordered = np.sort(np.concatenate(groups))
-    largest = max(scale, np.abs(ordered).max(initial=0))
-    equals_previous = np.diff(ordered, prepend=np.nan) <= ROUNDING * largest
-    distinct = ordered[~equals_previous]
-    return [
-        distinct[np.searchsorted(distinct, group, side="right") - 1] for group in groups
-    ]
-
-
-def average(x: np.ndarray) -> np.float64:
-    """The mean; of equal numbers that number itself, which a sum that is rounded may miss."""
-    return np.float64(x[0] if np.ptp(x) == 0 else np.mean(x))
-
-
-def squares(x: np.ndarray) -> float:
-    """Sum of the squared deviations from the mean; of equal numbers 0."""
-    return float(np.sum((x - average(x)) ** 2))
 
 
 def mean_band(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -49,13 +49,15 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         self.model = model
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
-        self._max_episode_steps = model.time_limit  # Gymnasium's word for it
+        # As in Gymnasium's TimeLimit: what records this environment takes its time limit from there
+        self._max_episode_steps = model.time_limit
         bins = list(model.shape)
         self.observation_space: gymnasium.Space[Any] = MultiDiscrete(bins)
         self.action_space = Discrete(model.n_actions)
         self.np_random = generator(seed, ENVIRONMENT)
         self.state: int | None = None
         self.episode_step = 0
+        # What comes first: the end of the task's episode or the time limit of the recording
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
         self._tables: Any = Tables(
             shape=np.array(model.shape, dtype=np.int64),
@@ -137,7 +139,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         Returns
         -------
         KernelWorld or None
-            None for a class of your own, which may step in another way.
+            None for a subclass, whose own `step` and `reset` are called in every step.
         """
         if type(self) is not SampleModelEnv:
             return None

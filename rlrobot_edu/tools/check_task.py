@@ -12,8 +12,8 @@ from scipy import stats
 
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.experiments.repetitions import repetition, run
+from rlrobot_edu.experiments.rounding import without_rounding
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.task.plain import NotPlainError, task_text
 from rlrobot_edu.task.robot_cards import ROBOTS
@@ -24,9 +24,11 @@ from rlrobot_edu.tools.task_tables import (
     actions_table,
     extremes,
     inputs_table,
+    most_often_from,
     readings_table,
+    rewards_table,
     shares_of_bins,
-    when_given,
+    times_given,
 )
 from rlrobot_edu.tools.trial import Trial, acting, learning
 
@@ -36,7 +38,6 @@ CHANCE = "Q+RANDOM"
 SEES_NOTHING = "TOSL+SR that sees nothing"
 WITHOUT = f"{METHOD} without "
 SIGNIFICANT = 0.05
-REWARD_COLUMNS = ("reward", "", "steps", "share", "most often from the state")
 LEARNER_COLUMNS = (
     "method",
     "average reward at the end",
@@ -155,10 +156,6 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
         runs.append(replace(like, transitions=trial.transitions))
     earned[repeating] = runs
     compared = _compared(earned)
-    rewards = []
-    for r in sorted(task.rewards):
-        for who, trial in trials.items():
-            rewards.append((f"{r:g}", who, *when_given(task, trial, r)))
     return TaskCheck(
         task=f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
         speed=_speed(task),
@@ -166,11 +163,11 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
             *_odd_inputs(task, seen),
             *_odd_rewards(task, seen),
             *_odd_actions(task, trials["at random"]),
-            *_odd_learning(compared, steps, _advice(rewards, steps)),
+            *_odd_learning(compared, steps, _advice(task, trials, steps)),
         ),
         readings=readings_table(task, seen),
-        inputs=inputs_table(task, trials.values()),
-        rewards=Table("What it is given", REWARD_COLUMNS, rewards),
+        inputs=inputs_table(task, trials),
+        rewards=rewards_table(task, trials),
         actions=actions_table(task, trials["at random"]),
         learner=Table(
             f"Does it learn? {LEARNERS} agents each, {steps} steps; p: one-sided Mann–Whitney test",
@@ -318,17 +315,18 @@ def _odd_learning(
         yield advice
 
 
-def _advice(rewards: Sequence[Sequence[Any]], steps: int) -> str:
+def _advice(task: Task, trials: Mapping[str, Trial], steps: int) -> str:
     """What to do if agents are no better than robots that do not look; it depends on how rare the best reward is."""
-    at_random, while_learning = rewards[-2:]
-    best, _, drawn, _, _ = at_random
-    _, _, learned, _, where = while_learning
+    best = max(task.rewards)
+    drawn = times_given(trials["at random"], best)
+    learned = times_given(trials["while learning"], best)
     if max(drawn, learned) >= RARE * steps:
         return (
             "give more steps, pay for what only a robot that looks can do, "
             "or let it perceive what decides the reward."
         )
     times = f"{drawn} of {steps} steps at random, {learned} while learning"
+    where = most_often_from(task, trials["while learning"], best)
     if where:
         times += f", most often from: {where}"
-    return f"the reward {best} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."
+    return f"the reward {best:g} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."

@@ -1,6 +1,6 @@
 """The tables of `check_task`: what a robot read, perceived, did and was given in some trials."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -62,29 +62,45 @@ def _cuts_of(variable: InputVariable) -> str:
     return ", ".join(map(str, variable.cuts or variable.values or ()))
 
 
-def inputs_table(task: Task, trials: Iterable[Trial]) -> Table:
-    """How often each bin of an input was reached, in each trial."""
+def inputs_table(task: Task, trials: Mapping[str, Trial]) -> Table:
+    """How often each bin of an input was reached in each trial; trials: by the words that say what was done."""
     rows = []
     for i, variable in enumerate(task.states.inputs):
         cells = [variable.name]
-        for trial in trials:
+        for trial in trials.values():
             shares = shares_of_bins(task, [trial], i)
             cells.append(" ".join(f"{share:.0%}" for share in shares))
         rows.append(cells)
     title = "What it perceives: share of the steps in each bin"
-    return Table(title, ("input", "at random", "while learning"), rows)
+    return Table(title, ("input", *trials), rows)
 
 
-def when_given(task: Task, trial: Trial, r: float) -> tuple[int, str, str]:
-    """In how many steps a reward was given, their share, and the state in which most of them began."""
+def rewards_table(task: Task, trials: Mapping[str, Trial]) -> Table:
+    """In how many steps of each trial a reward was given, and where most of these steps began."""
+    rows = []
+    for r in sorted(task.rewards):
+        for who, trial in trials.items():
+            n = times_given(trial, r)
+            share = f"{n / len(trial.transitions.r):.1%}"
+            rows.append((f"{r:g}", who, n, share, most_often_from(task, trial, r)))
+    columns = ("reward", "", "steps", "share", "most often from the state")
+    return Table("What it is given", columns, rows)
+
+
+def times_given(trial: Trial, r: float) -> int:
+    """In how many steps the reward was `r`."""
+    return int(np.count_nonzero(trial.transitions.r == r))
+
+
+def most_often_from(task: Task, trial: Trial, r: float) -> str:
+    """The state in which most of the steps with the reward `r` began, and how many; empty if there was none."""
     states = trial.transitions.s[trial.transitions.r == r]
-    share = f"{len(states) / len(trial.moved):.1%}"
     if not len(states):
-        return 0, share, ""
+        return ""
     times = np.bincount(states)
     parts = task.states.decode(int(times.argmax()))
     place = ", ".join(f"{name} {part}" for name, part in parts.items())
-    return len(states), share, f"{place} ({times.max()})"
+    return f"{place} ({times.max()})"
 
 
 def actions_table(task: Task, trial: Trial) -> Table:

@@ -13,7 +13,7 @@ from numpydoc.docscrape import NumpyDocString
 from numpydoc.validate import validate
 
 import rlrobot_edu as rl
-from rlrobot_edu.public_names import ELSEWHERE
+from rlrobot_edu.missing_names import ELSEWHERE
 
 # What must hold: a summary, every parameter documented, none that is not there, in the order of the signature, with a
 # type; and what is returned is said. What numpydoc asks besides (examples, extended summaries, full stops) is taste.

@@ -9,15 +9,14 @@ from hypothesis import strategies as st
 from in_markdown import in_markdown
 from scipy import integrate, stats
 
+from rlrobot_edu.experiments.rounding import ROUNDING, without_rounding
 from rlrobot_edu.experiments.statistics import (
-    ROUNDING,
     Anova,
     Interval,
     Pair,
     Tukey,
     hedges_g,
     mean_band,
-    without_rounding,
 )
 from rlrobot_edu.experiments.tables import Table
 

@@ -12,7 +12,7 @@ import pytest
 from mypy import api
 
 import rlrobot_edu as rl
-from rlrobot_edu.public_names import ELSEWHERE
+from rlrobot_edu.missing_names import ELSEWHERE
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 
 ROOT = Path(__file__).parents[2]
