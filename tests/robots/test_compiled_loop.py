@@ -421,7 +421,7 @@ def grown(parts):
 
 
 @pytest.mark.long
-@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=16, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
     st.recursive(numbers, grown, max_leaves=12),
     st.recursive(numbers, grown, max_leaves=12),
