@@ -11,7 +11,8 @@ What uses them:
 
 Robot           what an environment asks of a robot: reset, act, readings, scene, close (robot.py)
 CellRobot       the robot of the paper's worked example, the shortest one (cell_robot.py)
-MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
+WheeledBase     a Pioneer 3-DX with eight lasers: its arena, and how it looks (wheeled_base.py)
+MobileBase      the same, moved by pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 KinematicRobot  a robot of geometry alone, compiled (engines/kinematic/)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)

@@ -9,19 +9,17 @@ import pymunk
 from pymunk._chipmunk import ffi
 from pymunk._chipmunk import lib as chipmunk
 
-from rlrobot_edu.robots.arenas import Place, arena_of
-from rlrobot_edu.robots.chassis import PIONEER, Chassis, laser_beams
+from rlrobot_edu.robots.arenas import Place
+from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.robots.realism import Realism
-from rlrobot_edu.robots.robot import SimulatedRobot
-from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
+from rlrobot_edu.robots.wheeled_base import WheeledBase
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
 
 # `_roll` and `_free_part`, where most of the time goes, call pymunk's library in C. For this they need private names
 # of pymunk: `_chipmunk`, `_space` and `_body`. With its public functions, which do the same to the last bit, learning
 # on wander_1k has 27 % fewer steps a second (median of 15 runs in turn: 2,820 instead of 3,640).
 
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
-TYRE_WIDTH = 0.04  # [m]
 Point = tuple[float, float]  # x, y [m]
 
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
@@ -48,7 +46,7 @@ def rays_of(chassis: Chassis) -> dict[str, Ray]:
     return rays
 
 
-class MobileBase(SimulatedRobot):
+class MobileBase(WheeledBase):
     """A body on two wheels. In free space its axle moves on the exact circular arc; along a wall it slides.
 
     The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force and a torque give it the
@@ -62,11 +60,7 @@ class MobileBase(SimulatedRobot):
     chassis: the robot's dimensions; by default those of its class
     realism: imperfections to simulate. Lag and wall friction act here, the others in `RealisticRobot`; by default there
         are none. Raises ValueError if the robot cannot have them
-    arena: where the robot is; another one counts from the next `reset` on
     """
-
-    name = "mobile_base"
-    chassis = PIONEER
 
     def __init__(
         self,
@@ -75,14 +69,10 @@ class MobileBase(SimulatedRobot):
         chassis: Chassis | None = None,
         realism: Realism | None = None,
     ) -> None:
-        super().__init__(ROBOTS[self.name])
+        super().__init__(scene, step_time, chassis)
         if realism is None:
             realism = Realism()
         realism.check(self._card, "pymunk", step_time)
-        if chassis is not None:
-            self.chassis = chassis
-        self.arena = arena_of(scene)
-        self._step_time = step_time
         self._lag = realism.lag
         self._wall_friction = realism.wall_friction
         self._rays = rays_of(self.chassis)
@@ -228,28 +218,3 @@ class MobileBase(SimulatedRobot):
             self._space._space, start, end, 0.0, _NOT_ITSELF, hit
         )
         return hit.alpha if wall else math.inf
-
-    def solids(self) -> tuple[Solid, ...]:
-        """The robot's parts, with their poses on the robot."""
-        shape, size = self.chassis.body()
-        nose_at = pose(self.chassis.radius - 0.075, 0, 0.26)
-        half = self.chassis.wheel_separation / 2
-        return (
-            Solid("robot/body", shape, size, pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), nose_at, "robot"),
-            self._wheel("robot/left_wheel", half),
-            self._wheel("robot/right_wheel", -half),
-        )
-
-    def _wheel(self, name: str, y: float) -> Solid:
-        radius = self.chassis.wheel_radius
-        place = pose(self.chassis.axle, y, radius) @ ON_ITS_SIDE
-        return Solid(name, "cylinder", (radius, TYRE_WIDTH), place, "wheel")
-
-    def scene(self) -> Scene:
-        """The arena, the robot and its laser beams at this instant."""
-        readings = self._readings
-        here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
-        robot = [solid._replace(pose=here @ solid.pose) for solid in self.solids()]
-        beams = laser_beams(readings, self.chassis)
-        return Scene((*self.arena.solids(), *robot), beams, self.arena.bounds)

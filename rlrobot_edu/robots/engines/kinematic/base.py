@@ -1,9 +1,8 @@
 """The mobile base without a physics engine: what ``engine="kinematic"`` makes of it."""
 
 import math
-from collections import namedtuple
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pymunk
@@ -14,7 +13,7 @@ from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
 from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
-from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.robots.wheeled_base import WheeledBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 
 Array = NDArray[np.float64]
@@ -67,19 +66,28 @@ def walls_of(arena: Arena) -> Array:
     return np.array(boxes).reshape(-1, 6)  # also without any wall
 
 
-# A base among walls. place, walls, near, touch and the body's arrays: see motion.py; step_time [s]; axle and inset of
-# its chassis, and the reach of its lasers [m]
-Parts = namedtuple("Parts", "place body walls near touch step_time axle inset reach")
+class Parts(NamedTuple):
+    """A base among walls; for `place`, `walls`, `near` and `touch` see motion.py."""
+
+    place: Array
+    body: Body
+    walls: Array
+    near: NDArray[np.int64]
+    touch: Array
+    step_time: float  # [s]
+    axle: float  # of the chassis [m]
+    inset: float  # of its lasers [m]
+    reach: float  # of its lasers [m]
 
 
 @compiled
 def move(base, command):
     """Drive for one control step; command: array (2,), v [m/s] and omega [rad/s]."""
-    body, v, omega = base.body, command[0], command[1]
+    body = base.body
     drive(
         base.place,
-        v,
-        omega,
+        command[0],
+        command[1],
         base.step_time,
         body.hull,
         body.radius,
@@ -92,7 +100,7 @@ def move(base, command):
 
 @compiled
 def sense(base, readings):
-    """Fill in lasers [m], x, y [m], and theta in (−π, π] [rad]; readings: array (11,)."""
+    """Fill in n lasers [m], x, y [m], and theta in (−π, π] [rad]; readings: array (n + 3,)."""
     look(base.place, base.body.rays, base.inset + base.reach, base.walls, readings)
     n = base.body.rays.shape[0]
     for k in range(n):
@@ -102,7 +110,7 @@ def sense(base, readings):
     readings[n + 2] = base.place[2]
 
 
-class KinematicBase(KinematicRobot, MobileBase):
+class KinematicBase(KinematicRobot, WheeledBase):
     """A body on two wheels that moves on exact arcs; walls push its hull away, which turns it, too.
 
     Without momentum, friction or lag. It looks like the base in pymunk.
@@ -118,28 +126,34 @@ class KinematicBase(KinematicRobot, MobileBase):
         self, scene: Place, step_time: float, chassis: Chassis | None = None
     ) -> None:
         super().__init__(scene, step_time, chassis)
+        self.reset()
 
     def _begin(self, rng: np.random.Generator) -> None:
-        chassis, (x, y, theta) = self.chassis, self.arena.start
-        self._start = np.array(
-            [
-                x + chassis.axle * math.cos(theta),
-                y + chassis.axle * math.sin(theta),
-                theta,
-            ]
-        )
-        walls, self._built = walls_of(self.arena), self.arena
+        chassis = self.chassis
+        x, y, theta = self.arena.start
+        self._start = np.array([*chassis.axle_at(x, y, theta), theta])
+        self._arena_of_parts = self.arena
+        walls = walls_of(self.arena)
         self.parts = Parts(
-            self._start.copy(), Body.of(chassis), walls, np.empty(len(walls), np.int64), np.empty(7), self._step_time,
-            chassis.axle, chassis.inset, LASER_RANGE,
-        )  # fmt: skip
+            place=self._start.copy(),
+            body=Body.of(chassis),
+            walls=walls,
+            near=np.empty(len(walls), np.int64),
+            touch=np.empty(7),
+            step_time=self._step_time,
+            axle=chassis.axle,
+            inset=chassis.inset,
+            reach=LASER_RANGE,
+        )
 
     def start(self) -> Array | None:
-        """The place at which each episode begins, array (3,); None if another arena counts from the next one on."""
-        return self._start if self.arena is self._built else None
+        """The place at which each episode begins, array (3,).
 
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__  # arrays and numbers alone
+        None once `arena` has been replaced: the next episode begins elsewhere.
+        """
+        if self.arena is not self._arena_of_parts:
+            return None
+        return self._start
 
     def command_array(self, command: Mapping[str, float]) -> Array:
         """Speed ahead [m/s] and turning to the left [rad/s], array (2,)."""

@@ -15,24 +15,33 @@ SUBSTEP = 0.05  # longest piece of a motion along a wall [s]
 CLEARANCE = 1e-6  # how far from a wall the hull is put [m]
 ROUNDS = 8  # of pushing, for a hull between several walls
 
+# `touch`, array (7,): where a wall meets the hull, as the robot sees it
+PUSH_X = 0  # the direction in which the wall pushes, a unit vector
+PUSH_Y = 1
+NEAREST_X = 2  # the point of contact that is deepest inside [m]
+NEAREST_Y = 3
+NEXT_X = 4  # the next deepest [m]
+NEXT_Y = 5
+NEXT_GAP = 6  # its gap to the wall or the hull [m], below 0 inside
+
 
 @compiled
 def sine(x):
-    """sin x to 15 digits, from its Taylor series, x − x³/3! + …, about the nearest multiple of π.
+    """sin x, from its Taylor series, x − x³/3! + …, about the nearest multiple of π.
 
-    The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
+    For |x| up to some hundreds it is right to 15 digits. The sines of C, of numba and of browsers differ in their last
+    bits, so with them one seed would give another run on another platform.
     """
-    turns = math.floor(
-        x * (1 / math.pi) + 0.5
-    )  # here and below products, for quotients take several times as long
-    x -= turns * math.pi
+    # Products instead of quotients, here and below: they take a fraction of the time
+    half_turns = math.floor(x * (1 / math.pi) + 0.5)
+    x -= half_turns * math.pi
     y = x * x
     end = 1 / 6227020800 - y * (
         1 / 1307674368000 - y * (1 / 355687428096000 - y * (1 / 121645100408832000))
     )
     end = 1 / 5040 - y * (1 / 362880 - y * (1 / 39916800 - y * end))
     x *= 1 - y * (1 / 6 - y * (1 / 120 - y * end))
-    return x if turns % 2 == 0 else -x
+    return x if half_turns % 2 == 0 else -x
 
 
 @compiled
@@ -43,22 +52,25 @@ def cosine(x):
 
 @compiled
 def follow_arc(place, v, omega, seconds):
-    """Drive at v [m/s] while turning to the left at omega [rad/s]: an arc, whose chord points half a turn to the left.
+    """Drive at v [m/s] while turning to the left at omega [rad/s] for some seconds; changes `place`.
 
-    The chord of an arc is sin(turn/2) / (turn/2) times as long as the arc. `place` is changed where it stands.
+    The path is an arc that turns by t = omega * seconds. Its chord is sin(t/2) / (t/2) times as long as the arc, and
+    points t/2 to the left of the heading at the beginning.
     """
-    half_turn, chord = omega * seconds / 2, v * seconds
-    if half_turn != 0.0:
-        chord *= sine(half_turn) / half_turn
-    place[0] += chord * cosine(place[2] + half_turn)
-    place[1] += chord * sine(place[2] + half_turn)
-    place[2] += 2 * half_turn
+    half = omega * seconds / 2
+    chord = v * seconds
+    if half != 0.0:
+        chord *= sine(half) / half
+    place[0] += chord * cosine(place[2] + half)
+    place[1] += chord * sine(place[2] + half)
+    place[2] += 2 * half
 
 
 @compiled
 def is_near(place, reach, walls, i):
     """Whether wall i is nearer to the axle than `reach` [m]."""
-    dx, dy = place[0] - walls[i, 0], place[1] - walls[i, 1]
+    dx = place[0] - walls[i, 0]
+    dy = place[1] - walls[i, 1]
     along = max(abs(dx * walls[i, 4] + dy * walls[i, 5]) - walls[i, 2], 0.0)
     across = max(abs(dy * walls[i, 4] - dx * walls[i, 5]) - walls[i, 3], 0.0)
     return along * along + across * across < reach * reach
@@ -79,141 +91,157 @@ def walls_within(place, reach, walls, near):
 def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
     """Gap between the hull and wall i along the axis that separates them most [m]; below 0: how deep it is inside.
 
-    Never more than their distance (separating axes). An axis with a gap of `enough` will do, then it ends sooner. If
-    not, `touch`, array (7,), becomes what the wall would push, as the robot sees it: the direction x, y; the point that
-    is nearest, x, y; the one next to it, x, y, and its gap. cos, sin: of the robot's heading
+    The gap is never more than their distance (separating axis theorem). As soon as an axis shows a gap of `enough`, it
+    is returned. Otherwise `touch` becomes where the wall meets the hull. cos, sin: of the robot's heading
     """
-    dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
-    x, y = (
-        dx * cos + dy * sin,
-        dy * cos - dx * sin,
-    )  # the wall as the robot sees it: its centre, its length's direction
-    ux, uy = (
-        walls[i, 4] * cos + walls[i, 5] * sin,
-        walls[i, 5] * cos - walls[i, 4] * sin,
-    )
-    length, thickness = walls[i, 2], walls[i, 3]
-    left, right, low, high = (
-        math.inf,
-        -math.inf,
-        math.inf,
-        -math.inf,
-    )  # how far the hull reaches, as the wall sees it
+    # The wall as the robot sees it: its centre (x, y) and the direction of its length (ux, uy)
+    dx = walls[i, 0] - place[0]
+    dy = walls[i, 1] - place[1]
+    x = dx * cos + dy * sin
+    y = dy * cos - dx * sin
+    ux = walls[i, 4] * cos + walls[i, 5] * sin
+    uy = walls[i, 5] * cos - walls[i, 4] * sin
+    half_length = walls[i, 2]
+    half_thickness = walls[i, 3]
+
+    # How far the hull reaches, as the wall sees it
+    left = math.inf
+    right = -math.inf
+    low = math.inf
+    high = -math.inf
     for k in range(hull.shape[0]):
-        dx, dy = hull[k, 0] - x, hull[k, 1] - y
-        along, across = dx * ux + dy * uy, dy * ux - dx * uy
-        left, right, low, high = (
-            min(left, along),
-            max(right, along),
-            min(low, across),
-            max(high, across),
-        )
-    off_end, off_face = max(left, -right) - length, max(low, -high) - thickness
-    widest, side = max(off_end, off_face), -1
+        dx = hull[k, 0] - x
+        dy = hull[k, 1] - y
+        along = dx * ux + dy * uy
+        across = dy * ux - dx * uy
+        left = min(left, along)
+        right = max(right, along)
+        low = min(low, across)
+        high = max(high, across)
+    off_end = max(left, -right) - half_length
+    off_face = max(low, -high) - half_thickness
+    widest = max(off_end, off_face)
     if widest >= enough:
         return widest
-    for k in range(
-        hull.shape[0]
-    ):  # the sides of the hull: how far ahead of each the wall begins
-        nx, ny = hull[k, 2], hull[k, 3]
+
+    # The sides of the hull: how far ahead of each the wall begins. If gaps are equal, the hull's first side is taken.
+    side = -1
+    for k in range(hull.shape[0]):
+        nx = hull[k, 2]
+        ny = hull[k, 3]
         gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1])  # to the centre of the wall
         if gap >= widest:
-            gap = (
-                gap
-                - abs(nx * ux + ny * uy) * length
-                - abs(ny * ux - nx * uy) * thickness
-            )
+            along = abs(nx * ux + ny * uy) * half_length
+            across = abs(ny * ux - nx * uy) * half_thickness
+            gap = gap - along - across
             if gap > widest or (gap == widest and side < 0):
                 if gap >= enough:
                     return gap
-                widest, side = gap, k
+                widest = gap
+                side = k
+
     if side >= 0:
-        touch_side(hull, side, widest, x, y, ux, uy, length, thickness, touch)
+        touch_side(hull, side, widest, x, y, ux, uy, half_length, half_thickness, touch)
     elif off_end >= off_face:
         ahead = 1.0 if left >= -right else -1.0
-        touch_corner(hull, x, y, ahead * ux, ahead * uy, length, touch)
+        touch_corner(hull, x, y, ahead * ux, ahead * uy, half_length, touch)
     else:
         ahead = 1.0 if low >= -high else -1.0
-        touch_corner(hull, x, y, -ahead * uy, ahead * ux, thickness, touch)
+        touch_corner(hull, x, y, -ahead * uy, ahead * ux, half_thickness, touch)
     return widest
 
 
 @compiled
-def touch_side(hull, k, gap, x, y, ux, uy, length, thickness, touch):
-    """Let `touch` tell where a wall (its centre, its length's direction, half its sides) meets side k of the hull."""
-    nx, ny = hull[k, 2], hull[k, 3]
-    along, across = nx * ux + ny * uy, ny * ux - nx * uy
-    touch[0], touch[1] = -nx, -ny
-    a, b = (
-        (-length if along > 0.0 else length),
-        (-thickness if across > 0.0 else thickness),
-    )
-    touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
-    if abs(along) * length < abs(across) * thickness:
-        a, touch[6] = -a, gap + 2 * abs(along) * length
+def touch_side(hull, k, gap, x, y, ux, uy, half_length, half_thickness, touch):
+    """Fill `touch` where a wall, given by its centre, direction and half sizes, meets side k of the hull."""
+    nx = hull[k, 2]
+    ny = hull[k, 3]
+    touch[PUSH_X] = -nx
+    touch[PUSH_Y] = -ny
+    # The corner of the wall that is deepest: a along the wall and b across it, from its centre
+    along = nx * ux + ny * uy
+    across = ny * ux - nx * uy
+    a = -half_length if along > 0.0 else half_length
+    b = -half_thickness if across > 0.0 else half_thickness
+    touch[NEAREST_X] = x + a * ux - b * uy
+    touch[NEAREST_Y] = y + a * uy + b * ux
+    # The next deepest is at the other end of the side that is more nearly parallel to the hull's
+    if abs(along) * half_length < abs(across) * half_thickness:
+        a = -a
+        touch[NEXT_GAP] = gap + 2 * abs(along) * half_length
     else:
-        b, touch[6] = -b, gap + 2 * abs(across) * thickness
-    touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+        b = -b
+        touch[NEXT_GAP] = gap + 2 * abs(across) * half_thickness
+    touch[NEXT_X] = x + a * ux - b * uy
+    touch[NEXT_Y] = y + a * uy + b * ux
 
 
 @compiled
 def touch_corner(hull, x, y, nx, ny, half, touch):
-    """Let `touch` tell which corners of the hull meet a side of a wall, `half` from its centre; (nx, ny): normal."""
-    gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
+    """Fill `touch` where corners of the hull meet a side of a wall, `half` from its centre; (nx, ny): its normal."""
+    gap = math.inf
+    next_gap = math.inf
+    nearest = 0
+    next_nearest = 0
     for k in range(hull.shape[0]):
         outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
         if outside < gap:
-            gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
+            next_gap = gap
+            next_nearest = nearest
+            gap = outside
+            nearest = k
         elif outside < next_gap:
-            next_gap, next_nearest = outside, k
-    touch[0], touch[1] = nx, ny
-    touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
-    touch[4], touch[5], touch[6] = (
-        hull[next_nearest, 0],
-        hull[next_nearest, 1],
-        next_gap,
-    )
+            next_gap = outside
+            next_nearest = k
+    touch[PUSH_X] = nx
+    touch[PUSH_Y] = ny
+    touch[NEAREST_X] = hull[nearest, 0]
+    touch[NEAREST_Y] = hull[nearest, 1]
+    touch[NEXT_X] = hull[next_nearest, 0]
+    touch[NEXT_Y] = hull[next_nearest, 1]
+    touch[NEXT_GAP] = next_gap
 
 
 @compiled
 def push(place, cos, sin, gap, moment, touch):
-    """Push the hull, a plate that lies loosely, out of the wall that `touch` tells of: at one point, or at two.
+    """Push the hull, a plate that lies loosely, out of the wall that `touch` describes: at one point, or at two.
 
     A push by p at a point whose lever is l moves the plate by p and turns it by p l / moment, so that another point,
     whose lever is k, moves out by p (1 + k l / moment). Two points that shall end on the wall: two such equations.
     """
-    nx, ny = touch[0], touch[1]
-    first, second = (
-        touch[2] * ny - touch[3] * nx,
-        touch[4] * ny - touch[5] * nx,
-    )  # levers
-    depth, next_depth = CLEARANCE - gap, CLEARANCE - touch[6]
-    one, both, two = (
-        1.0 + first * first / moment,
-        1.0 + first * second / moment,
-        1.0 + second * second / moment,
-    )
-    p, q = depth / one, 0.0
+    nx = touch[PUSH_X]
+    ny = touch[PUSH_Y]
+    lever = touch[NEAREST_X] * ny - touch[NEAREST_Y] * nx
+    next_lever = touch[NEXT_X] * ny - touch[NEXT_Y] * nx
+    depth = CLEARANCE - gap
+    next_depth = CLEARANCE - touch[NEXT_GAP]
+    # How far a push by 1 at one of the points moves the same one, and the other one
+    own = 1.0 + lever * lever / moment
+    both = 1.0 + lever * next_lever / moment
+    next_own = 1.0 + next_lever * next_lever / moment
+
+    p = depth / own
+    q = 0.0
     if (
         next_depth > p * both
-    ):  # pushed there alone, it would turn its next corner into the wall
-        determinant = one * two - both * both
-        p, q = (
-            (two * depth - both * next_depth) / determinant,
-            (one * next_depth - both * depth) / determinant,
-        )
+    ):  # pushed at one point, it would turn the next into the wall
+        determinant = own * next_own - both * both
+        p = (next_own * depth - both * next_depth) / determinant
+        q = (own * next_depth - both * depth) / determinant
         if p < 0.0:  # walls do not pull
-            p, q = 0.0, next_depth / two
+            p = 0.0
+            q = next_depth / next_own
     place[0] += (p + q) * (nx * cos - ny * sin)
     place[1] += (p + q) * (nx * sin + ny * cos)
-    place[2] += (p * first + q * second) / moment
+    place[2] += (p * lever + q * next_lever) / moment
 
 
 @compiled
 def push_out(place, hull, radius, moment, walls, near, n, touch):
     """Let n walls push the hull out, one after the other, until it is free of all: the rounds that takes, or ROUNDS."""
-    cos, sin = cosine(place[2]), sine(place[2])
-    for pushes in range(ROUNDS):
+    cos = cosine(place[2])
+    sin = sine(place[2])
+    for rounds in range(ROUNDS):
         free = True
         for k in range(n):
             if is_near(place, radius, walls, near[k]):
@@ -221,9 +249,10 @@ def push_out(place, hull, radius, moment, walls, near, n, touch):
                 if gap < 0.0:
                     free = False
                     push(place, cos, sin, gap, moment, touch)
-                    cos, sin = cosine(place[2]), sine(place[2])
+                    cos = cosine(place[2])
+                    sin = sine(place[2])
         if free:
-            return pushes
+            return rounds
     return ROUNDS
 
 
@@ -236,37 +265,43 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
     near, touch: room to work in, arrays (n,) of int64 and (7,)
     """
     speed = abs(v) + abs(omega) * radius  # no point of the hull moves faster
-    n, pushes = walls_within(place, radius + 2 * speed * seconds, walls, near), 0
+    # twice as far as it drives: walls that it meets may push it further
+    n = walls_within(place, radius + 2 * speed * seconds, walls, near)
+    rounds = 0
     while seconds > 0.0 and speed > 0.0:
         free = 0.0  # how far the hull may move before it can meet a wall
-        if pushes == 0:
-            free, cos, sin = speed * seconds, cosine(place[2]), sine(place[2])
+        if rounds == 0:
+            free = speed * seconds
+            cos = cosine(place[2])
+            sin = sine(place[2])
             for k in range(n):
                 if is_near(place, radius + free, walls, near[k]):
-                    free = min(
-                        free,
-                        gap_to_wall(place, cos, sin, hull, walls, near[k], free, touch),
+                    gap = gap_to_wall(
+                        place, cos, sin, hull, walls, near[k], free, touch
                     )
+                    free = min(free, gap)
         piece = min(seconds, max(SUBSTEP, free / speed))
-        x, y, theta = place[0], place[1], place[2]
+        x = place[0]
+        y = place[1]
+        theta = place[2]
         follow_arc(place, v, omega, piece)
         seconds -= piece
-        pushes = (
-            push_out(place, hull, radius, moment, walls, near, n, touch)
-            if piece * speed > free
-            else 0
-        )
-        if pushes == ROUNDS:  # wedged between walls
-            place[0], place[1], place[2] = x, y, theta
-        if (
-            pushes > 0
-            and abs(place[0] - x) + abs(place[1] - y) + abs(place[2] - theta)
-            < CLEARANCE
-        ):
-            seconds = 0.0  # it stands still, and would for the rest of the time
-    place[2] = min(
-        math.pi, place[2] - 2 * math.pi * math.ceil(place[2] / (2 * math.pi) - 0.5)
-    )  # to (−π, π]
+        rounds = 0
+        if piece * speed > free:
+            rounds = push_out(place, hull, radius, moment, walls, near, n, touch)
+        if rounds == ROUNDS:  # wedged between walls
+            place[0] = x
+            place[1] = y
+            place[2] = theta
+        if rounds > 0:
+            change = abs(place[0] - x) + abs(place[1] - y) + abs(place[2] - theta)
+            if (
+                change < CLEARANCE
+            ):  # it stands still, and would for the rest of the time
+                break
+    # the heading in (−π, π]
+    whole_turns = math.ceil(place[2] / (2 * math.pi) - 0.5)
+    place[2] = min(math.pi, place[2] - 2 * math.pi * whole_turns)
 
 
 @compiled
@@ -275,17 +310,27 @@ def ray_to_wall(x, y, dx, dy, walls, i):
 
     Between the lines of two parallel sides lies a part of the ray; it is in the wall where both such parts overlap.
     """
-    x, y = x - walls[i, 0], y - walls[i, 1]
-    enter, leave = 0.0, math.inf
-    ux, uy, half, other = walls[i, 4], walls[i, 5], walls[i, 2], walls[i, 3]
+    x = x - walls[i, 0]
+    y = y - walls[i, 1]
+    enter = 0.0
+    leave = math.inf
+    ux = walls[i, 4]
+    uy = walls[i, 5]
+    half = walls[i, 2]
+    other_half = walls[i, 3]
     for _ in range(2):
-        start, ahead = x * ux + y * uy, dx * ux + dy * uy
+        start = x * ux + y * uy
+        ahead = dx * ux + dy * uy
         if abs(ahead) > 1e-12:
-            one, two = (-half - start) / ahead, (half - start) / ahead
-            enter, leave = max(enter, min(one, two)), min(leave, max(one, two))
+            one = (-half - start) / ahead
+            two = (half - start) / ahead
+            enter = max(enter, min(one, two))
+            leave = min(leave, max(one, two))
         elif abs(start) > half:  # parallel to these sides, and outside
             return math.inf
-        ux, uy, half, other = -uy, ux, other, half
+        # the other two sides: a quarter of a turn to the left
+        ux, uy = -uy, ux
+        half, other_half = other_half, half
     return enter if enter <= leave else math.inf
 
 
@@ -295,22 +340,17 @@ def look(place, rays, reach, walls, lengths):
 
     rays: array (n, 4), where each begins [m] and its direction, as the robot sees them from its axle: x, y, cos, sin
     """
-    cos, sin = cosine(place[2]), sine(place[2])
+    cos = cosine(place[2])
+    sin = sine(place[2])
     for k in range(rays.shape[0]):
-        x, y = (
-            place[0] + rays[k, 0] * cos - rays[k, 1] * sin,
-            place[1] + rays[k, 0] * sin + rays[k, 1] * cos,
-        )
-        dx, dy = (
-            rays[k, 2] * cos - rays[k, 3] * sin,
-            rays[k, 2] * sin + rays[k, 3] * cos,
-        )
+        x = place[0] + rays[k, 0] * cos - rays[k, 1] * sin
+        y = place[1] + rays[k, 0] * sin + rays[k, 1] * cos
+        dx = rays[k, 2] * cos - rays[k, 3] * sin
+        dy = rays[k, 2] * sin + rays[k, 3] * cos
         lengths[k] = reach
         for i in range(walls.shape[0]):
-            to_x, to_y, size = (
-                walls[i, 0] - x,
-                walls[i, 1] - y,
-                walls[i, 2] + walls[i, 3] + CLEARANCE,
-            )
+            to_x = walls[i, 0] - x
+            to_y = walls[i, 1] - y
+            size = walls[i, 2] + walls[i, 3] + CLEARANCE
             if abs(to_x * dy - to_y * dx) < size:  # it may meet it
                 lengths[k] = min(lengths[k], ray_to_wall(x, y, dx, dy, walls, i))

@@ -2,9 +2,8 @@
 
 import math
 from abc import abstractmethod
-from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,17 +16,23 @@ from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable
 
-# What the loop is given.
-# parts, start: the robot's; place: array, where it was before the step
-# commands: array (actions, n), see `command_array`
-# numbers: array (2, n), readings before and after a step; records: the same memory, in which readings have names
-# inputs: array (n_inputs,) of INPUT; cuts: array (n_inputs, n), the cuts of each, then infinity
-# judge: (record before, record after) -> reward, NaN where the task's functions fail, and whether it is at the goal
-# at_goal: array (1,), steps at the goal without a break; rewards, goal_steps, episode_steps: the task's
-World = namedtuple(
-    "World",
-    "parts start place commands numbers records inputs cuts judge at_goal rewards goal_steps episode_steps",
-)
+
+class World(NamedTuple):
+    """What the compiled loop is given of a robot and its task."""
+
+    parts: Any  # of the robot
+    start: np.ndarray  # where each episode begins
+    place: np.ndarray  # where the robot was before the step
+    commands: np.ndarray  # (actions, n), see `command_array`
+    numbers: np.ndarray  # (2, n), the readings before and after a step
+    records: np.ndarray  # (2,), the same memory, in which readings have names
+    inputs: np.ndarray  # (n_inputs,) of INPUT
+    cuts: np.ndarray  # (n_inputs, n), the cuts of each, then infinity
+    judge: Any  # (record before, record after) -> reward, whether it is at the goal; see `judge_of`
+    at_goal: np.ndarray  # (1,), steps at the goal without a break
+    rewards: np.ndarray  # all that the task can give
+    goal_steps: int  # at the goal, which end an episode
+    episode_steps: int  # after which an episode is cut off
 
 
 class KinematicRobot(SimulatedRobot):
