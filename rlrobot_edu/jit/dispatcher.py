@@ -5,19 +5,20 @@ Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the sam
 
 import tempfile
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 numba: Any
 try:
     import numba
-except ImportError:
+except ModuleNotFoundError as missing:
+    if missing.name != "numba":
+        raise
     numba = None
 
 PACKAGE = Path(__file__).parents[1]
 IS_PLAIN = numba is None or bool(numba.config.DISABLE_JIT)
-# Kernels of these packages are tested: they are compiled as they are. All others go through own.py.
+# Kernels of these packages are compiled as they are. Those of others are first made to behave as in Python, see own.py.
 OURS = ("rlrobot_edu", "rlrobot_course")
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
@@ -26,11 +27,14 @@ def cache_folder() -> Path | None:
     """Folder of the compiled kernels, which is made; None if no place is writable."""
     # the second place is for a package that was installed where this user cannot write
     for parent in (PACKAGE / "__pycache__", Path("~/.cache/rlrobot_edu")):
-        with suppress(OSError, RuntimeError):  # RuntimeError: this user has no home
+        try:
             folder = parent.expanduser() / "kernels"
             folder.mkdir(parents=True, exist_ok=True)
             with tempfile.TemporaryFile(dir=folder):  # proves that it is writable
-                return folder
+                pass
+        except (OSError, RuntimeError):  # RuntimeError: this user has no home
+            continue
+        return folder
     return None
 
 
@@ -47,10 +51,11 @@ def compiled(kernel: Kernel) -> Kernel:
 
     The kernel is returned unchanged if there is no numba, if numba is switched off, or if it is wrapped already.
     As in Python, an index outside an array and a division by zero are errors. numba keeps what it compiles on disk if
-    the kernel's file is in `FOLDER`.
+    the kernel's file is in `FOLDER`, where building.py alone writes modules.
     """
     if IS_PLAIN or hasattr(kernel, "py_func"):
         return kernel
+    is_built = FOLDER in Path(kernel.__code__.co_filename).parents
     dispatcher = numba.njit(
         nogil=True,
         boundscheck=True,
@@ -59,6 +64,6 @@ def compiled(kernel: Kernel) -> Kernel:
         forceinline=True,
         # No kernel is called from C; without the wrapper for it, compiling takes a quarter less.
         no_cfunc_wrapper=True,
-        cache=FOLDER in Path(kernel.__code__.co_filename).parents,
+        cache=is_built,
     )(kernel)
     return cast(Kernel, dispatcher)

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_edu.jit.dispatcher import IS_PLAIN
-from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
+from rlrobot_edu.learning.parameters import SMALLEST_REDUCED_TRACE, Parameters
 
 _NUMBERS: list[Any] = [
     (p.name, p.type) for p in fields(Parameters) if p.type in (float, bool, int)
@@ -60,7 +60,9 @@ class Memory(NamedTuple):
     now: np.record
 
 
-def trace_steps(gamma: float, lam: float, threshold: float = TRACE_THRESHOLD) -> float:
+def trace_steps(
+    gamma: float, lam: float, threshold: float = SMALLEST_REDUCED_TRACE
+) -> float:
     """Number of steps after which a trace of 1 has decayed below `threshold` (paper equation 8); inf if it never does.
 
     γ = λ = 0.9 gives 21 (the bound is 21.85).

@@ -1,5 +1,6 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, get_args
@@ -8,16 +9,22 @@ import numpy as np
 
 from rlrobot_edu.checks import LARGEST_NUMBER
 
-INFINITE = float("inf")
 Traces = Literal["reduced", "full"]
 TRACES = get_args(Traces)
-R_MAX = "between 1e-100 and 1e100 (if all rewards are negative, give the magnitude of a typical one)"
-# Traces below this share of a fresh one are dropped (paper section 3)
-TRACE_THRESHOLD = 0.01
+SMALLEST_R_MAX = 1e-100
+R_MAX_DOMAIN = "between 1e-100 and 1e100 (if all rewards are negative, give the magnitude of a typical one)"
+# Traces smaller than this are dropped; a fresh one is 1.
+SMALLEST_REDUCED_TRACE = 0.01  # paper section 3
+SMALLEST_FULL_TRACE = 1e-100  # next to nothing
 
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
     return field(default=default, metadata={"domain": domain, "holds": holds})
+
+
+def _is_number(x: Any) -> bool:
+    """Whether `x` is a number; to Python True and False are some, too."""
+    return isinstance(x, int | float) and not isinstance(x, bool)
 
 
 @dataclass(frozen=True)
@@ -42,11 +49,11 @@ class Parameters:
     gamma: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(
-        1.0, "a finite number above 0", lambda x: 0 < x < INFINITE
+        1.0, "a finite number above 0", lambda x: 0 < x < math.inf
     )
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
     traces: Traces = _parameter(
-        "reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES
+        "reduced", " or ".join(TRACES), lambda x: isinstance(x, str) and x in TRACES
     )
     accumulating: bool = _parameter(
         False, "True or False", lambda x: isinstance(x, bool)
@@ -54,11 +61,13 @@ class Parameters:
     loop_evasion: bool = _parameter(
         True, "True or False", lambda x: isinstance(x, bool)
     )
-    r_max: float = _parameter(1.0, R_MAX, lambda x: 1e-100 <= x <= LARGEST_NUMBER)
+    r_max: float = _parameter(
+        1.0, R_MAX_DOMAIN, lambda x: SMALLEST_R_MAX <= x <= LARGEST_NUMBER
+    )
     planning_steps: int = _parameter(
         10,
         "a whole number from 0 to 1,000,000",
-        lambda x: type(x) is int and 0 <= x <= 1_000_000,
+        lambda x: _is_number(x) and isinstance(x, int) and 0 <= x <= 1_000_000,
     )
 
     def __post_init__(self) -> None:
@@ -69,7 +78,7 @@ class Parameters:
                 value = value.item()  # files keep Python's own numbers
                 # The dataclass is frozen: only object.__setattr__ can still set its fields.
                 object.__setattr__(self, name, value)
-            if parameter.type is float and not isinstance(value, int | float):
+            if isinstance(parameter.default, float) and not _is_number(value):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
             if not parameter.metadata["holds"](value):
                 raise ValueError(
@@ -79,10 +88,12 @@ class Parameters:
     @property
     def smallest_trace(self) -> float:
         """Smaller traces are dropped; full traces only when they have become negligible."""
-        return TRACE_THRESHOLD if self.traces == "reduced" else 1e-100
+        if self.traces == "reduced":
+            return SMALLEST_REDUCED_TRACE
+        return SMALLEST_FULL_TRACE
 
     @property
     def q_scale(self) -> float:
         """100 / Qmax, which normalises Q before a softmax (paper equations 10 and 11); 0 for γ = 1."""
-        q_max = self.r_max / (1 - self.gamma) if self.gamma < 1 else INFINITE
+        q_max = self.r_max / (1 - self.gamma) if self.gamma < 1 else math.inf
         return 100 / q_max

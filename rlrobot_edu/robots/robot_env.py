@@ -53,13 +53,14 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     Notes
     -----
-    - `engine`: the simulator of the robot; a linked robot has none
+    - `engine`: the simulator of the robot; None for a linked robot
     - `stops_at_once`: whether Ctrl-C interrupts a step, see `learn`; true for a linked robot
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
     - Reward: `task.reward` of the readings before and after the step
-    - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
+    - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row, otherwise truncated after
+      `episode_steps`
     - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in its own world
     """
 
@@ -88,21 +89,26 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if link is not None:
             simulated = {"engine": engine, "realism": realism, **options}
             for name, value in simulated.items():
-                if value:
+                if value is not None:
                     raise ValueError(f"a linked robot takes no {name}: leave it out")
             link.prepare(task)
         else:
-            self.engine = default_engine(task.robot) if engine is None else engine
+            if engine is None:
+                engine = default_engine(task.robot)
             if realism is not None:
-                realism.check(ROBOTS[task.robot], self.engine, task.step_time)
-                if self.engine == "pymunk":
+                realism.check(ROBOTS[task.robot], engine, task.step_time)
+                # lag and wall friction act within pymunk; `RealisticRobot` adds the rest
+                if engine == "pymunk":
                     options["realism"] = realism
-            self._make_robot = _maker(task, self.engine, options)
+            self._make_robot = _maker(task, engine, options)
+        self.engine = engine
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
         self.episode_step = 0
         self._at_goal = 0  # steps at the goal without a break
+        self._readings: dict[str, float] = {}
+        self._kernel_arrays: Any = None  # of the world that `kernel_world` gave last
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         n_actions = task.actions.n
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(n_actions)
@@ -162,6 +168,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
+        self.state = None  # until the start is seen: the last episode is over
         self.episode_step = 0
         self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
@@ -215,10 +222,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             None if the robot or its task has no kernels, if there are few steps, and for a class of your own, which may
             step in another way.
         """
-        robot = self.robot
-        if not isinstance(robot, KernelRobot) or type(self) is not RobotEnv:
+        if steps < WORTH_COMPILING or type(self) is not RobotEnv:
             return None
-        if steps < WORTH_COMPILING:
+        robot = self.robot
+        if not isinstance(robot, KernelRobot):
             return None
         world = robot.kernel_world(self.task, self._commands, self._at_goal)
         if world is not None:
@@ -263,6 +270,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, Info]:
         """Observation and info of these readings."""
+        self.state = None  # until it is known: after an error only `reset` helps
         try:
             self.state = self.task.states.encode(readings)
         except ValueError as error:
@@ -273,7 +281,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
 
 def default_engine(robot: str) -> Engine:
-    """The first engine on the robot's card, or ``kinematic`` if that is PyBullet, which is not installed."""
+    """The first engine on the robot's card; ``kinematic`` if the first is PyBullet and it is not installed."""
     first = next(iter(ROBOTS[robot].engines))
     if first == "pybullet" and not _has_pybullet():
         return "kinematic"
@@ -306,13 +314,12 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         raise ValueError(
             f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}"
         )
-    module, name = engines[engine].split(":")
-    robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
-    its_own = list(signature(robot_class.__init__).parameters)
-    for name in ("self", "scene", "step_time", "realism"):
-        if name in its_own:
-            its_own.remove(name)
-    settings = ["engine", "realism", "render_mode", "link", *its_own]
+    module, class_name = engines[engine].split(":")
+    robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), class_name)
+    settings = ["engine", "realism", "render_mode", "link"]
+    for parameter in signature(robot_class).parameters:
+        if parameter not in ("scene", "step_time", "realism"):
+            settings.append(parameter)
     for option in options:
         check_name(option, settings, "setting", repr(task.robot))
     return partial(robot_class, task.scene, task.step_time, **options)

@@ -1,13 +1,13 @@
-"""What all views of a robot's scenes share, from above or in 3D: the scenes, the path, a description in words."""
+"""What all views of a robot share, from above or in 3D: its scenes, its path, a sentence about them."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
-from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.robots.scene import Scene, Solid
 
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
@@ -24,7 +24,11 @@ def robot_of(env: Env) -> Robot:
 
 def as_scenes(scenes: Scenes) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
-    several = [scenes] if isinstance(scenes, Scene) else list(scenes)
+    several = []
+    if isinstance(scenes, Scene):
+        several = [scenes]
+    elif isinstance(scenes, Iterable):
+        several = list(scenes)
     if not several or not all(isinstance(scene, Scene) for scene in several):
         raise ValueError(
             "a picture needs one scene or several: give it env.unwrapped.robot.scene()"
@@ -32,28 +36,32 @@ def as_scenes(scenes: Scenes) -> list[Scene]:
     return several
 
 
+def body_of(scene: Scene) -> Solid | None:
+    """The part of a robot that its path follows: of an arm its gripper. None if the scene has no robot."""
+    for solid in scene.solids:
+        if solid.name == "robot/body":
+            return solid
+    return None
+
+
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:
-    """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
-    places = []
-    for scene in scenes:
-        for solid in scene.solids:
-            if solid.name == "robot/body":
-                places.append(solid.pose[:3, 3])
+    """Where the robot's body was in each scene that has one; array (n, 3) [m]."""
+    bodies = map(body_of, scenes)
+    places = [body.pose[:3, 3] for body in bodies if body is not None]
     return np.reshape(places, (-1, 3))
 
 
 def describe(scene: Scene) -> str:
     """The scene in one sentence, for readers who hear a page instead of seeing it."""
     x_min, y_min, x_max, y_max = scene.bounds
-    is_arm = any(solid.name == "robot/upper_arm" for solid in scene.solids)
-    if is_arm:
-        place, mover, digits = "table", "gripper", 2
-    else:
-        place, mover, digits = "room", "robot", 1
-    text = f"A {place} of {x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
-    for solid in scene.solids:
-        if solid.name == "robot/body":
-            yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
-            x, y = solid.pose[:2, 3]
-            text += f", the {mover} at x = {x:.{digits}f}, y = {y:.{digits}f}, heading {yaw:.0f} degrees"
-    return text + "."
+    size = f"{x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
+    body = body_of(scene)
+    if body is None:
+        return f"A room of {size}."
+    x, y = body.pose[:2, 3]
+    yaw = math.degrees(math.atan2(body.pose[1, 0], body.pose[0, 0]))
+    parts = {solid.name for solid in scene.solids}
+    if "robot/upper_arm" in parts and "robot/left_wheel" not in parts:
+        # an arm that is fixed to a table
+        return f"A table of {size}, the gripper at x = {x:.2f}, y = {y:.2f}, heading {yaw:.0f} degrees."
+    return f"A room of {size}, the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees."

@@ -19,7 +19,7 @@ from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.show.describe import path_of
 from rlrobot_edu.widgets.playground.worlds import cells_world
 from rlrobot_edu.widgets.stepper.code_view import code_html
-from rlrobot_edu.widgets.stepper.colours import STRONGEST, largest, tint
+from rlrobot_edu.widgets.stepper.colours import STRONGEST, scale_limit, tint
 from rlrobot_edu.widgets.stepper.environment_view import view_of
 from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
 from rlrobot_edu.widgets.stepper.names import Names
@@ -216,7 +216,7 @@ def test_only_what_fits_is_shown_and_the_heading_says_so():
 def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method):
     stepper = stepper_of(method=method, at=12)
     tape, panes = stepper._tape, view(stepper)
-    most, said = largest(tape.q, tape.agent.parameters.r_max), {}
+    most, said = scale_limit(tape.q, tape.agent.parameters.r_max), {}
     for place, background in re.findall(
         r'<span class="to-(\w+)" title="[^"]*" style="background:(.*?)">', panes
     ):
@@ -305,7 +305,9 @@ def test_zero_has_no_colour_whatever_else_there_is_and_a_small_loss_is_seen_besi
         assert tint(0.0, most)[1] == 0.0 and tint(most, most)[1] == STRONGEST
     (loss, little), (gain, much) = tint(-0.87, 50), tint(25, 50)
     assert loss != gain and 0.15 < little < much
-    assert [largest(np.array([[-x, x / 2]]), 1.0) for x in (0.1, 1.5, 13, 26, 99)] == [
+    assert [
+        scale_limit(np.array([[-x, x / 2]]), 1.0) for x in (0.1, 1.5, 13, 26, 99)
+    ] == [
         1,
         2,
         20,

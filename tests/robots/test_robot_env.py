@@ -110,6 +110,21 @@ def test_a_reading_out_of_range_is_reported_with_the_task_file_and_the_sensor(
     assert str(report.value).startswith(str(my_task))
 
 
+@pytest.mark.parametrize("fails", ["reset", "act"])
+def test_after_a_reading_out_of_range_only_a_reset_helps(my_task, fails, monkeypatch):
+    env = rl.make_env(my_task)
+    env.reset()
+    env.step(0)
+    with monkeypatch.context() as broken:
+        broken.setattr(env.robot, fails, lambda _: {"laser_front": -1.0})
+        with pytest.raises(ValueError, match="laser_front"):
+            env.reset() if fails == "reset" else env.step(0)
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        env.step(0)
+    env.reset()
+    env.step(0)
+
+
 @pytest.mark.parametrize("speed", ["9", "'fast'", "v['sped']"])
 def test_a_task_whose_command_the_robot_cannot_carry_out_is_refused_with_its_file(
     my_task, speed

@@ -348,6 +348,8 @@ def test_a_link_needs_an_environment_and_an_environment_no_engine():
         "engine": "pymunk",
         "realism": rl.Realism(laser_noise=0.1),
         "lag": 0.1,
+        "chassis": 0,
+        "colour": "",
     }.items():
         with pytest.raises(ValueError, match=f"takes no {name}: leave it out"):
             rl.make_env("giraff_wander_simple", link=link, **{name: value})

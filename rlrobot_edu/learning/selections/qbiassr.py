@@ -11,15 +11,17 @@ def compute_bias(q, shape, s, bias):
 
     .. math:: bias(s) = \frac{1}{n} \sum_{i=1}^{n} \operatorname{mean}_{s'' \in SS(s, x_i)} Q(s'')
 
-    With q seen as an array (bins of each input …, A), each mean runs along one axis, so no table of sets is needed:
-    the members of SS(s, x_i) are one stride apart. `shape`: array (n,), bins of each input.
-    Source: paper algorithm 2.
+    SS(s, x_i) are the states that differ from s at most in input i. With q seen as an array of n + 1 axes (the bins of
+    input 1, …, the bins of input n, the actions), each mean runs along one axis: these states are one stride apart, and
+    no table of sets is needed. `shape`: array (n,), bins of each input. Source: paper algorithm 2.
     """
     bias[:] = 0.0
-    stride, rest = q.shape[0], s
+    stride = q.shape[0]
+    rest = s
     for i in range(shape.shape[0]):
         stride //= shape[i]
-        first = s - rest // stride * stride  # the sibling whose input i is in bin 0
+        bin_of_s = rest // stride
+        first = s - bin_of_s * stride  # the state of SS whose input i is in bin 0
         rest %= stride
         weight = 1.0 / (shape[i] * shape.shape[0])
         for k in range(shape[i]):
@@ -34,11 +36,13 @@ def biased_softmax_regression(m, s):
 
     `m` is the agent's memory, see memory.py. Source: paper equations 9 to 11 and algorithm 2.
     """
-    q, bias, p = m.q, m.bias, m.probabilities
+    q = m.q
+    bias = m.bias
+    p = m.probabilities
     compute_bias(q, m.shape, s, bias)
     for a in range(q.shape[1]):
         p[a] = (q[s, a] + bias[a]) * m.parameters.q_scale
-    softmax(p, m.now.temperature, p)
+    softmax(p, m.now.temperature, p)  # in place
 
 
 QBIASSR = Selection(

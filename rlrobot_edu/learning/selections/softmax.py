@@ -12,7 +12,7 @@ def softmax(x, temperature, p):
 
     .. math:: P(a) = \frac{e^{x(a) / T}}{\sum_i e^{x(a_i) / T}}
 
-    The largest x is subtracted first, which changes no probability and lets no exponential overflow.
+    The largest x is subtracted first, which changes no probability and lets no exponential overflow. `p` may be `x`.
     Source: paper equation 5; Sutton & Barto, equation 2.11, without a temperature.
     """
     x_max, total = x[0], 0.0

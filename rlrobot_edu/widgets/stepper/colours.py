@@ -1,4 +1,4 @@
-"""The colours of values: blue above 0, vermilion below, and nothing at 0, whatever the other values are."""
+"""The colours of values: blue above 0, vermilion below, nothing at 0; the other values decide only how strong."""
 
 from __future__ import annotations
 
@@ -14,23 +14,26 @@ FAINTEST = 0.10
 STRONGEST = 0.68
 
 
-def largest(q: np.ndarray, r_max: float) -> float:
-    """The value of the strongest colour: 1, 2 or 5 times a power of ten, no less than any |Q| and than `r_max`.
+def scale_limit(q: np.ndarray, r_max: float) -> float:
+    """The value that gets the strongest colour: the least 1, 2 or 5 × 10^k that no |Q| exceeds, nor `r_max`.
 
-    It grows in such leaps, so that a value keeps its colour from one step to the next.
+    It changes rarely, so a value mostly keeps its colour.
     """
-    most = max(float(q.max()), -float(q.min()), r_max)
-    power = 10.0 ** math.floor(math.log10(most))
-    return next(power * leap for leap in (1, 2, 5, 10) if power * leap >= most)
+    largest = max(float(q.max()), -float(q.min()), r_max)
+    power = 10.0 ** math.floor(math.log10(largest))
+    return next(power * leap for leap in (1, 2, 5, 10) if power * leap >= largest)
 
 
 @lru_cache(8192)
-def tint(x: float, most: float) -> tuple[str, float]:
-    """Colour and opacity of the value `x`. They depend on its root, so that −0.9 can be seen next to 25."""
+def tint(x: float, limit: float) -> tuple[str, float]:
+    """Colour and opacity of the value `x`, at its strongest from `limit` on.
+
+    Opacity grows with the square root of |x|, so that −0.9 can be seen next to 25.
+    """
     if x == 0:
         return BLUE, 0.0
     colour = BLUE if x > 0 else VERMILION
-    strength = math.sqrt(min(abs(x) / most, 1.0))
+    strength = math.sqrt(min(abs(x) / limit, 1.0))
     opacity = FAINTEST + (STRONGEST - FAINTEST) * strength
     return colour, round(opacity, 2)
 

@@ -14,7 +14,7 @@ from rlrobot_edu.show.describe import path_of
 from rlrobot_edu.show.palette import GREY, ROLE
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
 from rlrobot_edu.widgets.stepper.cell_values import CellValues, Mark
-from rlrobot_edu.widgets.stepper.colours import largest, tint
+from rlrobot_edu.widgets.stepper.colours import scale_limit, tint
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.tape import PATH, Tape
 
@@ -98,7 +98,7 @@ class RobotView:
             centre = line[0]
             shorter = centre + SHORT * (line - centre)
             view.heading.set_data(shorter[:, 0], shorter[:, 1])
-        most = largest(tape.q, tape.agent.parameters.r_max)
+        most = scale_limit(tape.q, tape.agent.parameters.r_max)
         for mark in marks:
             _draw_mark(ax, mark, most)
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.show.picture import plain
-from rlrobot_edu.widgets.stepper.colours import largest, tint, trace_tint
+from rlrobot_edu.widgets.stepper.colours import scale_limit, tint, trace_tint
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.tables import Window, traces_of
@@ -35,7 +35,7 @@ def n_rows(window: Window) -> int:
 
 def draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
     """Q with a dot where nothing was tried; what the step changed is framed and carries ▲ or ▼."""
-    most = largest(tape.q, tape.agent.parameters.r_max)
+    most = scale_limit(tape.q, tape.agent.parameters.r_max)
 
     def look(s: int, a: int) -> Look:
         value = float(tape.q[s, a])

@@ -6,10 +6,9 @@ from typing import NamedTuple
 
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
-# Of more than this, only the most recent BLOCK states and MOST_ACTIONS actions are shown.
-MOST_STATES = 48
-MOST_ACTIONS = 9
-BLOCK = 12  # rows in one block; the next block stands beside it
+MOST_STATES = 48  # of a larger table, the BLOCK states visited last are shown
+MOST_ACTIONS = 9  # of a larger table, so many are shown: the latest first, then others
+BLOCK = 12  # states that stand below each other; on the page the next block stands beside it
 
 
 class Window(NamedTuple):
@@ -26,16 +25,14 @@ class Window(NamedTuple):
         states: list[int | None] = list(range(n_states))
         actions = list(range(n_actions))
         says = []
-        if n_states <= MOST_STATES and n_actions <= MOST_ACTIONS:
-            return cls(states, actions, f"all {n_states} states")
         recent_states, recent_actions = tape.recent(BLOCK)
         if n_states > MOST_STATES:
             states = recent_states + [None] * (BLOCK - len(recent_states))
             says.append(f"the {BLOCK} states visited last, of {n_states}")
         if n_actions > MOST_ACTIONS:
             latest = [*_of_update(tape.frame), *recent_actions, *actions]
-            latest = list(dict.fromkeys(latest))
-            actions = sorted(latest[:MOST_ACTIONS])
+            each_once = list(dict.fromkeys(latest))
+            actions = sorted(each_once[:MOST_ACTIONS])
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
         return cls(states, actions, "; ".join(says) or f"all {n_states} states")
 
