@@ -1,31 +1,36 @@
 """The compiled kernels of a sample model, which draw what happens."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
+
+import numpy as np
 
 from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.models.sample_model import UNSEEN
 
-STAY, SIBLINGS = UNSEEN.index("stay"), UNSEEN.index("siblings")
+STAY = UNSEEN.index("stay")
+SIBLINGS = UNSEEN.index("siblings")
 
 
 class Tables(NamedTuple):
-    """A SampleModel in types that numba knows, without its task.
-
-    shape: array (inputs,) of int; unseen: the place of its word in UNSEEN
-    episode_steps: steps after which an episode is cut off, by the task or by a time limit
+    """A SampleModel in types that numba knows, without its task. The outcomes of pair (s, a), number s·A + a, are those
+    from offsets[pair] to offsets[pair + 1] − 1.
     """
 
-    shape: Any
+    shape: np.ndarray  # (inputs,) of int, the bins of each
     n_actions: int
-    offsets: Any
-    s_next: Any
-    r: Any
-    terminated: Any
-    cumulative: Any
-    starts: Any
-    rewards: Any
-    unseen: int
-    episode_steps: int
+    offsets: np.ndarray  # (pairs + 1,) of int
+    s_next: np.ndarray  # (outcomes,) of int
+    r: np.ndarray  # (outcomes,)
+    terminated: np.ndarray  # (outcomes,) of bool
+    cumulative: (
+        np.ndarray
+    )  # (outcomes,) of int, how often it and those before it of its pair were seen
+    starts: np.ndarray  # of int, the states in which episodes began
+    rewards: np.ndarray  # all rewards, the lowest first
+    unseen: int  # the place of its word in UNSEEN
+    episode_steps: (
+        int  # after which an episode is cut off, by the task or by a time limit
+    )
 
 
 @compiled
@@ -36,14 +41,16 @@ def draw_start(tables, u):
 
 @compiled
 def draw_from(tables, pair, number):
-    """The outcome of `pair` with this number, counting each as often as it was seen: (s', r, terminated)."""
-    offsets, cumulative = tables.offsets, tables.cumulative
-    low, high = offsets[pair], offsets[pair + 1] - 1
-    while (
-        low < high
-    ):  # bisection: the first outcome whose cumulative count exceeds the number
+    """An outcome of `pair`, which was seen: the one with this number, if each is counted as often as it was seen.
+
+    Returns (s', r, terminated). number: from 0 to times_seen − 1
+    """
+    low = tables.offsets[pair]
+    high = tables.offsets[pair + 1] - 1
+    # Bisection: the first outcome whose cumulative count exceeds the number
+    while low < high:
         middle = (low + high) // 2
-        if number < cumulative[middle]:
+        if number < tables.cumulative[middle]:
             high = middle
         else:
             low = middle + 1
@@ -62,11 +69,11 @@ def times_seen(tables, pair):
 @compiled
 def draw_from_siblings(tables, s, a, u):
     """An outcome of `a` in the states that share all inputs but one with `s`: (known, s', r, terminated)."""
-    shape, n_actions = tables.shape, tables.n_actions
+    shape = tables.shape
+    n_actions = tables.n_actions
     number = -1
-    for attempt in range(
-        2
-    ):  # first count what there is, then walk to the outcome drawn
+    # Twice the same way: first to count what there is, then up to the outcome that was drawn
+    for attempt in range(2):
         seen = 0
         stride = (tables.offsets.shape[0] - 1) // n_actions
         for i in range(shape.shape[0]):
@@ -87,7 +94,11 @@ def draw_from_siblings(tables, s, a, u):
 
 @compiled
 def draw_outcome(tables, s, a, u, v):
-    """What happens after (s, a): (s', r, terminated); `u` and `v` are independent and uniform in [0, 1)."""
+    """What happens after (s, a): (s', r, terminated); `u` and `v` are independent and uniform in [0, 1).
+
+    Of a pair that was never seen: what `unseen` says. The robot stays, with the lowest reward; or an outcome of the
+    action in similar states, if there are any; or any state and any reward.
+    """
     pair = s * tables.n_actions + a
     seen = times_seen(tables, pair)
     if seen > 0:

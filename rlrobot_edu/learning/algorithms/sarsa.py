@@ -21,4 +21,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-SARSA = Algorithm("SARSA", update)
+SARSA = Algorithm("SARSA", update, on_policy=True)

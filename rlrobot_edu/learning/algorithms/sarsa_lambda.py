@@ -27,4 +27,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-SARSA_LAMBDA = Algorithm("SL", update, has_traces=True)
+SARSA_LAMBDA = Algorithm("SL", update, on_policy=True, has_traces=True)

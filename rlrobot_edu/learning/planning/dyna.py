@@ -4,10 +4,15 @@ from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.algorithms import q_learning
 
+NO_ACTION = -1
+
 
 @compiled
 def draw_outcome(x, pair, number):
-    """The outcome of `pair` with this number, counting each as often as it was met."""
+    """The place in `x` of an outcome of `pair`: the one with this number, if each is counted as often as it was met.
+
+    The pair was tried; number: from 0 to x.tries[pair] − 1
+    """
     i = x.last_of[pair]
     while number >= x.times[i]:
         number -= x.times[i]
@@ -17,13 +22,13 @@ def draw_outcome(x, pair, number):
 
 @compiled
 def plan(m, x, s, a, n, rng):
-    r"""Imagine `n` steps: a pair that was tried, all alike; an outcome (s', r) of it, as often as it was met.
+    r"""Imagine `n` steps: draw a tried pair uniformly, then one of its outcomes (s', r) by how often it was met.
 
     .. math:: Q(s, a) \leftarrow Q(s, a) + \alpha [r + \gamma \max_{a'} Q(s', a') - Q(s, a)]
 
     Each learns as Q-learning does, whatever the agent's algorithm is: where an imagined step leads to nobody acts, so
     there is no a' to learn from. The real step's pair (s, a) is not asked for.
-    `m` is the agent's memory, see memory.py; `x` its experience, see experience.py; `n` the number of steps.
+    `m` is the agent's memory, see memory.py; `x` its experience, see experience.py: at least one pair has been tried.
     Source: Sutton 1990; Sutton & Barto, section 8.2 (Tabular Dyna-Q).
     """
     n_actions = m.q.shape[1]
@@ -36,7 +41,7 @@ def plan(m, x, s, a, n, rng):
             pair % n_actions,
             x.r[i],
             x.s_next[i],
-            -1,
+            NO_ACTION,
             x.terminated[i],
         )
 

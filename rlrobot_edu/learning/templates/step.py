@@ -1,4 +1,7 @@
-"""One step of learning: the transition goes in, the next action comes out. A template with the kernels of Q+SR.
+"""One step of learning: the transition goes in, the next action comes out.
+
+A template: it stands here for Q+SR. For another method jit/building.py puts that method's `update`,
+`compute_probabilities` and `ON_POLICY` in the place of these.
 
 The numbers `u` are drawn by the caller of the loop, one uniform number in [0, 1) for each selection.
 """
@@ -19,10 +22,11 @@ def select(m, s, u):
     """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
     compute_probabilities(m, s)
     probabilities = m.probabilities
-    below, possible = 0.0, 0
+    cumulative = 0.0
+    possible = 0
     for a in range(probabilities.shape[0]):
-        below += probabilities[a]
-        if u < below:
+        cumulative += probabilities[a]
+        if u < cumulative:
             return a
         if probabilities[a] > 0.0:
             possible = a
@@ -31,7 +35,7 @@ def select(m, s, u):
 
 @compiled
 def learn_step(m, s, a, r, s_next, terminated, u):
-    """Learn from (s, a, r, s') and select a'; returns (a', TD error).
+    """Learn from (s, a, r, s') and select a'; returns (a', TD error). At an end a' is NO_ACTION.
 
     SARSA and its relatives learn from the action they will take, so they select it first. Q-learning learns first.
     """

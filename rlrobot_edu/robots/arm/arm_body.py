@@ -1,13 +1,14 @@
 """The arm as its URDF file describes it: joints with their limits, and solids to draw. And the table that it stands at.
 
-All lengths and limits are in arm.urdf alone, which is read here without PyBullet.
+The arm's lengths and limits are in arm.urdf alone, which is read here without PyBullet.
 """
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -18,9 +19,9 @@ URDF = Path(__file__).parent / "arm.urdf"
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
 OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle [m]
-# x_min, y_min, x_max, y_max [m] of the table, whose top is the floor here (z = 0), and of the part of it that matters
+# x_min, y_min, x_max, y_max [m]. The top of the table is the floor here (z = 0)
 TABLE = (-0.10, -0.26, 0.42, 0.26)
-FIELD = (0.20, -0.16, 0.32, 0.16)
+FIELD = (0.20, -0.16, 0.32, 0.16)  # painted on the table, about the object
 
 
 class Angles(NamedTuple):
@@ -45,8 +46,8 @@ class Joint(NamedTuple):
 
 
 @cache
-def joints() -> dict[str, Joint]:
-    """The joints by name, from the foot to the gripper."""
+def joints() -> Mapping[str, Joint]:
+    """The joints by name. As the file lists them: each stands on a link that an earlier one carries."""
     found = {}
     for part in _file().iter("joint"):
         axis = np.zeros(3)  # of a joint that does not turn
@@ -57,8 +58,11 @@ def joints() -> dict[str, Joint]:
             limits = (float(limit.attrib["lower"]), float(limit.attrib["upper"]))
         parent = _one(part, "parent").attrib["link"]
         child = _one(part, "child").attrib["link"]
-        found[part.attrib["name"]] = Joint(parent, child, _origin(part), axis, limits)
-    return found
+        origin = _origin(part)
+        axis.flags.writeable = False  # one joint for all callers
+        origin.flags.writeable = False
+        found[part.attrib["name"]] = Joint(parent, child, origin, axis, limits)
+    return MappingProxyType(found)
 
 
 def link_poses(angles: Angles) -> dict[str, np.ndarray]:
@@ -81,11 +85,11 @@ def solids_of(angles: Angles) -> list[Solid]:
 
 
 def readings_of(
-    gripper: Iterable[float], thing: Iterable[float], angles: Angles
+    gripper_place: Iterable[float], object_place: Iterable[float], angles: Angles
 ) -> dict[str, float]:
     """The readings of an arm: x, y, z of gripper and object [m], and the angles of the joints [rad]."""
     readings = {}
-    for name, place in {"gripper": gripper, "object": thing}.items():
+    for name, place in {"gripper": gripper_place, "object": object_place}.items():
         for axis, coordinate in zip("xyz", place, strict=True):
             readings[f"{name}_{axis}"] = float(coordinate)
     return readings | angles._asdict()
@@ -97,7 +101,10 @@ def object_at(place: tuple[float, float, float]) -> Solid:
 
 
 def scene_of(arm: Sequence[Solid]) -> Scene:
-    """The table with its field, the object, and the arm, whose gripper leaves the path."""
+    """The table with its field, the object, and the arm.
+
+    Its gripper becomes ``robot/body``, because viewers draw the path of that.
+    """
     parts = []
     for solid in arm:
         if solid.name == "robot/gripper":
@@ -144,7 +151,11 @@ def _solid(name: str, visual: ET.Element) -> Solid:
 
 
 def _one(part: ET.Element, tag: str) -> ET.Element:
-    return next(part.iter(tag))
+    """The element of this kind in `part`. Raises ValueError if there is none."""
+    found = part.find(tag)
+    if found is None:
+        raise ValueError(f"{URDF}: a {part.tag} has no {tag}")
+    return found
 
 
 def _numbers(text: str) -> np.ndarray:
@@ -168,5 +179,5 @@ def _turn(axis: np.ndarray, angle: float) -> np.ndarray:
     x, y, z = axis
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     matrix = np.eye(4)
-    matrix[:3, :3] += math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+    matrix[:3, :3] += math.sin(angle) * cross + ((1 - math.cos(angle)) * cross) @ cross
     return matrix
