@@ -1,6 +1,7 @@
 """The loop in which an agent and its world take turns, step by step."""
 
 import time
+import warnings
 from collections.abc import Iterator
 from copy import copy
 from typing import Any, NamedTuple
@@ -19,7 +20,13 @@ from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.resume import ResumePoint, begin_walk, is_at, place_of
-from rlrobot_edu.learning.size import OLD_GYM, Env, Size
+from rlrobot_edu.learning.size import (
+    OLD_GYM,
+    Env,
+    Size,
+    longest_episode,
+    rewards_of,
+)
 from rlrobot_edu.learning.transitions import Transitions
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
@@ -267,6 +274,7 @@ def learn(
         ) from None
     seconds = time.perf_counter() - start
     log = log.part(slice(n_done))
+    _warn_of_other_rewards(env, log.r)
     if not keep:
         log = log.without_states()
     return History(
@@ -279,11 +287,27 @@ def learn(
     )
 
 
+def _warn_of_other_rewards(env: Env, rewards: NDArray[np.float64]) -> None:
+    """Say so if a wrapper paid what the world within it never pays: then Rmax may be another one."""
+    known = rewards_of(env)
+    # A single one is the largest, not all of them.
+    if not isinstance(env, gymnasium.Wrapper) or len(known) < 2:
+        return
+    others = np.setdiff1d(rewards, known)
+    if len(others):
+        warnings.warn(
+            f"{env} paid {others[-1]:g}, which is none of the rewards {known!s:.200} that it wraps; "
+            f"so {max(known):g} may not be the largest: give the wrapper an attribute r_max, "
+            "the largest reward, and make the agent anew",
+            stacklevel=3,
+        )
+
+
 def _longest(env: Env, episodes: int | None) -> int:
     """The steps that so many episodes may take. Raises ValueError if their number is not given."""
     if episodes is None:
         raise ValueError("give steps= or episodes=: how long it takes")
-    longest = Size.of(env).episode_steps or EPISODE_STEPS
+    longest = longest_episode(env) or EPISODE_STEPS
     return min(episodes * longest, MOST_STEPS)
 
 
