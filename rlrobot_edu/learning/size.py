@@ -129,7 +129,7 @@ def rewards_of(env: Env) -> tuple[float, ...]:
         return ()
     task = getattr(env, "task", None)
     if isinstance(task, Task):
-        return task.rewards
+        return tuple(task.rewards)
     recorded = getattr(getattr(env, "model", None), "rewards", None)
     if isinstance(recorded, np.ndarray):
         return tuple(recorded.tolist())
