@@ -59,10 +59,6 @@ class Recording:
     ------
     ValueError
         If a row is impossible: the message names the first one and what was expected there.
-
-    Notes
-    -----
-    The file does not say whether the very last step was truncated: in a recording that was read it never is.
     """
 
     def __init__(
