@@ -71,6 +71,8 @@ def compare(
         Cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work.
     store : str or Path, optional
         A folder that keeps every finished repetition; the same call goes on from there, or with more of them.
+        Another world, method or parameter is refused there, also changed code. What a world reads elsewhere, such as
+        a file, cannot be noticed: if that has changed, give another folder.
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional

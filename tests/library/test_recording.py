@@ -1172,3 +1172,18 @@ def test_a_lone_csv_file_is_read_with_its_task_and_columns_without_a_name_are_le
     assert "with task=" in refusal(saved, FileNotFoundError)
     alone = rl.read_recording(saved / "transitions.csv", task=TASK)
     assert same(alone, recording)
+
+
+def test_two_columns_of_the_same_name_are_refused_however_they_are_given():
+    columns = {"s": [0], "a": [0], "r": [10], "s_next": [0], 1: [0], "1": [1]}
+    row = {name: cells[0] for name, cells in columns.items()}
+
+    class Frame:  # as a data frame with a name that stands twice
+        columns = ("s", "a", "r", "s")
+
+        def __getitem__(self, name):
+            return [0]
+
+    for rows, name in ((columns, "1"), ([row], "1"), (Frame(), "s")):
+        with pytest.raises(ValueError, match=f"rows: '{name}' stands twice"):
+            rl.Recording.from_rows(rows, "wander_simple")
