@@ -1,7 +1,6 @@
 """The loop in which an agent and its world take turns, step by step."""
 
 import time
-import warnings
 from collections.abc import Iterator
 from copy import copy
 from typing import Any, NamedTuple
@@ -26,7 +25,7 @@ from rlrobot_edu.learning.size import (
     Env,
     Size,
     longest_episode,
-    rewards_of,
+    warn_of_other_rewards,
 )
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -282,7 +281,7 @@ def learn(
     seconds = time.perf_counter() - start
     log = log.part(slice(n_done))
     values.check(agent.largest_q, np.abs(log.r).max(initial=0.0), n_done)
-    _warn_of_other_rewards(env, log.r)
+    warn_of_other_rewards(env, log.r)
     if not keep:
         log = log.without_states()
     return History(
@@ -293,22 +292,6 @@ def learn(
         size=size,
         before=before,
     )
-
-
-def _warn_of_other_rewards(env: Env, rewards: NDArray[np.float64]) -> None:
-    """Say so if a wrapper paid what the world within it never pays: then Rmax may be another one."""
-    known = rewards_of(env)
-    # A single one is the largest, not all of them.
-    if not isinstance(env, gymnasium.Wrapper) or len(known) < 2:
-        return
-    others = np.setdiff1d(rewards, known)
-    if len(others):
-        warnings.warn(
-            f"{env} paid {others[-1]:g}, which is none of the rewards {known!s:.200} that it wraps; "
-            f"so {max(known):g} may not be the largest: give the wrapper an attribute r_max, "
-            "the largest reward, and make the agent anew",
-            stacklevel=3,
-        )
 
 
 def _longest(env: Env, episodes: int | None) -> int:

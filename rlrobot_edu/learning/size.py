@@ -1,6 +1,7 @@
 """What an agent must know about a world: how many states and actions it has, and its largest reward."""
 
 import math
+import warnings
 from copy import copy
 from numbers import Real
 from typing import Any, NamedTuple
@@ -8,6 +9,7 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
+from numpy.typing import NDArray
 
 from rlrobot_edu.checks import (
     LARGEST_NUMBER,
@@ -148,6 +150,22 @@ def _changed(wrapper: gymnasium.RewardWrapper[Any, Any], r: float) -> float:
         raise ValueError(
             f"{wrapper} cannot change the reward {r!r:.80}: {describe_error(error)}; {advice}"
         ) from error
+
+
+def warn_of_other_rewards(env: Env, rewards: NDArray[np.float64]) -> None:
+    """Say so if a wrapper paid what the world within it never pays: then Rmax may be another one."""
+    known = rewards_of(env)
+    # A single one is the largest, not all of them.
+    if not isinstance(env, gymnasium.Wrapper) or len(known) < 2:
+        return
+    others = np.setdiff1d(rewards, known)
+    if len(others):
+        warnings.warn(
+            f"{env} paid {others[-1]:g}, which is none of the rewards {known!s:.200} that it wraps; "
+            f"so {max(known):g} may not be the largest: give the wrapper an attribute r_max, "
+            "the largest reward, and make the agent anew",
+            stacklevel=3,
+        )
 
 
 def time_limit(env: Env) -> int | None:
