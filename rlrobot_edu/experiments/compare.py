@@ -19,7 +19,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import EPISODE_STEPS, MOST_STEPS
 from rlrobot_edu.learning.methods import Method, made_of
-from rlrobot_edu.learning.size import Env, Size, can_end
+from rlrobot_edu.learning.size import Env, Size, can_end, longest_episode
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.robot_cards import Engine
@@ -71,6 +71,8 @@ def compare(
         Cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work.
     store : str or Path, optional
         A folder that keeps every finished repetition; the same call goes on from there, or with more of them.
+        Another world, method or parameter is refused there, also changed code. What a world reads elsewhere, such as
+        a file, cannot be noticed: if that has changed, give another folder.
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
@@ -199,9 +201,9 @@ def _check_share(share: object) -> None:
 
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
     """Steps of each repetition, and episodes if it has any."""
-    longest = Size.of(env).episode_steps  # after so many an episode is cut off
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
+    longest = Size.of(env).episode_steps
     if longest is not None and episodes is None:
         if steps is None:
             steps = max(STEPS, longest)
@@ -212,6 +214,7 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
             )
     if episodes is None:
         return {"steps": steps or STEPS, "episodes": None}
+    longest = longest_episode(env)
     if longest is None and not can_end(env):
         raise ValueError(
             "this task goes on for ever and has no episodes; give steps= instead of episodes="

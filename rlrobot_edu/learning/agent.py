@@ -191,6 +191,11 @@ class Agent:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self.method.selection.is_biased else None
 
+    @property
+    def largest_q(self) -> float:
+        """The largest magnitude of an action value; NaN if one is no number."""
+        return float(np.abs(self.q).max())
+
     def begin_episode(self, s: int) -> int:
         """Forget the traces and choose the first action.
 
@@ -435,5 +440,4 @@ class Agent:
 
     def _is_sound(self) -> bool:
         """Whether learning can have left the tables like that."""
-        is_finite = (np.abs(self.q) <= LARGEST_KEPT).all()
-        return bool(is_finite and (self.visits >= 0).all())
+        return self.largest_q <= LARGEST_KEPT and bool((self.visits >= 0).all())

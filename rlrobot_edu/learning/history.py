@@ -204,10 +204,17 @@ class History:
         Raises
         ------
         ValueError
-            If the file would be too large to be read again, or its name ends like that of another kind of file.
+            If the file could not be read again, because it would be too large or a number is not finite; or if its
+            name ends like that of another kind of file.
         OSError
             If the file cannot be written.
         """
+        for name, is_sound in self._parts():
+            if not is_sound:
+                raise ValueError(
+                    f"{path}: {name} of this history is not finite or out of range, so it could not be read again; "
+                    "nothing was saved"
+                )
         about = {
             "method": self.method,
             "seconds": self.seconds,
@@ -254,6 +261,9 @@ class History:
 
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
+        yield "method", isinstance(self.method, str)
+        yield "origin", isinstance(self.origin, str)
+        yield "seconds", isinstance(self.seconds, float) and self.seconds >= 0
         yield "before", type(self.before.steps) is int and self.before.steps >= 0
         yield "before", np.isfinite(self.before.reward)
         n_states = self.size.n_states

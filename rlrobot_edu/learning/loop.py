@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import run_slices
+from rlrobot_edu.learning.divergence import DivergenceCheck
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.interrupts import DelayedInterrupt, StopsAtOnce
 from rlrobot_edu.learning.kernel_world import KernelEnv
@@ -19,7 +20,13 @@ from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.resume import ResumePoint, begin_walk, is_at, place_of
-from rlrobot_edu.learning.size import OLD_GYM, Env, Size
+from rlrobot_edu.learning.size import (
+    OLD_GYM,
+    Env,
+    Size,
+    longest_episode,
+    warn_of_other_rewards,
+)
 from rlrobot_edu.learning.transitions import Transitions
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
@@ -90,7 +97,7 @@ def steps(
     Raises
     ------
     ValueError
-        If agent and environment do not fit, or if there is nothing to resume.
+        If agent and environment do not fit, if there is nothing to resume, or if action values have diverged.
     KeyboardInterrupt
         After Ctrl-C: at once between two steps, otherwise when the step is done, as in `learn`.
     """
@@ -119,6 +126,7 @@ def _delayed_interrupt(env: Env) -> DelayedInterrupt:
 def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
     """The loop itself, which `steps` and `learn` share."""
     state_number = state_numbers(env)
+    values = DivergenceCheck(agent)
     for t in range(n_steps):
         before = _episode_so_far(agent)
         # A fault, or a Ctrl-C that does not wait, may come anywhere within the step. Then
@@ -137,6 +145,7 @@ def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
+        values.check(abs(float(agent.q[s, a])), abs(float(r)), t + 1)
 
         if a_next is None or truncated:
             agent.pending = None
@@ -217,8 +226,8 @@ def learn(
     Raises
     ------
     ValueError
-        If agent and environment do not fit, if neither `steps` nor `episodes` is given, or if there is nothing to
-        resume.
+        If agent and environment do not fit, if neither `steps` nor `episodes` is given, if there is nothing to
+        resume, or if action values have diverged.
     KeyboardInterrupt
         After Ctrl-C, in one line; what was learned is kept.
 
@@ -250,6 +259,7 @@ def learn(
     size = _prepare(agent, env, resume)
     before = _episode_so_far(agent)._replace(place=None)  # of no use in a history
     log = Transitions.empty(int(steps))
+    values = DivergenceCheck(agent)
     n_done = 0
     start = time.perf_counter()
     try:
@@ -258,6 +268,9 @@ def learn(
             _delayed_interrupt(env) as interrupt,
         ):
             for n_new in _learn(agent, env, log, episodes):
+                if n_new > 1:  # the plain loop checks each step
+                    largest_reward = np.abs(log.r[n_done : n_done + n_new]).max()
+                    values.check(agent.largest_q, largest_reward, n_done + n_new)
                 n_done += n_new
                 interrupt.raise_if_pressed()
                 bar.update(n_new)
@@ -267,6 +280,8 @@ def learn(
         ) from None
     seconds = time.perf_counter() - start
     log = log.part(slice(n_done))
+    values.check(agent.largest_q, np.abs(log.r).max(initial=0.0), n_done)
+    warn_of_other_rewards(env, log.r)
     if not keep:
         log = log.without_states()
     return History(
@@ -283,7 +298,7 @@ def _longest(env: Env, episodes: int | None) -> int:
     """The steps that so many episodes may take. Raises ValueError if their number is not given."""
     if episodes is None:
         raise ValueError("give steps= or episodes=: how long it takes")
-    longest = Size.of(env).episode_steps or EPISODE_STEPS
+    longest = longest_episode(env) or EPISODE_STEPS
     return min(episodes * longest, MOST_STEPS)
 
 

@@ -29,10 +29,12 @@ from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
 NAMES = ("episode", "step", "s", "a", "r", "s_next", "terminated")  # its columns
+# and one more where these do not tell how the episodes ended, see `_columns`
+ALL_NAMES = (*NAMES, "truncated")
 HEADER = ",".join(NAMES)
 _NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
 ROW = re.compile(
-    rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII
+    rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1},{len(ALL_NAMES) - 1}}}", re.ASCII
 )  # such as 0,12,5,1,-0.02,4,0
 CHANGED = f"a spreadsheet may have saved it with its own separators, commas, quotes or columns; {REMEDY}"
 
@@ -59,12 +61,21 @@ def count_episodes(
     return episode, np.arange(len(episode), dtype=np.int64) - first_row[episode]
 
 
+def _cut_off(episode: NDArray[Any], terminated: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether an episode was cut off in each row, array (n,), as far as the other columns tell.
+
+    One that did not terminate before the next began was cut off. The last one counts as going on.
+    """
+    return np.append(np.diff(episode) != 0, False) & ~terminated
+
+
 # --- writing ---
 
 
 def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     """What the two files hold: the rows, and the data package that describes them."""
-    csv = _to_csv(transitions).encode()
+    columns = _columns(transitions)
+    csv = _to_csv(columns).encode()
     package = json.loads(TEMPLATE.read_text(encoding="utf-8"))
     package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
     title = f"Transitions of {source.task_name}, recorded with {source.method}"
@@ -72,9 +83,9 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     resource = package["resources"][0]
     resource["bytes"] = len(csv)
     resource["hash"] = f"sha256:{sha256(csv)}"
-    limits = {
-        field["name"]: field["constraints"] for field in resource["schema"]["fields"]
-    }
+    schema = resource["schema"]
+    schema["fields"] = [field for field in schema["fields"] if field["name"] in columns]
+    limits = {field["name"]: field["constraints"] for field in schema["fields"]}
     limits["s"]["maximum"] = source.states.n - 1
     limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
@@ -93,14 +104,26 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     return csv, f"{text}\n"
 
 
-def _to_csv(transitions: Transitions) -> str:
-    """The rows as CSV text, the same for the same numbers. A reward reads back exactly."""
+def _columns(transitions: Transitions) -> dict[str, list[Any]]:
+    """The columns of the file by name.
+
+    There is a column ``truncated`` only where the others do not tell all of it: the last row was cut off, or an
+    episode ended for good in the very step in which it was cut off.
+    """
     episode, step = count_episodes(transitions)
     columns = {"episode": episode, "step": step, **transitions._asdict()}
-    numbers = [columns[name].tolist() for name in NAMES]
-    rows = zip(*numbers, strict=True)
-    lines = [f"{e},{t},{s},{a},{r!r},{n},{end:d}\n" for e, t, s, a, r, n, end in rows]
-    return f"{HEADER}\n{''.join(lines)}"
+    told = _cut_off(episode, transitions.terminated)
+    names = NAMES if np.array_equal(told, transitions.truncated) else ALL_NAMES
+    return {name: columns[name].tolist() for name in names}
+
+
+def _to_csv(columns: dict[str, list[Any]]) -> str:
+    """The rows as CSV text, the same for the same numbers. A reward reads back exactly."""
+    lines = [",".join(columns)]
+    for e, t, s, a, r, n, *ends in zip(*columns.values(), strict=True):
+        flags = ",".join(f"{end:d}" for end in ends)
+        lines.append(f"{e},{t},{s},{a},{r!r},{n},{flags}")
+    return "\n".join(lines) + "\n"
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -156,15 +179,15 @@ def _text(path: Path) -> str:
 def _from_csv(text: str, source: Source, name: str) -> Transitions:
     """The rows in CSV `text`; `name` of the file is for messages, where rows count from 0 and lines from 1.
 
-    An episode that did not terminate before the next began was truncated. Whether the last one was, the file
-    does not say, and it counts as going on. Raises ValueError that names the first bad row.
+    Without a column ``truncated`` it is what the others tell. Raises ValueError that names the first bad row.
     """
 
     def where(row: int) -> str:
         return f"{name}, row {row} (line {row + 2})"
 
     header, *lines = text.split("\n")
-    if header.strip() != HEADER:
+    names = tuple(header.strip().split(","))
+    if names not in (NAMES, ALL_NAMES):
         raise ValueError(
             f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}; {CHANGED}"
         )
@@ -175,17 +198,19 @@ def _from_csv(text: str, source: Source, name: str) -> Transitions:
     if not lines:
         raise ValueError(f"{name}: there are no rows after the header; {REMEDY}")
     for row, line in enumerate(lines):
-        if not ROW.fullmatch(line):
+        if not ROW.fullmatch(line) or line.count(",") != len(names) - 1:
             raise ValueError(
-                f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {CHANGED}"
+                f"{where(row)}: expected {len(names)} numbers, found {line[:100]!r}; {CHANGED}"
             )
-    columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
+    columns = dict(zip(names, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
     source.check_rows(columns, where)
 
     episode = columns.pop("episode")
     step = columns.pop("step")
     terminated = columns.pop("terminated").astype(bool)
-    truncated = np.append(np.diff(episode) != 0, False) & ~terminated
+    truncated = _cut_off(episode, terminated)
+    if "truncated" in columns:
+        truncated = columns.pop("truncated").astype(bool)
     transitions = Transitions(**columns, terminated=terminated, truncated=truncated)
     episode_due, step_due = count_episodes(transitions)
     bad = (episode != episode_due) | (step != step_due)

@@ -44,7 +44,8 @@ pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.
 mean reward        {self.mean_reward:.3f} a step in the recording
 loops of high reward that rest on few samples: {len(self.loops)}
   a state on itself     {len(one)}, of these {lucky} on a single sample
-  between several       {len(self.loops) - len(one)}"""
+  between several       {len(self.loops) - len(one)}
+not looked for: states that lump together what differs, see SampleModel.hold_back"""
 
 
 class Suspects(NamedTuple):

@@ -9,7 +9,7 @@ from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.size import Env, task_of
+from rlrobot_edu.learning.size import Env, task_of, time_limit
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.data_package import (
     CSV_NAME,
@@ -19,7 +19,7 @@ from rlrobot_edu.models.data_package import (
     to_files,
 )
 from rlrobot_edu.models.own_rows import transitions_of
-from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
+from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.models.tables import table_of
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -59,10 +59,6 @@ class Recording:
     ------
     ValueError
         If a row is impossible: the message names the first one and what was expected there.
-
-    Notes
-    -----
-    The file does not say whether the very last step was truncated: in a recording that was read it never is.
     """
 
     def __init__(

@@ -18,6 +18,7 @@ from rlrobot_edu.checks import (
 )
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.diagnosis import Diagnosis, Suspects, find_loops
+from rlrobot_edu.models.held_back import HeldBack, hold_back
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.task import Task
 
@@ -292,6 +293,11 @@ class SampleModel:
         -------
         Diagnosis
             Coverage and suspect loops; it shows itself in words.
+
+        Notes
+        -----
+        A model without suspect loops can still promise what no robot can keep, for example where a state lumps
+        together places that differ. `hold_back` looks for that.
         """
         pair_count = self.pair_count.ravel()
         reward = self.sum_by_pair(self.r)
@@ -322,6 +328,31 @@ class SampleModel:
             mean_reward=float(mean_reward),
             loops=find_loops(suspects, self.n_states, self.n_actions),
         )
+
+    @staticmethod
+    def hold_back(recording: Recording) -> HeldBack:
+        """Make a model of the first four fifths of a recording, and compare what it says of the last fifth.
+
+        The model guesses what comes next after (s, a): the next state, the reward and the end. Where states tell all
+        that matters, nobody can guess better by the step before. If that does help, states lump together what differs.
+        Then a plan or an agent can chain steps in the model that no robot can do one after the other.
+
+        Parameters
+        ----------
+        recording : Recording
+            The transitions, in the order in which they came.
+
+        Returns
+        -------
+        HeldBack
+            Rewards and guesses, and what may be concluded; it shows itself in words.
+
+        Raises
+        ------
+        ValueError
+            If the recording has one row only.
+        """
+        return hold_back(recording)
 
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all.

@@ -163,9 +163,3 @@ class Source:
         facts["the set of rewards"] = sorted(set(self.rewards))
         alike = ("robot", "scene", "step_time", "episode_steps")
         return facts | {name: getattr(self, name) for name in alike}
-
-
-def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
-    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of such an environment."""
-    inner = time_limit(env.env) if isinstance(env, gymnasium.Wrapper) else None
-    return min(filter(None, (inner, vars(env).get("_max_episode_steps"))), default=None)

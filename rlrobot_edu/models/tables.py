@@ -3,7 +3,8 @@
 import csv
 import io
 import math
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
 from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -37,6 +38,7 @@ def table_of(rows: Any) -> Table:
         if names is None:
             columns = _columns(list(rows))
         else:
+            _check_distinct(names, "rows")
             columns = {}
             for name in names:
                 columns[str(name)] = list(rows[name])
@@ -65,7 +67,9 @@ def _columns(rows: list[Any]) -> dict[str, Any]:
     rows = [row._asdict() if hasattr(row, "_asdict") else row for row in rows]
     columns: dict[str, Any] = {}
     if all(isinstance(row, Mapping) for row in rows):
-        for name in dict.fromkeys(chain.from_iterable(rows)):
+        names = dict.fromkeys(chain.from_iterable(rows))
+        _check_distinct(names, "rows")
+        for name in names:
             columns[str(name)] = [row.get(name) for row in rows]
         return columns
     width = _width(rows[0])
@@ -78,6 +82,14 @@ def _columns(rows: list[Any]) -> dict[str, Any]:
     for i in range(width):
         columns[ORDER[i]] = [row[i] for row in rows]
     return columns
+
+
+def _check_distinct(names: Iterable[Any], where: str) -> None:
+    """Raises ValueError if two columns have the same name, as a text."""
+    for title, times in Counter(map(str, names)).items():
+        if times > 1:
+            expected = "expected a name of its own for each column, such as s, a and r"
+            raise ValueError(f"{where}: {title!r:.100} stands twice, {expected}")
 
 
 def _width(row: Any) -> int:
@@ -117,11 +129,9 @@ def read_table(path: Path) -> Table:
             advice = "with decimal commas, columns are separated by semicolons"
             raise ValueError(f"{name}, line {number}: {fault}; {advice}")
         cells += [""] * (len(titles) - len(cells))
+    _check_distinct(filter(None, titles), f"{name}, line 1")
     columns: dict[str, Any] = {}
     for i, title in enumerate(titles):
-        if title in columns:
-            expected = "expected a name of its own for each column, such as s, a and r"
-            raise ValueError(f"{name}, line 1: {title!r:.100} stands twice, {expected}")
         if title:
             columns[title] = [cells[i] for _, cells in lines]
     return Table(

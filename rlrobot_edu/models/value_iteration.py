@@ -11,6 +11,7 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 from rlrobot_edu.checks import check_between
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
@@ -207,8 +208,9 @@ def best_average_reward(model: SampleModel) -> float:
     Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
     """
     expected = expected_outcomes(model)
-    if model.episode_steps:
-        return _best_of_an_episode(model, expected, model.episode_steps)
+    episode_steps = Size.of(model).episode_steps
+    if episode_steps:
+        return _best_of_an_episode(model, expected, episode_steps)
     # Without this scale the largest numbers could not be added up.
     scale = np.abs(model.rewards).max() or 1.0
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere

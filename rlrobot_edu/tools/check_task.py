@@ -45,6 +45,12 @@ LEARNER_COLUMNS = (
     f"than {METHOD}",
     "p",
 )
+KEEP_IT = (
+    "Give more steps first; leave it out only if that changes nothing, and if it guards against nothing "
+    "that the reward leaves out."
+)
+# Steps for each pair of state and action; after fewer nobody can tell whether an input is needed.
+ENOUGH = 10
 RARE = 0.05  # share of the steps; a reward that is given less often may be too rare to be learned from
 
 
@@ -131,7 +137,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     episodic task, over its last episode. A task passes only if the default method earns significantly more than chance
     and than each robot that does not look: agents that see nothing, and one action repeated. If one of these earns
     significantly more, it pays not to look. An input is shown to be needed if agents without it earn significantly
-    less. The report says nothing about inputs while agents do not beat chance. With eight agents each, about every
+    less. Of other inputs the report says only that the steps are too few to tell, unless there are ten for each pair of
+    state and action. It says nothing about inputs while agents do not beat chance. With eight agents each, about every
     other true difference of one standard deviation is missed. An input may also pay only later, because it makes the
     table larger. Longer trials may find more. These are hints, not errors.
     """
@@ -163,7 +170,12 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
             *_odd_inputs(task, seen),
             *_odd_rewards(task, seen),
             *_odd_actions(task, trials["at random"]),
-            *_odd_learning(compared, steps, _advice(task, trials, steps)),
+            *_odd_learning(
+                compared,
+                steps,
+                pairs=task.states.n * task.actions.n,
+                advice=_advice(task, trials, steps),
+            ),
         ),
         readings=readings_table(task, seen),
         inputs=inputs_table(task, trials),
@@ -290,15 +302,19 @@ def _against(these: np.ndarray, those: np.ndarray) -> tuple[str, float | None]:
 
 
 def _odd_learning(
-    compared: Sequence[Sequence[Any]], steps: int, advice: str
+    compared: Sequence[Sequence[Any]], steps: int, pairs: int, advice: str
 ) -> Iterator[str]:
-    """What agents are not shown to beat, with advice; inputs that they are not shown to need."""
+    """What agents are not shown to beat, with advice; inputs that they are not shown to need.
+
+    pairs: how many pairs of state and action the task has
+    """
     method, *others = compared
     mine = method[1]
     unbeaten = []
     for who, _, _, side, _ in others:
         if side != "less" and not who.startswith(WITHOUT):
             unbeaten.append(who)
+    doubtful = []
     for who, mean, _, side, p in others:
         is_better = side == "greater"
         after = f"after {steps} steps (p = {p:.2g})"
@@ -308,9 +324,15 @@ def _odd_learning(
                 verdict = "it pays not to look"
             yield f"{who} earns {mean:.2f}, {METHOD} {mine:.2f} {after}: {verdict}."
         elif side != "less" and CHANCE not in unbeaten:
+            name = who.removeprefix(WITHOUT)
             verdict = "hinders so far" if is_better else "is not shown to be needed"
             means = f"without it agents earn {mean:.2f}, with it {mine:.2f} {after}"
-            yield f"{who.removeprefix(WITHOUT)} {verdict}: {means}. Leave it out, or give more steps."
+            doubtful.append((name, f"{name} {verdict}: {means}. {KEEP_IT}"))
+    if doubtful and steps < ENOUGH * pairs:
+        names = ", ".join(name for name, _ in doubtful)
+        yield f"too few steps to tell whether {names} can be spared: {steps} for {pairs} pairs of state and action."
+    else:
+        yield from (sentence for _, sentence in doubtful)
     if unbeaten:
         yield advice
 

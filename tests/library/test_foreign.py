@@ -9,14 +9,20 @@ from fractions import Fraction
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.wrappers import OrderEnforcing, TimeLimit
+from gymnasium.wrappers import (
+    ClipReward,
+    OrderEnforcing,
+    TimeLimit,
+    TransformObservation,
+    TransformReward,
+)
 from hypothesis import given
 from hypothesis import strategies as st
 from worlds import recording_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.models.source import time_limit
+from rlrobot_edu.learning.size import Size, time_limit
 
 
 class Paying(gymnasium.Env):
@@ -258,6 +264,136 @@ def test_the_limit_of_a_world_is_the_smallest_of_its_wrappers():
         time_limit(OrderEnforcing(TimeLimit(OrderEnforcing(TimeLimit(Paying(), 5)), 9)))
         == 5
     )
+
+
+# What wrappers change
+
+
+class Tenth(gymnasium.Wrapper):
+    """Pays a tenth, in a step of its own."""
+
+    def step(self, action):
+        observation, r, *rest = self.env.step(action)
+        return observation, r / 10, *rest
+
+
+class Counting(gymnasium.RewardWrapper):
+    """Halves rewards, and counts them."""
+
+    count = 0
+
+    def reward(self, reward):
+        self.count += 1
+        return reward / 2
+
+
+CHANGES = {
+    "a tenth": (lambda env: TransformReward(env, lambda r: r / 10), lambda r: r / 10),
+    "the other way round": (lambda env: TransformReward(env, lambda r: -r), lambda r: -r),
+    "clipped": (lambda env: ClipReward(env, -1, 3), lambda r: min(max(r, -1), 3)),
+    "twice wrapped": (
+        lambda env: OrderEnforcing(ClipReward(TransformReward(env, lambda r: 2 * r), 0, 7)),
+        lambda r: min(max(2 * r, 0), 7),
+    ),
+    "counted": (Counting, lambda r: r / 2),
+    "as it was": (OrderEnforcing, lambda r: r),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("wrap, change", CHANGES.values(), ids=CHANGES)
+@pytest.mark.parametrize("world", ["wander_simple", "model"])
+def test_the_largest_reward_is_the_one_that_the_wrappers_let_through(
+    world, wrap, change, wander_model
+):
+    env = wrap(rl.make_env(wander_model if world == "model" else world, seed=0))
+    due = max(change(r) for r in rl.load_task("wander_simple").rewards)
+    agent = rl.Agent(env, seed=0)
+    assert agent.parameters.r_max == due
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        history = rl.learn(agent, env, 60, progress=False)
+    assert history.size.r_max == due
+    assert getattr(env, "count", 60) == 60
+
+
+def test_a_wrapper_that_changes_rewards_by_itself_is_noticed_or_names_the_largest():
+    env = Tenth(rl.make_env("wander_simple", seed=0))
+    with pytest.warns(UserWarning, match="paid 1, which is none of the rewards"):
+        rl.learn(rl.Agent(env, seed=0), env, 60, progress=False)
+    env.r_max = 1.0
+    agent = rl.Agent(env, seed=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        history = rl.learn(agent, env, 60, progress=False)
+    assert agent.parameters.r_max == history.size.r_max == 1.0
+
+
+def test_a_reward_that_a_wrapper_cannot_change_is_refused_with_advice():
+    env = TransformReward(rl.make_env("wander_simple"), math.log)
+    with pytest.raises(ValueError, match=r"cannot change the reward .*attribute r_max"):
+        rl.Agent(env)
+    env.r_max = 3.0
+    assert rl.Agent(env).parameters.r_max == 3.0
+
+
+@pytest.mark.parametrize("limit", [5, 12, 1000])
+def test_an_episode_is_as_long_as_the_shorter_of_task_and_time_limit(limit):
+    env = TimeLimit(rl.make_env("worked_example", seed=0), limit)
+    its_own = rl.load_task("worked_example").episode_steps
+    due = min(limit, its_own)
+    recording = rl.record(rl.Agent(env, "Q+RANDOM", seed=0), env, 2000)
+    model = rl.SampleModel.from_recording(recording)
+    for world in (env, model, rl.make_env(model)):
+        assert Size.of(world).episode_steps == due
+
+    def make():
+        return TimeLimit(rl.make_env("worked_example"), limit)
+
+    result = rl.compare(make, "Q+RANDOM", 1, steps=3600, n_jobs=1, progress=False)
+    (history,) = result["Q+RANDOM"]
+    assert history.size.episode_steps == due
+    assert len(history.returns) == 3600 // due
+
+
+def test_a_time_limit_gives_episodes_to_a_task_that_goes_on_for_ever():
+    def make():
+        return TimeLimit(rl.make_env("wander_simple"), 15)
+
+    result = rl.compare(make, "Q+EG", 1, episodes=3, n_jobs=1, progress=False)
+    (history,) = result["Q+EG"]
+    assert len(history.returns) == 3 and len(history) == 45
+    env = make()
+    with pytest.raises(ValueError, match="gamma must be below 1"):
+        rl.Agent(env, "Q+EG", gamma=1)
+    # longer than what is assumed where nothing cuts an episode off
+    env = TimeLimit(Paying(), 10_500)
+    agent = rl.Agent(env, "Q+EG", seed=0)
+    assert len(rl.learn(agent, env, episodes=1, progress=False).returns) == 1
+
+
+class Ending(gymnasium.Wrapper):
+    """Ends the episode where it is paid."""
+
+    def step(self, action):
+        observation, r, _, truncated, info = self.env.step(action)
+        return observation, r, r > 0, truncated, info
+
+
+def test_a_wrapper_can_end_the_episodes_of_a_task_that_goes_on_for_ever():
+    env = Ending(rl.make_env("wander_simple", seed=0))
+    agent = rl.Agent(env, "Q+EG", gamma=1, seed=0)
+    assert len(rl.learn(agent, env, episodes=2, progress=False).returns) == 2
+
+
+def test_what_is_seen_otherwise_is_no_recording_of_the_task():
+    inner = rl.make_env("wander_simple", seed=0)
+    turned = TransformObservation(inner, lambda o: 1 - o, inner.observation_space)
+    for env in (turned, TransformReward(inner, lambda r: r / 10)):
+        recording = rl.record(rl.Agent(env, "Q+EG", seed=0), env, 30)
+        assert recording.task is None
+        assert recording.source.task_name != "wander_simple"
+    env = OrderEnforcing(inner)
+    assert rl.record(rl.Agent(env, "Q+EG", seed=0), env, 30).task is inner.task
 
 
 def test_a_goal_of_other_peoples_worlds_counts_once():

@@ -11,6 +11,7 @@ from collections import Counter
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from unittest.mock import Mock
 
 import gymnasium
@@ -23,7 +24,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models import read_recording as reading
-from rlrobot_edu.models.data_package import NAMES, ROW
+from rlrobot_edu.models.data_package import NAMES, ROW, to_files
 from rlrobot_edu.models.source import Source
 
 TASK = rl.Task(
@@ -219,24 +220,69 @@ def test_a_recording_with_an_impossible_row_cannot_be_made():
         make_recording(s=[0, 1])
 
 
-def test_an_episode_that_was_cut_off_reads_back_as_truncated_but_for_the_last_row(
-    tmp_path,
-):
-    truncated = np.array([False, True, False, False, False, True])
-    recording = make_recording(episode_ends=[3], truncated=truncated)
-    assert (
-        recording.episode.tolist() == [0, 0, 1, 1, 2, 2]
-        and recording.step.tolist() == [0, 1] * 3
-    )
+ENDS = st.lists(st.tuples(st.booleans(), st.booleans()), min_size=1, max_size=8)
+
+
+@given(ENDS)
+@settings(max_examples=60, deadline=None)
+def test_however_episodes_ended_the_recording_reads_back_as_it_was(ends):
+    terminated, truncated = np.array(ends).T
+    zeros = np.zeros(len(ends), dtype=int)
+    recording = rl.read_recording("wander_simple")
+    columns = Transitions(zeros, zeros, zeros + 10.0, zeros, terminated, truncated)
+    recording = rl.Recording(columns, recording.source)
+    csv, package = to_files(recording.source, recording.transitions)
+    with TemporaryDirectory() as folder:
+        recording.save(folder)
+        again = rl.Recording.load(folder)
+        again.save(folder)
+        assert (Path(folder) / "transitions.csv").read_bytes() == csv
+    assert same(again, recording)
+    assert np.array_equal(again.truncated, truncated)
+    # A file whose episodes tell it all has no column more.
+    names = csv.decode().partition("\n")[0].split(",")
+    fields = json.loads(package)["resources"][0]["schema"]["fields"]
+    assert names == [field["name"] for field in fields]
+    is_told = not truncated[-1] and not (terminated & truncated).any()
+    assert ("truncated" in names) == (not is_told)
+
+
+def test_a_world_that_ends_and_cuts_off_at_once_is_recorded_as_it_was(tmp_path):
+    class Both(gymnasium.Env):
+        observation_space = gymnasium.spaces.Discrete(2)
+        action_space = gymnasium.spaces.Discrete(1)
+
+        def reset(self, *, seed=None, options=None):
+            return 0, {}
+
+        def step(self, action):
+            return 1, 1.0, True, True, {}
+
+    env = Both()
+    recording = rl.record(rl.Agent(env, "Q+EG", seed=0), env, 20)
     recording.save(tmp_path)
-    assert rl.read_recording(tmp_path).truncated.tolist() == [
-        False,
-        True,
-        False,
-        False,
-        False,
-        False,
-    ]
+    for it in (recording, rl.Recording.load(tmp_path)):
+        assert it.terminated.all() and it.truncated.all()
+        assert it.episode.tolist() == list(range(20))
+
+
+def test_a_cut_off_that_does_not_fit_the_episodes_is_refused(tmp_path):
+    ends = np.array([False, True, False, False, False, True])
+    make_recording(episode_ends=[3], truncated=ends).save(tmp_path)
+    path = tmp_path / "transitions.csv"
+    lines = path.read_text().split("\n")
+    lines[1] = lines[1][:-1] + "1"  # the first episode goes on
+    path.write_text("\n".join(lines))
+    with pytest.raises(ValueError, match="episode 0, step 1 stands where episode 1"):
+        rl.Recording.load(tmp_path)
+    lines[1] = lines[1][:-1] + "2"
+    path.write_text("\n".join(lines))
+    with pytest.raises(ValueError, match="truncated is 2, expected a whole number"):
+        rl.Recording.load(tmp_path)
+    lines[1] = lines[1][:-2]
+    path.write_text("\n".join(lines))
+    with pytest.raises(ValueError, match="expected 8 numbers"):
+        rl.Recording.load(tmp_path)
 
 
 # --- recording an agent ---
@@ -1126,3 +1172,18 @@ def test_a_lone_csv_file_is_read_with_its_task_and_columns_without_a_name_are_le
     assert "with task=" in refusal(saved, FileNotFoundError)
     alone = rl.read_recording(saved / "transitions.csv", task=TASK)
     assert same(alone, recording)
+
+
+def test_two_columns_of_the_same_name_are_refused_however_they_are_given():
+    columns = {"s": [0], "a": [0], "r": [10], "s_next": [0], 1: [0], "1": [1]}
+    row = {name: cells[0] for name, cells in columns.items()}
+
+    class Frame:  # as a data frame with a name that stands twice
+        columns = ("s", "a", "r", "s")
+
+        def __getitem__(self, name):
+            return [0]
+
+    for rows, name in ((columns, "1"), ([row], "1"), (Frame(), "s")):
+        with pytest.raises(ValueError, match=f"rows: '{name}' stands twice"):
+            rl.Recording.from_rows(rows, "wander_simple")

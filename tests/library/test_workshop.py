@@ -191,8 +191,11 @@ def test_a_reward_that_can_be_had_without_looking_is_told():
     assert all("(p = " in finding for finding in circle)
 
 
-def compared(**earned):
-    """What a report says of agents that earned these rewards, beside the default method."""
+def compared(pairs=10, **earned):
+    """What a report says of agents that earned these rewards, beside the default method.
+
+    They had 100 steps in a task with so many pairs of state and action.
+    """
     final = {
         check_task_module.METHOD: np.arange(8.0),
         check_task_module.CHANCE: np.arange(8.0) - 100,
@@ -203,7 +206,7 @@ def compared(**earned):
         for who, x in final.items()
     ]
     rows[0] = (*rows[0][:3], "", None)
-    return [*check_task_module._odd_learning(rows, 100, "do this")]
+    return [*check_task_module._odd_learning(rows, 100, pairs, "do this")]
 
 
 def test_looking_pays_only_where_agents_are_significantly_above_the_best_robot_that_does_not_look():
@@ -236,8 +239,16 @@ def test_an_input_is_needed_only_where_agents_without_it_earn_significantly_less
     (finding,) = compared(**{f"{without}y": np.arange(8.0) + 9})
     assert (
         finding.startswith("y hinders so far: ")
-        and "(p = 7.8e-05). Leave it out" in finding
+        and "(p = 7.8e-05). Give more steps first; leave it out only if" in finding
     )
+    both = {f"{without}x": np.arange(8.0) - 1, f"{without}y": np.arange(8.0) + 9}
+    assert len(compared(**both)) == 2
+    # After too few steps, neither can be told, and nothing else is said of them.
+    (finding,) = compared(pairs=11, **both)
+    assert finding == (
+        "too few steps to tell whether x, y can be spared: 100 for 11 pairs of state and action."
+    )
+    assert compared(pairs=11, **{f"{without}x": np.arange(8.0) - 9}) == []
     unlearned = {
         check_task_module.CHANCE: np.arange(8.0),
         f"{without}y": np.arange(8.0),
@@ -427,19 +438,32 @@ def test_of_inputs_without_which_agents_earn_less_none_is_called_useless():
     )
 
 
+def test_after_too_few_steps_no_input_is_called_useless():
+    """All three are needed, see the test above; 300 steps cannot tell."""
+    findings = check_task(parking(), steps=300).findings
+    about_inputs = [
+        text for text in findings if "without it" in text or "spare" in text
+    ]
+    for text in about_inputs:
+        assert text.startswith("too few steps to tell whether ")
+        assert text.endswith(" can be spared: 300 for 648 pairs of state and action.")
+    assert len(about_inputs) <= 1 and "eave it out" not in " ".join(findings)
+
+
 @pytest.mark.long
-def test_an_input_that_only_makes_learning_slow_is_asked_about():
+def test_of_an_input_that_only_makes_learning_slow_few_steps_tell_nothing():
     """Heading tells nothing in a square; in many sectors it makes many states."""
     task = rl.load_task("wander_simple")
     compass = replace(
         task, inputs=[*task.inputs, InputVariable("theta", sectors=64, unit="rad")]
     )
-    slow = [
-        finding
-        for finding in check_task(compass, steps=1000).findings
-        if "hinders so far" in finding
+    asked = [
+        text for text in check_task(compass, steps=1000).findings if "theta" in text
     ]
-    assert len(slow) == 1 and slow[0].startswith("theta ")
+    (due,) = asked
+    assert due.startswith("too few steps to tell whether ") and due.endswith(
+        "theta can be spared: 1000 for 1024 pairs of state and action."
+    )
 
 
 @pytest.mark.long
