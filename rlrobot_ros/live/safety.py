@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_ros.scan import (
+    EPSILON,
     GAP,
     Floats,
     LaserScan,
@@ -39,7 +40,7 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     """
     angles = directions(mounting, rays.angle_min, rays.increment, len(rays.ranges))
     off = np.abs(turned(angles, 0.0))
-    looks_ahead = off < AHEAD
+    looks_ahead = off <= AHEAD + EPSILON
     why_unknown = _why_unknown(rays, off, looks_ahead)
     if why_unknown:
         return math.nan, why_unknown
@@ -47,7 +48,7 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
     y = mounting.y + rays.ranges[met] * np.sin(angles[met])
     is_too_near = looks_ahead & (rays.ranges == 0)
-    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | is_too_near[met]
+    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD + EPSILON) | is_too_near[met]
     rooms = np.hypot(x, y)[is_ahead] - chassis.radius
     return float(rooms.min(initial=math.inf)), ""
 
