@@ -12,11 +12,12 @@ from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_ros.drive import Drive, Track, transitions_of
+from rlrobot_ros.drive import transitions_of
 from rlrobot_ros.drive_report import DriveReport
-from rlrobot_ros.messages import pose_of, velocity_of
+from rlrobot_ros.messages import pose_of, stamp_of, velocity_of
 from rlrobot_ros.motions import Motions
 from rlrobot_ros.odometry import pose_readings
+from rlrobot_ros.received import SECOND, Drive, Track
 from rlrobot_ros.scan import Mounting, measured
 
 KINDS = {
@@ -84,10 +85,10 @@ def recording_from_bag(
     -----
     The time of a message is the time at which it was received. A step begins when its command comes and lasts the
     task's `step_time` (±10 %, if another command comes then). The state before and after it, and its reward, come from
-    the latest odometry and scan. A step is dropped if these do not say enough, or if they are older than half a second
-    and than one and a half steps. A Twist that is not like any action is dropped. If several actions have the same
-    motion, the one whose outputs are the wheels' speeds counts, or otherwise the first. After a gap a new episode
-    begins.
+    the latest odometry and scan. A step is dropped if these do not say enough, if they are older than half a second and
+    than one and a half steps, or if their time stamps show that a clock was set within the step. A Twist that is not
+    like any action is dropped. If several actions have the same motion, the one whose outputs are the wheels' speeds
+    counts, or otherwise the first. After a gap a new episode begins.
     """
     task = load_task(task)
     path = Path(path)
@@ -176,15 +177,26 @@ def _read(
     try:
         for connection, time, raw in reader.messages(connections):
             topic = connection.topic
+            stamp = 0
             try:
-                value = read(topic, reader.deserialize(raw, connection.msgtype))
+                message = reader.deserialize(raw, connection.msgtype)
+                stamp = _stamp(message)
+                value = read(topic, message)
             except Exception as error:  # damaged bytes may raise anything
                 value = tracks[topic].nothing
                 is_ours = isinstance(error, ValueError)
                 drive.add_fault(topic, str(error) if is_ours else describe_error(error))
-            tracks[topic].add(time, value)
+            tracks[topic].add(time, value, stamp)
     except Exception as error:  # so may a damaged file
         raise ValueError(
             f"{path}: this bag is damaged ({describe_error(error)}); copy it again"
         ) from error
     return drive
+
+
+def _stamp(message: Any) -> int:
+    """When the message was sent, by its sender's clock [ns]; 0 if it does not say."""
+    try:
+        return round(stamp_of(message) * SECOND)
+    except ValueError:
+        return 0

@@ -21,6 +21,8 @@ class DriveReport(Tabled):
     stale: steps dropped because odometry or scan was too old at their beginning or end
     unknown: steps dropped because the latest odometry or scan at their beginning or end does not say enough
     jumps: steps dropped because odometry moved too far in them
+    disordered: steps dropped because messages were not received in the order in which they were sent, or because the
+        clocks of sender and recorder disagree about their time
     rays, lost: the rays of all scans, and how many of them measured nothing
     partial: scans in which a laser is unknown that counts
     missing: lasers that do not count, because the scanner cannot replace them or they are unknown in most scans
@@ -37,6 +39,7 @@ class DriveReport(Tabled):
     stale: int
     unknown: int
     jumps: int
+    disordered: int
     rays: int
     lost: int
     partial: int
@@ -72,6 +75,7 @@ class DriveReport(Tabled):
         stale = "odometry or scan was too old, or not there yet"
         unknown = "the latest odometry or scan does not say enough"
         jumps = "it tells of too long a way"
+        disordered = "a clock was set, or two publishers share a topic"
         partial = "a laser is unknown that others show"
         lost = f"of {self.rays}: 0, NaN, or above range_max"
         rows: list[Row] = [
@@ -80,6 +84,7 @@ class DriveReport(Tabled):
             ("steps with old readings", self.stale, stale),
             ("steps with unknown readings", self.unknown, unknown),
             ("steps in which odometry jumped", self.jumps, jumps),
+            ("steps whose times contradict", self.disordered, disordered),
         ]
         for topic, (n, fault) in self.faults.items():
             rows.append((f"unreadable messages of {topic}", n, fault))

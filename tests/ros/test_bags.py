@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bags import FORMATS, SECOND, drive, full_scan, write_bag
+from bags import FORMATS, SECOND, drive, full_scan, scan, write_bag
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -480,6 +480,65 @@ def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times
     events, lived = driven
     shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
     assert_same(recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
+
+
+def slow_minute(set_by=0, moment=30, publishers=((0.0375, 0.0),), speed=0.019):
+    """A minute of a robot that gets half as far as it is told to, while its recorder's clock is set.
+
+    set_by: seconds that the clock gains at this moment; publishers: what each of them commands ten times a second
+    """
+    events = []
+    for i in range(1200):
+        second = i / 20
+        sent = 100 * SECOND + i * SECOND // 20
+        time = sent + (set_by * SECOND if second >= moment else 0)
+        place = {"x": speed * second, "y": 0.0, "theta": 0.0, "sent": sent}
+        events.append((time, "odom", place))
+        if i % 4 == 0:
+            seen = vars(scan([1.5] * 360, 0.0, 2 * math.pi / 360))
+            events.append((time + 1, "scan", {**seen, "sent": sent}))
+        if i % 2 == 0:
+            for number, (v, omega) in enumerate(publishers):
+                at = time + 2 + number * SECOND // 1000
+                events.append((at, "cmd_vel", {"v": v, "omega": omega}))
+    return events
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("set_by", [-40, -5, -2, 3])
+def test_a_recorders_clock_that_is_set_makes_no_reward_and_is_reported(
+    tmp_path, form, set_by
+):
+    path = write_bag(tmp_path, form, slow_minute(set_by))
+    recording = recording_from_bag(path, TASK)
+    assert set(recording.r) == {-0.02}
+    assert len(recording) >= 58 - 2 * abs(min(set_by, 0)) and set(recording.a) == {3}
+    assert recording.report.disordered or set_by > 0
+    if set_by < 0:
+        assert "a clock was set" in str(recording.report)
+
+
+@pytest.mark.parametrize("form", ["sqlite3", "mcap"])
+def test_a_clock_that_is_set_between_two_files_of_a_bag_makes_no_reward(tmp_path, form):
+    events = slow_minute(-5)
+    half = len(events) // 2
+    path = write_bag(tmp_path, form, events[:half])
+    (tmp_path / "second").mkdir()
+    second = write_bag(tmp_path / "second", form, events[half:])
+    (first_file,) = (file for file in path.iterdir() if file.suffix != ".yaml")
+    (second_file,) = (file for file in second.iterdir() if file.suffix != ".yaml")
+    second_file.rename(path / f"second_{first_file.name}")
+    about = path / "metadata.yaml"
+    text = about.read_text()
+    listed = f"- {first_file.name}\n"
+    assert listed in text
+    indent = text.split(listed)[0].rsplit("\n", 1)[1]
+    both = f"{listed}{indent}- second_{first_file.name}\n"
+    about.write_text(text.replace(listed, both, 1))
+    recording = recording_from_bag(path, TASK)
+    assert recording.report.messages["/odom"] == 1200
+    assert set(recording.r) == {-0.02} and len(recording) >= 48
+    assert recording.report.disordered
 
 
 def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(
