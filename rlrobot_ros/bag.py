@@ -1,5 +1,6 @@
 """Drives in bags of ROS 1 and ROS 2 as recordings."""
 
+import re
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -20,6 +21,7 @@ from rlrobot_ros.odometry import pose_readings
 from rlrobot_ros.received import SECOND, Drive, Track
 from rlrobot_ros.scan import Mounting, measured
 
+STORAGE = (".db3", ".mcap")  # what the files of a bag of ROS 2 end with
 KINDS = {
     "odom": ("nav_msgs/msg/Odometry",),
     "scan": ("sensor_msgs/msg/LaserScan",),
@@ -55,7 +57,8 @@ def recording_from_bag(
     Parameters
     ----------
     path : str or Path
-        A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it.
+        A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it, also without its
+        metadata.yaml.
     task : str, Path or Task
         The task that gives the drive its states, actions and rewards; its robot must be one on wheels.
     odom, scan, cmd_vel : str
@@ -114,23 +117,52 @@ def _opened(path: Path) -> Iterator[Any]:
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
         raise ImportError(
-            "rosbags is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
+            "rosbags is not installed: run pip install rosbags; everything else works without it"
         ) from None
     if not path.exists():
         raise FileNotFoundError(f"{path}: there is no such bag")
-    if path.suffix in (".db3", ".mcap") and (path.parent / "metadata.yaml").is_file():
-        path = path.parent
-    try:
-        # Older bags of ROS 2 do not define their messages, which have been the same ever since.
-        typestore = get_typestore(Stores.ROS2_HUMBLE)
-        reader = AnyReader([path], default_typestore=typestore)
-        reader.open()
-    except Exception as error:  # a damaged file may raise anything
+    # Older bags of ROS 2 do not define their messages, which have been the same ever since.
+    typestore = get_typestore(Stores.ROS2_HUMBLE)
+    reader = None
+    faults: list[Exception] = []
+    for paths in _ways_in(path):
+        try:
+            reader = AnyReader(paths, default_typestore=typestore)
+            reader.open()
+            break
+        except Exception as error:  # a damaged file may raise anything
+            reader = None
+            faults.append(error)
+    if reader is None:
         raise ValueError(
-            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(error)})"
-        ) from error
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(faults[0])})"
+        ) from faults[0]
     with closing(reader):
         yield reader
+
+
+def _ways_in(path: Path) -> Iterator[list[Path]]:
+    """The files to be read together for the bag at this path; if they cannot be read, the next ones may.
+
+    A bag of ROS 2 is a folder with a description, ``metadata.yaml``. If that was lost, or does not fit its files any
+    more, they can be read without it, unless they are compressed or one of them is missing.
+    """
+    is_in_folder = path.suffix in STORAGE and (path.parent / "metadata.yaml").is_file()
+    yield [path.parent if is_in_folder else path]
+    if is_in_folder:
+        yield [path]
+    if path.is_dir():
+        files = sorted(file for file in path.iterdir() if file.suffix in STORAGE)
+        if files and len(files) >= len(_listed_in(path / "metadata.yaml")):
+            yield files
+
+
+def _listed_in(description: Path) -> set[str]:
+    """The names of the bag's files in its description."""
+    if not description.is_file():
+        return set()
+    text = description.read_text(encoding="utf-8", errors="replace")
+    return set(re.findall(r"[^\s\"'/\\]+\.(?:db3|mcap)\b", text))
 
 
 def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any]]:

@@ -9,7 +9,7 @@ from rlrobot_ros.received import SECOND, Drive
 
 # [steps]; where the clocks disagree by more about a step's time, one of them was set. Messages are delayed by less.
 CLOCK_ERROR = 0.5
-# [m]; the noise of odometry is less within three steps, but for a few messages that are wrong
+# Within three steps, the noise of odometry adds less to its way [m], if we leave out so many parts of it as wrong
 NOISE = 0.5
 WRONG = 4
 
@@ -24,7 +24,7 @@ class Clocks:
         self._drive = drive
         self._step = round(task.step_time * SECOND)
         # three steps at twice the largest speed
-        self._longest = NOISE + 6 * max_speed * task.step_time
+        self._longest_detour = NOISE + 6 * max_speed * task.step_time
         # Spans in which messages were not received in the order in which they were sent: apart, in order of time.
         self._begins: list[int] = []
         self._ends: list[int] = []
@@ -51,15 +51,16 @@ class Clocks:
         if self._is_disordered(min(received), end):
             return False
         # If all clocks were set back, two stretches of time were received as one, and odometry goes to and fro.
-        return self._way(begin - self._step, end + self._step) <= self._longest
+        detour = self._detour(begin - self._step, end + self._step)
+        return detour <= self._longest_detour
 
     def _is_disordered(self, begin: int, end: int) -> bool:
         """Whether a span of disorder has a moment in common with this one."""
         i = bisect_right(self._begins, end) - 1
         return i >= 0 and self._ends[i] >= begin
 
-    def _way(self, begin: int, end: int) -> float:
-        """How long a way odometry tells of in a span of time [m], without its longest parts."""
+    def _detour(self, begin: int, end: int) -> float:
+        """By how much odometry's way in a span of time, without its longest parts, exceeds the straight line [m]."""
         poses = self._drive.poses
         places = []
         first = bisect_left(poses.times, begin)
@@ -67,5 +68,7 @@ class Clocks:
         for pose in poses.values[first:last]:
             if pose:  # readable
                 places.append((pose["x"], pose["y"]))
+        if not places:
+            return 0.0
         parts = [math.dist(here, there) for here, there in pairwise(places)]
-        return sum(sorted(parts)[:-WRONG])
+        return sum(sorted(parts)[:-WRONG]) - math.dist(places[0], places[-1])

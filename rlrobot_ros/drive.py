@@ -12,10 +12,11 @@ from rlrobot_edu.task.task import Task
 from rlrobot_ros.clocks import Clocks
 from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.motions import Motions
-from rlrobot_ros.received import FARTHEST, SECOND, Drive
+from rlrobot_ros.received import FARTHEST, SECOND, Drive, Track
 
 SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
+TAP = 0.2  # [s]; nobody presses a key and lets it go again within less
 # A message is too old after so long [s], or after so many steps if that is longer
 MAX_AGE = 0.5
 MAX_STEPS = 1.5
@@ -87,10 +88,9 @@ def transitions_of(
         if before is None or after is None:
             counts["stale"] += 1
             continue
-        if not clocks.agree(begin, end):
-            counts["disordered"] += 1
-            continue
         step = _step(task, before, after, jump)
+        if step != "jumps" and not clocks.agree(begin, end):
+            step = "disordered"
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -120,6 +120,8 @@ def transitions_of(
         steps=len(rows),
         stretches=counts["stretches"],
         unexplained=unexplained,
+        motions=motions.distinct,
+        to_and_fro=_to_and_fro(drive.twists, min(TAP, task.step_time / 2)),
         cut_short=counts["cut"],
         stale=counts["stale"],
         unknown=counts["unknown"],
@@ -131,8 +133,23 @@ def transitions_of(
         missing=tuple(laser for laser in LASERS if laser not in lasers),
     )
     if not rows:
-        raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
+        raise ValueError(f"it holds no step of {task.name}: {report.why_empty()}")
     return Transitions.of_rows(rows), report
+
+
+def _to_and_fro(twists: Track[tuple[float, float, float]], shortest: float) -> int:
+    """How many commands last less than `shortest` [s] between two others that are alike."""
+    changes = [
+        i
+        for i, twist in enumerate(twists.values)
+        if i == 0 or twist != twists.values[i - 1]
+    ]
+    count = 0
+    for before, here, after in zip(changes, changes[1:], changes[2:], strict=False):
+        is_between = twists.values[before] == twists.values[after]
+        if is_between and twists.times[after] - twists.times[here] < shortest * SECOND:
+            count += 1
+    return count
 
 
 def _lasers_of(task: Task, drive: Drive) -> set[str]:
