@@ -23,6 +23,10 @@ AHEAD = math.radians(60)
 # Share of the rays ahead that must have measured something. Now and then a ray is lost by chance. If most are lost,
 # the reason is dirt, the sun or a fault, and what the others miss is not chance either.
 MOST_KNOWN = 0.5
+MAX_AGE = 0.5  # of odometry and scan while the robot moves [s]
+# of many robots: how late a command acts [s], and how they brake [m/s²]
+LAG = 0.3
+BRAKES = 0.5
 
 
 def room_ahead(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> float:
@@ -87,6 +91,11 @@ def within(
         )
     excess = max(abs(v) / max_speed, abs(omega) / max_turn, 1.0)
     return v / excess, omega / excess
+
+
+def stopping_distance(speed: float) -> float:
+    """How far a robot gets at this speed [m/s] before it stands [m]: until it knows and brakes, and then."""
+    return speed * (MAX_AGE + LAG) + speed**2 / (2 * BRAKES)
 
 
 def confirm(question: str) -> None:
