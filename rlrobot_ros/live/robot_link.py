@@ -60,7 +60,7 @@ class RobotLink(Robot):
     - A step sends its command ten times a second for the task's `step_time`. It is followed by a stop, unless the next
       step comes within a tenth of a second.
     - Anything that ends a step early, such as an exception or Ctrl-C, stops the robot, and so does `close`. If this
-      process is killed, a second one stops it.
+      process is killed, or does not run for half a second, a second one stops it.
     - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
       and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
       needs, and all that it showed at `reset`.

@@ -656,6 +656,48 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
         listener.close()
 
 
+DRIVER = """
+    import sys
+    import rlrobot_edu as rl
+    from rlrobot_ros import RobotLink
+    env = rl.make_env("giraff_wander_simple", link=RobotLink(sys.argv[1], confirmed=True))
+    env.reset()
+    while True:
+        env.step(1)
+        print("moving", flush=True)
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="no SIGSTOP on this system")
+def test_while_the_process_does_not_run_the_robot_is_stopped_and_then_goes_on():
+    with ServedRobot("giraff_wander_simple", port=0) as served:
+        heard = []
+        listener = Rosbridge(served.address)
+        listener.subscribe(
+            "cmd_vel",
+            "geometry_msgs/Twist",
+            lambda twist: heard.append(abs(twist.angular.z)),
+        )
+        process = subprocess.Popen(
+            [sys.executable, "-c", textwrap.dedent(DRIVER), served.address],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        try:
+            assert process.stdout.readline() == "moving\n"
+            os.kill(process.pid, signal.SIGSTOP)
+            eventually(lambda: heard[-2:] == [0.0, 0.0])
+            heard.clear()
+            os.kill(process.pid, signal.SIGCONT)
+            eventually(lambda: any(heard))
+        finally:
+            process.kill()
+            process.stdout.close()
+            process.wait()
+        listener.close()
+
+
 def test_the_guardian_ends_with_the_link_and_leaves_nothing_behind():
     psutil = pytest.importorskip("psutil")
     before = {child.pid for child in psutil.Process().children(recursive=True)}
