@@ -264,6 +264,27 @@ def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(
     assert robot.motions()[-1] == (0.0, 0.0)
 
 
+def test_a_robot_whose_clock_is_set_back_is_stopped_told_why_and_driven_after_a_reset(
+    env, robot, monkeypatch
+):
+    env.reset()
+    env.step(LEFT)
+    robot.delay = 100.0
+    with (
+        monkeypatch.context() as hasty,
+        pytest.raises(TimeoutError, match="was the robot's clock set back"),
+    ):
+        hasty.setattr(controller, "PATIENCE", 1.0)
+        hasty.setattr(controller, "MAX_AGE", fake_robot.MAX_AGE)
+        env.step(AHEAD)
+        env.step(AHEAD)
+    assert robot.motions()[-1] == (0.0, 0.0)
+    robot.told.clear()
+    env.reset()
+    env.step(AHEAD)
+    assert (V, 0.0) in robot.motions()
+
+
 def test_a_scan_that_shows_nothing_at_all_lets_nothing_move(env, robot, monkeypatch):
     env.reset()
     for rays in (NOTHING, [0.0] * 8, [math.nan] * 8):
