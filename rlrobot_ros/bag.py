@@ -1,5 +1,6 @@
 """Drives in bags of ROS 1 and ROS 2 as recordings."""
 
+import re
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -12,13 +13,15 @@ from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_ros.drive import Drive, Track, transitions_of
+from rlrobot_ros.drive import transitions_of
 from rlrobot_ros.drive_report import DriveReport
-from rlrobot_ros.messages import pose_of, velocity_of
+from rlrobot_ros.messages import pose_of, stamp_of, velocity_of
 from rlrobot_ros.motions import Motions
 from rlrobot_ros.odometry import pose_readings
+from rlrobot_ros.received import SECOND, Drive, Track
 from rlrobot_ros.scan import Mounting, measured
 
+STORAGE = (".db3", ".mcap")  # what the files of a bag of ROS 2 end with
 KINDS = {
     "odom": ("nav_msgs/msg/Odometry",),
     "scan": ("sensor_msgs/msg/LaserScan",),
@@ -54,7 +57,8 @@ def recording_from_bag(
     Parameters
     ----------
     path : str or Path
-        A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it.
+        A ``.bag`` of ROS 1, or the folder of a bag of ROS 2 (sqlite3 or mcap) or a file in it, also without its
+        metadata.yaml.
     task : str, Path or Task
         The task that gives the drive its states, actions and rewards; its robot must be one on wheels.
     odom, scan, cmd_vel : str
@@ -84,10 +88,10 @@ def recording_from_bag(
     -----
     The time of a message is the time at which it was received. A step begins when its command comes and lasts the
     task's `step_time` (±10 %, if another command comes then). The state before and after it, and its reward, come from
-    the latest odometry and scan. A step is dropped if these do not say enough, or if they are older than half a second
-    and than one and a half steps. A Twist that is not like any action is dropped. If several actions have the same
-    motion, the one whose outputs are the wheels' speeds counts, or otherwise the first. After a gap a new episode
-    begins.
+    the latest odometry and scan. A step is dropped if these do not say enough, if they are older than half a second and
+    than one and a half steps, or if their time stamps show that a clock was set within the step. A Twist that is not
+    like any action is dropped. If several actions have the same motion, the one whose outputs are the wheels' speeds
+    counts, or otherwise the first. After a gap a new episode begins.
     """
     task = load_task(task)
     path = Path(path)
@@ -113,23 +117,52 @@ def _opened(path: Path) -> Iterator[Any]:
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
         raise ImportError(
-            "rosbags is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
+            "rosbags is not installed: run pip install rosbags; everything else works without it"
         ) from None
     if not path.exists():
         raise FileNotFoundError(f"{path}: there is no such bag")
-    if path.suffix in (".db3", ".mcap") and (path.parent / "metadata.yaml").is_file():
-        path = path.parent
-    try:
-        # Older bags of ROS 2 do not define their messages, which have been the same ever since.
-        typestore = get_typestore(Stores.ROS2_HUMBLE)
-        reader = AnyReader([path], default_typestore=typestore)
-        reader.open()
-    except Exception as error:  # a damaged file may raise anything
+    # Older bags of ROS 2 do not define their messages, which have been the same ever since.
+    typestore = get_typestore(Stores.ROS2_HUMBLE)
+    reader = None
+    faults: list[Exception] = []
+    for paths in _ways_in(path):
+        try:
+            reader = AnyReader(paths, default_typestore=typestore)
+            reader.open()
+            break
+        except Exception as error:  # a damaged file may raise anything
+            reader = None
+            faults.append(error)
+    if reader is None:
         raise ValueError(
-            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(error)})"
-        ) from error
+            f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({describe_error(faults[0])})"
+        ) from faults[0]
     with closing(reader):
         yield reader
+
+
+def _ways_in(path: Path) -> Iterator[list[Path]]:
+    """The files to be read together for the bag at this path; if they cannot be read, the next ones may.
+
+    A bag of ROS 2 is a folder with a description, ``metadata.yaml``. If that was lost, or does not fit its files any
+    more, they can be read without it, unless they are compressed or one of them is missing.
+    """
+    is_in_folder = path.suffix in STORAGE and (path.parent / "metadata.yaml").is_file()
+    yield [path.parent if is_in_folder else path]
+    if is_in_folder:
+        yield [path]
+    if path.is_dir():
+        files = sorted(file for file in path.iterdir() if file.suffix in STORAGE)
+        if files and len(files) >= len(_listed_in(path / "metadata.yaml")):
+            yield files
+
+
+def _listed_in(description: Path) -> set[str]:
+    """The names of the bag's files in its description."""
+    if not description.is_file():
+        return set()
+    text = description.read_text(encoding="utf-8", errors="replace")
+    return set(re.findall(r"[^\s\"'/\\]+\.(?:db3|mcap)\b", text))
 
 
 def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any]]:
@@ -176,15 +209,26 @@ def _read(
     try:
         for connection, time, raw in reader.messages(connections):
             topic = connection.topic
+            stamp = 0
             try:
-                value = read(topic, reader.deserialize(raw, connection.msgtype))
+                message = reader.deserialize(raw, connection.msgtype)
+                stamp = _stamp(message)
+                value = read(topic, message)
             except Exception as error:  # damaged bytes may raise anything
                 value = tracks[topic].nothing
                 is_ours = isinstance(error, ValueError)
                 drive.add_fault(topic, str(error) if is_ours else describe_error(error))
-            tracks[topic].add(time, value)
+            tracks[topic].add(time, value, stamp)
     except Exception as error:  # so may a damaged file
         raise ValueError(
             f"{path}: this bag is damaged ({describe_error(error)}); copy it again"
         ) from error
     return drive
+
+
+def _stamp(message: Any) -> int:
+    """When the message was sent, by its sender's clock [ns]; 0 if it does not say."""
+    try:
+        return round(stamp_of(message) * SECOND)
+    except ValueError:
+        return 0

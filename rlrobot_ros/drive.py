@@ -1,97 +1,30 @@
 """The messages of a drive as transitions of a task. No ROS is needed: here messages are numbers already."""
 
 import math
-from bisect import bisect_left, bisect_right
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
 from itertools import chain
-from typing import Generic, TypeVar
 
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
+from rlrobot_ros.clocks import Clocks
 from rlrobot_ros.drive_report import DriveReport
 from rlrobot_ros.motions import Motions
-from rlrobot_ros.scan import Mounting, Rays, beams_end
+from rlrobot_ros.received import FARTHEST, SECOND, Drive, Track
 
-SECOND = 10**9  # [ns]
 SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
+TAP = 0.2  # [s]; nobody presses a key and lets it go again within less
 # A message is too old after so long [s], or after so many steps if that is longer
 MAX_AGE = 0.5
 MAX_STEPS = 1.5
 
-FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
-
-T = TypeVar("T")
-# The readings at a time, as near and as far as they may be: empty if unknown, None if too old
-_Seen = list[dict[str, float]] | None
+# The readings at a time, as near and as far as they may be: empty if unknown
+_Seen = list[dict[str, float]]
 # A command in force: its action, or None; the times at which it came; the time at which it ends
 _Hold = tuple[int | None, list[int], int]
-
-
-@dataclass
-class Track(Generic[T]):
-    """The messages of a topic: times [ns] that never decrease, and values; `nothing` is that of an impossible one."""
-
-    nothing: T
-    times: list[int] = field(default_factory=list)
-    values: list[T] = field(default_factory=list)
-
-    def add(self, time: int, value: T) -> None:
-        """Keep one more message."""
-        self.times.append(time)
-        self.values.append(value)
-
-    def at(self, time: int, max_age: int) -> T | None:
-        """The latest value at `time`, None if it was more than `max_age` old [ns]."""
-        i = bisect_right(self.times, time) - 1
-        if i < 0 or time - self.times[i] > max_age:
-            return None
-        return self.values[i]
-
-
-@dataclass
-class Drive:
-    """A drive as it was received.
-
-    poses, scans: readings by name; "farthest laser_front" besides, where rays that measured nothing leave open how far
-        it sees
-    twists: speed ahead and aside [m/s], turning to the left [rad/s]
-    rays, lost: the rays of all scans, and how many of them measured nothing
-    faults: how many messages have impossible values, and what is wrong with the last of them, by topic
-    """
-
-    poses: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
-    scans: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
-    twists: Track[tuple[float, float, float]] = field(
-        default_factory=lambda: Track((math.nan,) * 3)
-    )
-    rays: int = 0
-    lost: int = 0
-    faults: dict[str, tuple[int, str]] = field(default_factory=dict)
-
-    def add_fault(self, topic: str, fault: str) -> None:
-        """Count one more message with impossible values."""
-        before, _ = self.faults.get(topic, (0, ""))
-        self.faults[topic] = (before + 1, fault)
-
-    def lasers_in(
-        self, rays: Rays, chassis: Chassis, mounting: Mounting
-    ) -> dict[str, float]:
-        """The readings of the lasers that are known in a scan; its rays are counted."""
-        self.rays += len(rays.known)
-        self.lost += int((~rays.known).sum())
-        near = beams_end(rays, rays.ranges, chassis, mounting)
-        far = beams_end(rays, rays.farthest, chassis, mounting)
-        readings = {}
-        for laser in near:
-            if near[laser] >= 0 and far[laser] >= 0:  # false for NaN
-                readings[laser] = near[laser]
-                readings[f"{FARTHEST}{laser}"] = far[laser]
-        return readings
 
 
 def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
@@ -120,8 +53,8 @@ def transitions_of(
     A step begins when its command comes, or where the one before has ended while its action is still in force. It ends
     after the task's `step_time`, or within a tenth of that when the next command comes. Its readings are the latest. If
     these are unknown, no older ones take their place: the step is dropped. If rays that measured nothing leave open
-    what a laser reads, the step counts only if its states and its reward are the same either way. A step that does not
-    begin where the one before has ended begins a new episode.
+    what a laser reads, the step counts only if its states and its reward are the same either way. A step in which a
+    clock was set is dropped. A step that does not begin where the one before has ended begins a new episode.
 
     Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
     """
@@ -143,6 +76,7 @@ def transitions_of(
         actions.append(action)
         if action is None:
             unexplained[round(v, 2), round(omega, 2)] += 1
+    clocks = Clocks(drive, task, motions.max_speed)
     jump = JUMP + 2 * motions.max_speed * task.step_time
     rows: list[list[float]] = []
     since = 0  # steps since the episode began
@@ -151,7 +85,12 @@ def transitions_of(
     for begin, end, a in _spans(task, _holds(drive, actions, age), counts):
         before = _readings(drive, begin, age, lasers)
         after = _readings(drive, end, age, lasers)
+        if before is None or after is None:
+            counts["stale"] += 1
+            continue
         step = _step(task, before, after, jump)
+        if step != "jumps" and not clocks.agree(begin, end):
+            step = "disordered"
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -181,18 +120,36 @@ def transitions_of(
         steps=len(rows),
         stretches=counts["stretches"],
         unexplained=unexplained,
+        motions=motions.distinct,
+        to_and_fro=_to_and_fro(drive.twists, min(TAP, task.step_time / 2)),
         cut_short=counts["cut"],
         stale=counts["stale"],
         unknown=counts["unknown"],
         jumps=counts["jumps"],
+        disordered=counts["disordered"],
         rays=drive.rays,
         lost=drive.lost,
         partial=sum(not lasers <= scan.keys() for scan in drive.scans.values),
         missing=tuple(laser for laser in LASERS if laser not in lasers),
     )
     if not rows:
-        raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
+        raise ValueError(f"it holds no step of {task.name}: {report.why_empty()}")
     return Transitions.of_rows(rows), report
+
+
+def _to_and_fro(twists: Track[tuple[float, float, float]], shortest: float) -> int:
+    """How many commands last less than `shortest` [s] between two others that are alike."""
+    changes = [
+        i
+        for i, twist in enumerate(twists.values)
+        if i == 0 or twist != twists.values[i - 1]
+    ]
+    count = 0
+    for before, here, after in zip(changes, changes[1:], changes[2:], strict=False):
+        is_between = twists.values[before] == twists.values[after]
+        if is_between and twists.times[after] - twists.times[here] < shortest * SECOND:
+            count += 1
+    return count
 
 
 def _lasers_of(task: Task, drive: Drive) -> set[str]:
@@ -209,8 +166,8 @@ def _lasers_of(task: Task, drive: Drive) -> set[str]:
     return lasers
 
 
-def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Seen:
-    """The latest readings of the robot's sensors."""
+def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Seen | None:
+    """The latest readings of the robot's sensors; None if they are too old."""
     pose = drive.poses.at(time, age)
     scan = drive.scans.at(time, age)
     if pose is None or scan is None:
@@ -230,8 +187,6 @@ def _step(
 
     before, after: as `_readings` gives them; jump: no step is as long as that [m]
     """
-    if before is None or after is None:
-        return "stale"
     steps = set()
     for here, there in zip(before, after, strict=False):
         if math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > jump:

@@ -26,6 +26,7 @@ class Motions:
 
     tolerance: how far a command may be from an action's motion, as part of the task's largest v and largest ω
     max_speed: the largest v, forward or backward [m/s]
+    distinct: those that differ, rounded
 
     Raises ValueError for a task whose robot is not commanded by its wheels alone.
     """
@@ -44,6 +45,8 @@ class Motions:
         others = [a for a in numbers if a not in plain]
         self._actions = [*plain, *others]
         motions = np.array([self.chassis.twist(commands[a]) for a in self._actions])
+        rounded = [(round(v, 3), round(omega, 3)) for v, omega in motions.tolist()]
+        self.distinct = tuple(dict.fromkeys(rounded))
         largest = np.abs(motions).max(axis=0)
         self.max_speed = float(largest[0])
         self._unit = np.where(largest > 0, largest, 1.0)

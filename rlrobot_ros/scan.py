@@ -257,7 +257,8 @@ def _crossing(
     if abs(aside) < EPSILON:  # it comes straight from the scanner
         off = np.abs(turned(rays - angle, 0.0))
         i = int(np.argmin(off))
-        if off[i] > half:
+        # It may be midway between two rays, and then rounding decides.
+        if off[i] > half + EPSILON:
             return None
         whole = np.full(1, LASER_RANGE)
         return _Crossing(np.array([i]), np.zeros(1), whole, along, 0.0)

@@ -407,7 +407,9 @@ def _lost_over_a_link(name: str, seed: int) -> float:
         copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False
     ).rewards.mean()
     with ServedRobot(name, port=0, simulated_time=True) as served:
-        link = RobotLink(served.address, confirmed=True, simulated_time=True)
+        link = RobotLink(
+            served.address, confirmed=True, simulated_time=True, max_speed=0.2
+        )
         env = rl.make_env(name, link=link, seed=0)
         linked = rl.learn(agent, env, steps=100, progress=False).rewards.mean()
         env.close()

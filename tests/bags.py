@@ -22,7 +22,7 @@ TYPES = {
 FORMATS = ("ros1", "sqlite3", "mcap")
 Event = tuple[
     int, str, dict[str, Any]
-]  # time [ns], kind of topic, what the message says
+]  # time [ns], kind of topic, what the message says; "sent": when by its sender's clock [ns], if not at that time
 
 
 def scan(
@@ -147,7 +147,8 @@ def _message(
     def vector(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Any:
         return make("geometry_msgs/msg/Vector3", x, y, z)
 
-    stamp = make("builtin_interfaces/msg/Time", time // SECOND, time % SECOND)
+    sent = said.get("sent", time)
+    stamp = make("builtin_interfaces/msg/Time", sent // SECOND, sent % SECOND)
     header = make("std_msgs/msg/Header", *([0] if is_ros1 else []), stamp, "base_link")
     if name.startswith("sensor_msgs"):
         end = said["angle_min"] + said["angle_increment"] * (len(said["ranges"]) - 1)

@@ -38,7 +38,8 @@ def kill_a_driver(address: str) -> tuple[float, float]:
 
 def drive(address: str) -> None:
     """Drive the robot of wander_1k on and on: this is the process that is killed."""
-    env = make_env("wander_1k", link=RobotLink(address, confirmed=True))
+    link = RobotLink(address, confirmed=True, max_speed=0.2)
+    env = make_env("wander_1k", link=link)
     env.reset()
     while True:
         env.step(8)  # both wheels forward

@@ -5,19 +5,18 @@ import time
 from typing import NamedTuple
 
 from rlrobot_ros.live.rosbridge import Rosbridge
-from rlrobot_ros.live.safety import within
+from rlrobot_ros.live.safety import MAX_AGE, stopping_distance, within
 from rlrobot_ros.live.sensors import Sensors
 from rlrobot_ros.live.velocity_publisher import VelocityPublisher
 
 PERIOD = 0.1  # a command is repeated after so long [s]
-MAX_AGE = 0.5  # of odometry and scan while the robot moves [s]
 PATIENCE = 10.0  # how long we wait for a silent robot [s]
 JUMP = 0.5  # [m]; a robot that stood still and is then as far away was carried, or started anew
 INSTANT = 1e-3  # [s]
 
 
 class Limits(NamedTuple):
-    """Limits of every motion: speed [m/s], turning [rad/s]; and the room ahead that forward motion needs [m]."""
+    """Limits of every motion: speed [m/s], turning [rad/s]; and the least room ahead for forward motion [m]."""
 
     max_speed: float
     max_turn: float
@@ -54,7 +53,9 @@ class Controller:
 
         Raises ConnectionError or TimeoutError as `wait` does; then no stop has been sent.
         """
-        v, omega = within(v, omega, self._limits.max_speed, self._limits.max_turn)
+        limits = self._limits
+        v, omega = within(v, omega, limits.max_speed, limits.max_turn)
+        needed = max(limits.safety_distance, stopping_distance(max(v, 0.0)))
         left = seconds
         while left > INSTANT:
             if not self._can_go():
@@ -64,7 +65,7 @@ class Controller:
             begin = time.monotonic()
             stamp = self._sensors.pose.stamp
             # true for NaN, too
-            is_near = not self._sensors.room >= self._limits.safety_distance
+            is_near = not self._sensors.room >= needed
             if v > 0 and is_near:
                 self.held_back += 1
                 self._velocity.publish(0.0, omega)

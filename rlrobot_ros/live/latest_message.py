@@ -15,7 +15,7 @@ class LatestMessage(Generic[T]):
     took than the quickest ones, and this counts as its age. A message without a time ages from its arrival.
 
     value: its content, None before the first one; stamp: its time by the sender's clock [s], 0 if it has none
-    received: how many messages came; dropped: how many of them were not new
+    received: how many messages came; dropped: how many of them were not new; in_a_row: how many since the newest
     """
 
     def __init__(self) -> None:
@@ -23,6 +23,7 @@ class LatestMessage(Generic[T]):
         self.stamp = 0.0
         self.received = 0
         self.dropped = 0
+        self.in_a_row = 0
         self._came = -math.inf
         self._quickest = math.inf  # least of (time here − stamp)
 
@@ -31,7 +32,9 @@ class LatestMessage(Generic[T]):
         self.received += 1
         if self.value is not None and 0 < stamp <= self.stamp:
             self.dropped += 1
+            self.in_a_row += 1
             return
+        self.in_a_row = 0
         if stamp < self.stamp:  # after `forget` the sender began anew, with its clock
             self._quickest = math.inf
         drift = DRIFT * max(now - self._came, 0.0)

@@ -40,7 +40,9 @@ class RobotLink(Robot):
     max_speed, max_turn : float [m/s], [rad/s]
         Limits that no command exceeds.
     safety_distance : float [m]
-        No forward motion while something ahead is nearer than this to the circle around the robot.
+        No forward motion while something ahead is nearer than this to the circle around the robot, or nearer than it
+        gets at this speed before it stands: if its scan is half a second old, its commands act 0.3 s late and it brakes
+        by 0.5 m/s². From 0.18 m/s that is 0.18 m, from 0.25 m/s 0.26 m.
     confirmed : bool
         Whether the robot may move at once; otherwise a person is asked before its first motion.
     dry_run : bool
@@ -58,7 +60,7 @@ class RobotLink(Robot):
     - A step sends its command ten times a second for the task's `step_time`. It is followed by a stop, unless the next
       step comes within a tenth of a second.
     - Anything that ends a step early, such as an exception or Ctrl-C, stops the robot, and so does `close`. If this
-      process is killed, a second one stops it.
+      process is killed, or does not run for half a second, a second one stops it.
     - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
       and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
       needs, and all that it showed at `reset`.
@@ -75,7 +77,7 @@ class RobotLink(Robot):
         stamped: bool = False,
         chassis: Chassis | None = None,
         mounting: tuple[float, ...] = Mounting(),
-        max_speed: float = 0.25,
+        max_speed: float = 0.18,
         max_turn: float = 1.0,
         safety_distance: float = 0.18,
         confirmed: bool = False,

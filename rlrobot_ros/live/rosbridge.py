@@ -23,7 +23,7 @@ try:
     from websockets.sync.client import connect
 except ImportError:
     raise ImportError(
-        "websockets is not installed: run pip install 'rlrobot-edu[ros]'; everything else works without it"
+        "websockets is not installed: run pip install websockets; everything else works without it"
     ) from None
 
 OPEN_TIMEOUT = 5.0  # until somebody answers [s]

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.robots.chassis import Chassis
 from rlrobot_ros.scan import (
+    EPSILON,
     GAP,
     Floats,
     LaserScan,
@@ -22,6 +23,10 @@ AHEAD = math.radians(60)
 # Share of the rays ahead that must have measured something. Now and then a ray is lost by chance. If most are lost,
 # the reason is dirt, the sun or a fault, and what the others miss is not chance either.
 MOST_KNOWN = 0.5
+MAX_AGE = 0.5  # of odometry and scan while the robot moves [s]
+# of many robots: how late a command acts [s], and how they brake [m/s²]
+LAG = 0.3
+BRAKES = 0.5
 
 
 def room_ahead(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> float:
@@ -39,7 +44,7 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     """
     angles = directions(mounting, rays.angle_min, rays.increment, len(rays.ranges))
     off = np.abs(turned(angles, 0.0))
-    looks_ahead = off < AHEAD
+    looks_ahead = off <= AHEAD + EPSILON
     why_unknown = _why_unknown(rays, off, looks_ahead)
     if why_unknown:
         return math.nan, why_unknown
@@ -47,7 +52,7 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
     y = mounting.y + rays.ranges[met] * np.sin(angles[met])
     is_too_near = looks_ahead & (rays.ranges == 0)
-    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD) | is_too_near[met]
+    is_ahead = (np.abs(np.arctan2(y, x)) <= AHEAD + EPSILON) | is_too_near[met]
     rooms = np.hypot(x, y)[is_ahead] - chassis.radius
     return float(rooms.min(initial=math.inf)), ""
 
@@ -86,6 +91,11 @@ def within(
         )
     excess = max(abs(v) / max_speed, abs(omega) / max_turn, 1.0)
     return v / excess, omega / excess
+
+
+def stopping_distance(speed: float) -> float:
+    """How far a robot gets at this speed [m/s] before it stands [m]: until it knows and brakes, and then."""
+    return speed * (MAX_AGE + LAG) + speed**2 / (2 * BRAKES)
 
 
 def confirm(question: str) -> None:

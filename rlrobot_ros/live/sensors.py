@@ -145,7 +145,13 @@ class Sensors:
                     f"nothing readable comes from the topic {topic!r} ({latest.received} messages so far)"
                 )
             elif age > max_age:
-                problems.append(f"the last message of {topic!r} is {age:.1f} s old")
+                late = f"the last message of {topic!r} is {age:.1f} s old"
+                if latest.in_a_row > 1:
+                    late += (
+                        f", and by their times the {latest.in_a_row} after it are older: was the robot's clock set "
+                        "back? Then begin again with env.reset()"
+                    )
+                problems.append(late)
         if self.sight.value is not None and self.sight.value.blind:
             problems.append(
                 f"{self.sight.value.blind}: is the scanner on, uncovered, and its mounting said right?"

@@ -87,7 +87,7 @@ def test_a_scan_that_sees_nothing_can_be_drawn_too():
 
 def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_running):
     pytest.importorskip(
-        "websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'"
+        "websockets", reason="websockets is missing: pip install websockets"
     )
     from rlrobot_course.lesson_18.scans import listen
 
@@ -101,7 +101,7 @@ def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_run
 
 def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
     pytest.importorskip(
-        "websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'"
+        "websockets", reason="websockets is missing: pip install websockets"
     )
     from rlrobot_course.lesson_18.killed import kill_a_driver
 

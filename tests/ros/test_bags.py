@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bags import FORMATS, SECOND, drive, full_scan, write_bag
+from bags import FORMATS, SECOND, drive, full_scan, scan, write_bag
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,7 +17,7 @@ import rlrobot_edu as rl
 from rlrobot_ros import recording_from_bag
 
 pytest.importorskip(
-    "rosbags.highlevel", reason="rosbags is missing: pip install 'rlrobot-edu[ros]'"
+    "rosbags.highlevel", reason="rosbags is missing: pip install rosbags"
 )
 TASK = "giraff_wander_simple"
 
@@ -451,6 +451,76 @@ def test_what_is_no_bag_is_refused(tmp_path):
         recording_from_bag(tmp_path / "none.bag", TASK)
 
 
+def lost(about):
+    about.unlink()
+
+
+def without_its_storage(about):
+    text = about.read_text()
+    for storage in ("sqlite3", "mcap"):
+        text = text.replace(f"storage_identifier: {storage}", "storage_identifier: ''")
+    about.write_text(text)
+
+
+def of_the_files_former_name(about):
+    (file,) = (file for file in about.parent.iterdir() if file != about)
+    file.rename(file.with_stem("renamed"))
+
+
+def cut_off(about):
+    text = about.read_text()
+    about.write_text(text[: len(text) // 2])
+
+
+def of_a_later_version(about):
+    text = about.read_text()
+    about.write_text(text.replace("version: 9", "version: 99"))
+
+
+def emptied(about):
+    about.write_text("")
+
+
+@pytest.mark.parametrize("form", ["sqlite3", "mcap"])
+@pytest.mark.parametrize("spoil", [
+    lost, without_its_storage, of_the_files_former_name, cut_off, of_a_later_version, emptied,
+])  # fmt: skip
+def test_a_bag_whose_description_is_lost_or_wrong_is_read_from_its_files(
+    driven, tmp_path, form, spoil
+):
+    path = write_bag(tmp_path, form, driven[0])
+    spoil(path / "metadata.yaml")
+    (file,) = (file for file in path.iterdir() if file.suffix != ".yaml")
+    for given_path in (path, file):
+        assert_same(recording_from_bag(given_path, TASK), driven[1])
+
+
+def test_all_files_of_a_bag_without_description_are_read_by_time(driven, tmp_path):
+    path = tmp_path / "whole"
+    path.mkdir()
+    events = driven[0]
+    # a tenth file comes before the second one by name
+    for number in range(12):
+        part = events[number * len(events) // 12 : (number + 1) * len(events) // 12]
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        file = write_bag(folder, "sqlite3", part) / "sqlite3.db3"
+        file.rename(path / f"drive_{number}.db3")
+    assert_same(recording_from_bag(path, TASK), driven[1])
+
+
+def test_a_bag_of_which_a_file_is_missing_is_not_read_as_if_it_were_whole(
+    driven, tmp_path
+):
+    path = write_bag(tmp_path, "mcap", driven[0])
+    about = path / "metadata.yaml"
+    text = about.read_text()
+    about.write_text(text.replace("- mcap.mcap\n", "- mcap.mcap\n  - gone.mcap\n", 1))
+    assert "gone" in about.read_text()
+    with pytest.raises(ValueError, match=r"not a whole bag .* missing"):
+        recording_from_bag(path, TASK)
+
+
 @pytest.mark.parametrize("option", [
         {"tolerance": -1}, {"tolerance": math.nan},
         {"mounting": (0, 0)}, {"mounting": None}, {"mounting": (0, 0, math.nan, False)}, {"mounting": "base"},
@@ -469,7 +539,7 @@ def test_a_task_without_wheels_is_refused(tmp_path):
 
 def test_without_rosbags_one_sentence_says_what_to_install(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
-    with pytest.raises(ImportError, match=r"pip install 'rlrobot-edu\[ros\]'"):
+    with pytest.raises(ImportError, match="run pip install rosbags;"):
         recording_from_bag(tmp_path, TASK)
 
 
@@ -480,6 +550,131 @@ def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times
     events, lived = driven
     shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
     assert_same(recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
+
+
+def slow_minute(set_by=0, moment=30, publishers=((0.0375, 0.0),), speed=0.019):
+    """A minute of a robot that gets half as far as it is told to, while its recorder's clock is set.
+
+    set_by: seconds that the clock gains at this moment; publishers: what each of them commands ten times a second
+    """
+    events = []
+    for i in range(1200):
+        second = i / 20
+        sent = 100 * SECOND + i * SECOND // 20
+        time = sent + (set_by * SECOND if second >= moment else 0)
+        place = {"x": speed * second, "y": 0.0, "theta": 0.0, "sent": sent}
+        events.append((time, "odom", place))
+        if i % 4 == 0:
+            seen = vars(scan([1.5] * 360, 0.0, 2 * math.pi / 360))
+            events.append((time + 1, "scan", {**seen, "sent": sent}))
+        if i % 2 == 0:
+            for number, (v, omega) in enumerate(publishers):
+                at = time + 2 + number * SECOND // 1000
+                events.append((at, "cmd_vel", {"v": v, "omega": omega}))
+    return events
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("set_by", [-40, -5, -2, 3])
+def test_a_recorders_clock_that_is_set_makes_no_reward_and_is_reported(
+    tmp_path, form, set_by
+):
+    path = write_bag(tmp_path, form, slow_minute(set_by))
+    recording = recording_from_bag(path, TASK)
+    assert set(recording.r) == {-0.02}
+    assert len(recording) >= 58 - 2 * abs(min(set_by, 0)) and set(recording.a) == {3}
+    assert recording.report.disordered or set_by > 0
+    if set_by < 0:
+        assert "a clock was set" in str(recording.report)
+
+
+@pytest.mark.parametrize("form", ["sqlite3", "mcap"])
+def test_a_clock_that_is_set_between_two_files_of_a_bag_makes_no_reward(tmp_path, form):
+    events = slow_minute(-5)
+    half = len(events) // 2
+    path = write_bag(tmp_path, form, events[:half])
+    (tmp_path / "second").mkdir()
+    second = write_bag(tmp_path / "second", form, events[half:])
+    (first_file,) = (file for file in path.iterdir() if file.suffix != ".yaml")
+    (second_file,) = (file for file in second.iterdir() if file.suffix != ".yaml")
+    second_file.rename(path / f"second_{first_file.name}")
+    about = path / "metadata.yaml"
+    text = about.read_text()
+    listed = f"- {first_file.name}\n"
+    assert listed in text
+    indent = text.split(listed)[0].rsplit("\n", 1)[1]
+    both = f"{listed}{indent}- second_{first_file.name}\n"
+    about.write_text(text.replace(listed, both, 1))
+    recording = recording_from_bag(path, TASK)
+    assert recording.report.messages["/odom"] == 1200
+    assert set(recording.r) == {-0.02} and len(recording) >= 48
+    assert recording.report.disordered
+
+
+AHEAD, STAND, TURN = (0.0375, 0.0), (0.0, 0.0), (0.0, 0.163)
+
+
+@pytest.mark.parametrize(
+    "publishers", [(AHEAD, STAND), (AHEAD, TURN), (TURN, STAND), (AHEAD, (0.3, 0.0))]
+)
+def test_a_bag_with_two_publishers_of_commands_is_refused_with_the_cause(
+    tmp_path, publishers
+):
+    with pytest.raises(ValueError, match="two publishers seem to send commands at"):
+        recorded(tmp_path, slow_minute(publishers=publishers))
+
+
+def test_one_driver_is_not_taken_for_two_publishers(driven, tmp_path):
+    assert recorded(tmp_path, driven[0]).report.to_and_fro == 0
+    tapped = []
+    for time, kind, said in slow_minute():
+        if kind == "cmd_vel" and time // (SECOND * 2 // 5) % 2:
+            said = {"v": 0.0, "omega": 0.0}
+        tapped.append((time, kind, said))
+    (tmp_path / "tapped").mkdir()
+    with pytest.raises(ValueError, match="hold each command for whole steps") as caught:
+        recorded(tmp_path / "tapped", tapped)
+    assert "publishers" not in str(caught.value)
+
+
+def without_scans_in_time(event):
+    time, kind, said = event
+    return (time + (100 * SECOND if kind == "scan" else 0), kind, said)
+
+
+def away(event):
+    time, kind, said = event
+    if kind == "odom":
+        said = {**said, "x": 200 * said["x"]}
+    return time, kind, said
+
+
+def unlike_any_action(event):
+    time, kind, said = event
+    if kind == "cmd_vel":
+        said = {"v": 0.05, "omega": -0.29}
+    return time, kind, said
+
+
+def with_clocks_at_odds(event):
+    time, kind, said = event
+    return time, kind, {**said, "sent": 2 * said.get("sent", time)}
+
+
+@pytest.mark.parametrize(("spoilt", "advice"), [
+    (without_scans_in_time, "record odometry, scan and commands at the same time"),
+    (away, "is this the robot's own odometry"),
+    (unlike_any_action, r"no action is like 0\.05 m/s and -0\.29 rad/s; the actions are .*, 0 m/s and 0 rad/s: choose"),
+    (with_clocks_at_odds, "record again without setting a clock"),
+])  # fmt: skip
+def test_a_bag_without_a_step_is_refused_with_what_was_lost_and_what_to_do(
+    tmp_path, spoilt, advice
+):
+    events = sorted(map(spoilt, slow_minute()), key=lambda event: event[0])
+    with pytest.raises(ValueError, match=advice) as caught:
+        recorded(tmp_path, events)
+    assert "holds no step" in str(caught.value)
+    assert not re.search(r"[ ,]0 [a-zA-Z]+ ", str(caught.value).split(";")[0])
 
 
 def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(

@@ -79,3 +79,90 @@ def test_whenever_messages_come_there_are_steps_or_one_sentence_and_all_is_count
     assert report.steps <= report.duration / 0.9
     joined = ~transitions.truncated[:-1]
     assert (transitions.s_next[:-1] == transitions.s[1:])[joined].all()
+
+
+SLOW = 0.019  # [m/s]; half of what is commanded, so that a reward for a whole step is a false one
+# how often a message comes in a second: (odometry, scan, command)
+RATES = st.sampled_from([(20, 5, 10), (20, 20, 1), (5, 5, 10), (10, 7, 3)])
+
+
+def slow_drive(rates, received, sent) -> Drive:
+    """Forty seconds in which a robot gets half as far as it is told to.
+
+    received, sent: what the clocks of the recorder and of the sender say at a time [ns]
+    """
+    drive = Drive()
+    messages = []
+    for kind, rate in enumerate(rates):
+        for i in range(40 * rate):
+            messages.append((50 * SECOND + i * SECOND // rate + kind, kind))
+    messages.sort(key=lambda message: received(message[0]))  # as a bag is read
+    for time, kind in messages:
+        x = SLOW * time / SECOND
+        track, value = (
+            (drive.poses, {"x": x, "y": 0.0, "theta": 0.0}),
+            (drive.scans, dict.fromkeys(LASERS, 1.5)),
+            (drive.twists, TWISTS[1]),
+        )[kind]
+        track.add(received(time), value, sent(time) if kind < 2 else 0)
+    return drive
+
+
+def rewards_of(drive: Drive) -> set[float]:
+    transitions, _ = transitions_of(TASK, drive, MOTIONS, ("odom", "scan", "cmd_vel"))
+    return set(transitions.r.tolist())
+
+
+@settings(max_examples=150, deadline=None)
+@given(RATES, st.floats(-15, 15), st.integers(55 * SECOND, 80 * SECOND), st.booleans())
+def test_a_clock_that_is_set_makes_no_reward_that_never_was(
+    rates, seconds, moment, is_recorders
+):
+    def right(time):
+        return time
+
+    def was_set(time):
+        return time + round(seconds * SECOND) if time >= moment else time
+
+    true = rewards_of(slow_drive(rates, right, right))
+    clocks = (was_set, right) if is_recorders else (right, was_set)
+    drive = slow_drive(rates, *clocks)
+    assert rewards_of(drive) == true
+    _, report = transitions_of(TASK, drive, MOTIONS, ("odom", "scan", "cmd_vel"))
+    if seconds < -1:
+        assert report.disordered and "steps whose times contradict" in str(report)
+    if not is_recorders:
+        assert len(transitions_of(TASK, drive, MOTIONS, ("o", "s", "c"))[0].s) >= 36
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.floats(1.5, 15), st.integers(60 * SECOND, 75 * SECOND))
+def test_if_all_clocks_are_set_back_odometry_betrays_it(seconds, moment):
+    def was_set(time):
+        return time - round(seconds * SECOND) if time >= moment else time
+
+    def right(time):
+        return time
+
+    rates = (20, 5, 10)
+    true = rewards_of(slow_drive(rates, right, right))
+    assert rewards_of(slow_drive(rates, was_set, was_set)) == true
+
+
+def test_clocks_that_differ_or_say_nothing_cost_no_step():
+    def right(time):
+        return time
+
+    def early(time):
+        return time - 40 * SECOND
+
+    def drifting(time):
+        return round(1.01 * time)
+
+    def silent(time):
+        return 0
+
+    for sent in (right, early, drifting, silent):
+        drive = slow_drive((20, 5, 10), right, sent)
+        _, report = transitions_of(TASK, drive, MOTIONS, ("odom", "scan", "cmd_vel"))
+        assert report.steps >= 39 and report.disordered == 0

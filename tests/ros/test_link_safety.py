@@ -264,6 +264,27 @@ def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(
     assert robot.motions()[-1] == (0.0, 0.0)
 
 
+def test_a_robot_whose_clock_is_set_back_is_stopped_told_why_and_driven_after_a_reset(
+    env, robot, monkeypatch
+):
+    env.reset()
+    env.step(LEFT)
+    robot.delay = 100.0
+    with (
+        monkeypatch.context() as hasty,
+        pytest.raises(TimeoutError, match="was the robot's clock set back"),
+    ):
+        hasty.setattr(controller, "PATIENCE", 1.0)
+        hasty.setattr(controller, "MAX_AGE", fake_robot.MAX_AGE)
+        env.step(AHEAD)
+        env.step(AHEAD)
+    assert robot.motions()[-1] == (0.0, 0.0)
+    robot.told.clear()
+    env.reset()
+    env.step(AHEAD)
+    assert (V, 0.0) in robot.motions()
+
+
 def test_a_scan_that_shows_nothing_at_all_lets_nothing_move(env, robot, monkeypatch):
     env.reset()
     for rays in (NOTHING, [0.0] * 8, [math.nan] * 8):
@@ -333,6 +354,43 @@ def test_a_command_above_the_limits_is_slowed_down_on_its_curve(robot):
     assert v == pytest.approx(0.05) and omega == pytest.approx(
         -0.075 / 0.46 * 0.05 / 0.1125
     )
+
+
+def time_to_stop(v: float, room: float) -> bool:
+    """Lesson 18: the scan is 0.5 s old, the command acts 0.3 s late, and the brakes give 0.5 m/s²."""
+    left = room - v * (0.5 + 0.3)
+    return left >= 0 and v <= math.sqrt(2 * 0.5 * left) + 1e-9
+
+
+def test_the_largest_speed_of_a_link_suits_its_safety_distance():
+    limits = RobotLink()._settings.limits
+    assert time_to_stop(limits.max_speed, limits.safety_distance)
+
+
+@pytest.mark.parametrize("speed", [0.05, 0.17, 0.19, 0.25, 0.5, 1.0])
+@pytest.mark.parametrize("spare", [-0.01, 0.01])
+def test_whatever_limits_are_given_a_robot_that_drives_can_stop_in_the_room_ahead(
+    robot, speed, spare
+):
+    needed = max(0.18, speed * 0.8 + speed**2)
+    assert time_to_stop(speed, needed)
+    robot.rays = [GIRAFF.radius + needed + spare] * 8
+    fast = GIRAFF._replace(wheel_radius=1.0)
+    link = RobotLink(confirmed=True, max_speed=1.0, max_turn=9.0, chassis=fast)
+    env = rl.make_env("giraff_wander_simple", link=link)
+    env.reset()
+    link.act({"left_wheel": speed, "right_wheel": speed})
+    told = max(v for _, v, _ in robot.told)
+    assert told == pytest.approx(speed if spare > 0 else 0.0)
+    env.close()
+
+
+def test_a_task_that_is_faster_than_the_default_allows_must_say_so(robot):
+    with pytest.raises(
+        ValueError, match=r"at 0\.195 m/s .* limits of 0\.18 m/s .*max_"
+    ):
+        rl.make_env("wander_1k", link=RobotLink())
+    rl.make_env("wander_1k", link=RobotLink(max_speed=0.2)).close()
 
 
 @pytest.mark.parametrize("bad", [0, -1, math.nan, math.inf, "1", None])
@@ -592,7 +650,7 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
         program = f"""
             import rlrobot_edu as rl
             from rlrobot_ros import RobotLink
-            env = rl.make_env("wander_1k", link=RobotLink({served.address!r}, confirmed=True))
+            env = rl.make_env("wander_1k", link=RobotLink({served.address!r}, max_speed=0.2, confirmed=True))
             env.reset()
             while True:
                 env.step(8)  # both wheels forward
@@ -612,6 +670,48 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
             process.wait(120)
             eventually(lambda: heard and heard[-1] == 0.0)
             assert max(heard) > 0.09
+        finally:
+            process.kill()
+            process.stdout.close()
+            process.wait()
+        listener.close()
+
+
+DRIVER = """
+    import sys
+    import rlrobot_edu as rl
+    from rlrobot_ros import RobotLink
+    env = rl.make_env("giraff_wander_simple", link=RobotLink(sys.argv[1], confirmed=True))
+    env.reset()
+    while True:
+        env.step(1)
+        print("moving", flush=True)
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="no SIGSTOP on this system")
+def test_while_the_process_does_not_run_the_robot_is_stopped_and_then_goes_on():
+    with ServedRobot("giraff_wander_simple", port=0) as served:
+        heard = []
+        listener = Rosbridge(served.address)
+        listener.subscribe(
+            "cmd_vel",
+            "geometry_msgs/Twist",
+            lambda twist: heard.append(abs(twist.angular.z)),
+        )
+        process = subprocess.Popen(
+            [sys.executable, "-c", textwrap.dedent(DRIVER), served.address],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        try:
+            assert process.stdout.readline() == "moving\n"
+            os.kill(process.pid, signal.SIGSTOP)
+            eventually(lambda: heard[-2:] == [0.0, 0.0])
+            heard.clear()
+            os.kill(process.pid, signal.SIGCONT)
+            eventually(lambda: any(heard))
         finally:
             process.kill()
             process.stdout.close()
@@ -686,7 +786,7 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
             output_hook=lambda message: None,
         )
         try:
-            link = f"RobotLink({served.address!r}"
+            link = f"RobotLink({served.address!r}, max_speed=0.2"
             run(
                 "import rlrobot_edu as rl; from rlrobot_ros import RobotLink; "
                 f"env = rl.make_env('wander_1k', link={link})); env.reset()"

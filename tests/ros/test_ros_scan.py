@@ -3,6 +3,7 @@
 import math
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ from hypothesis import strategies as st
 from rlrobot_edu import load_task
 from rlrobot_edu.robots.chassis import CHASSIS, GIRAFF, PIONEER
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
+from rlrobot_ros.live.safety import room_ahead
+from rlrobot_ros.live.sensors import Sensors
 from rlrobot_ros.odometry import heading, pose_readings
 from rlrobot_ros.scan import (
     GAP,
@@ -220,6 +223,54 @@ def test_a_laser_sees_no_nearer_and_no_further_than_the_bounds_of_a_scan_with_lo
         assert (
             math.isnan(far[laser]) or near[laser] - 1e-6 <= reading <= far[laser] + 1e-6
         )
+
+
+def single(angle: float) -> float:
+    """The angle as a message holds it, in single precision."""
+    return float(np.float32(angle))
+
+
+def known_live(message: object, mounting: Mounting) -> set[str]:
+    """The lasers that a link to a Giraff knows after this scan."""
+    sensors = Sensors(GIRAFF, mounting, "odom", "scan")
+    message.header = SimpleNamespace(stamp=SimpleNamespace(sec=1, nanosec=0))
+    sensors.receive_scan(message)
+    lasers = sensors.sight.value.lasers
+    return {name for name in lasers if lasers[name] >= 0}
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_laser_midway_between_two_rays_is_seen_in_bags_and_live(side):
+    for rays in range(8, 1200, 5):
+        step = single(TURN / rays)
+        first = single(-math.pi + side * step / 2)
+        round_about = scan([1.0] * rays, first, step)
+        assert laser_readings(round_about, GIRAFF, CENTRE).keys() == set(LASERS), rays
+        assert known_live(round_about, CENTRE) == set(LASERS), rays
+
+
+@some
+@given(st.integers(8, 1200), angles, angles, st.booleans())
+def test_a_scanner_that_looks_all_round_sees_every_laser(rays, first, yaw, hangs):
+    mounting = Mounting(yaw=yaw, upside_down=hangs)
+    round_about = scan([1.0] * rays, single(first), single(TURN / rays))
+    assert laser_readings(round_about, GIRAFF, mounting).keys() == set(LASERS)
+    assert known_live(round_about, mounting) == set(LASERS)
+
+
+def test_a_laser_between_the_two_middle_rays_of_a_camera_is_seen():
+    camera = scan([1.0] * 640, -2.26889, 2 * 2.26889 / 639)
+    assert "laser_front" in laser_readings(camera, PIONEER, CENTRE)
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_ray_at_the_very_edge_of_ahead_counts_whatever_rounding_makes_of_it(side):
+    for rays in range(24, 1200, 6):  # one of them looks 60° to this side
+        step = single(side * TURN / rays)
+        ranges = np.full(rays, 3.0)
+        ranges[rays // 6] = 1.0
+        room = room_ahead(scan(ranges, 0.0, step), GIRAFF, CENTRE)
+        assert room == pytest.approx(1.0 - GIRAFF.radius), rays
 
 
 def test_what_the_scanner_does_not_look_at_is_not_known_rather_than_free():

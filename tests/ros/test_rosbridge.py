@@ -22,7 +22,7 @@ from rlrobot_ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
 from rlrobot_ros.scan import Mounting, laser_readings
 
 pytest.importorskip(
-    "websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'"
+    "websockets", reason="websockets is missing: pip install websockets"
 )
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as raw_connect
@@ -446,7 +446,7 @@ def test_without_websockets_one_sentence_says_what_to_install(name):
         [sys.executable, "-c", program], capture_output=True, text=True, timeout=600
     )
     said = done.stderr.splitlines()[-1]
-    assert said.startswith("ImportError") and "pip install 'rlrobot-edu[ros]'" in said
+    assert said.startswith("ImportError") and "pip install websockets" in said
 
 
 def test_a_server_of_something_else_is_no_rosbridge():

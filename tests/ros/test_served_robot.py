@@ -24,9 +24,7 @@ from rlrobot_ros.messages import (
 )
 from rlrobot_ros.scan import Mounting, laser_readings
 
-pytest.importorskip(
-    "websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'"
-)
+pytest.importorskip("websockets", reason="rosbridge needs pip install websockets")
 from rlrobot_ros.live.rosbridge import Rosbridge
 
 
