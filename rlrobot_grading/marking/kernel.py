@@ -22,6 +22,7 @@ from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
+STARTS = 3  # of a kernel that does not become ready
 # after which a kernel that was asked to end, as by a restart, is gone [s]
 SETTLED = 0.5
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
@@ -29,7 +30,8 @@ LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = (
     "TimeoutError"  # the name of the exception of a cell that had to be interrupted
 )
-MOST_ROUNDS = 50  # of ending what a kernel has left behind
+ENDING = 20.0  # of what a kernel has left behind, at most [s]
+ROUND = 0.5  # in which what was killed is waited for, before one looks again [s]
 END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 KERNEL_SIDE = "__import__('rlrobot_grading.marking.kernel_side', fromlist=['x'])"
@@ -65,8 +67,12 @@ class GoneError(EndedError):
     """The kernel is gone. That may have begun a cell earlier: some ends come a moment after a cell has answered."""
 
 
+class NotStartedError(Exception):
+    """No kernel has become ready. No cell has run by then, so it is not for what the notebook does."""
+
+
 class Kernel:
-    """A context manager.
+    """A context manager. Entering it raises NotStartedError if no kernel becomes ready.
 
     folder: where the notebook runs, empty but for it; home: of its settings
     course, lesson, exercises: whose notebook it is, the lesson's number, and the names of its exercises
@@ -109,17 +115,21 @@ class Kernel:
         self._before: list[Any] = []
 
     def __enter__(self) -> Kernel:
-        for tries_left in (2, 1, 0):
+        for _ in range(STARTS):
             try:
                 self._start()
-                break
-            except (
-                EndedError,
-                TimeoutError,
-            ):  # it hangs, or another program has taken a port that was free
-                if tries_left == 0:
-                    raise
-        return self
+                return self
+            except GoneError:  # another program may have taken a port that was free
+                fault = "it ended before it could be asked anything"
+            except TimeoutError:
+                fault = f"it did not answer within {START:.0f} seconds"
+            except OSError as error:
+                fault = str(error)
+        raise NotStartedError(
+            f"No kernel started for this notebook in {STARTS} tries: {fault}. No cell had run, so this is not the "
+            "notebook's fault: see whether this computer has processes, memory and space on its disk left, and whether "
+            f"--memory {self._memory} is enough, and grade it again."
+        )
 
     def _start(self) -> None:
         from jupyter_client.kernelspec import KernelSpec
@@ -161,14 +171,25 @@ class Kernel:
         self._client.stop_channels()
         self._manager.shutdown_kernel(now=True)
         self._guard.end(self._home)
-        for _ in range(MOST_ROUNDS):  # some may start others meanwhile
+        self._clear_away()
+
+    def _clear_away(self) -> None:
+        """End what the kernel has left behind, and wait for it.
+
+        The dead whom nobody has waited for count among the processes of their user, who may have only so many.
+        """
+        import psutil
+
+        end = time.monotonic() + ENDING
+        while time.monotonic() < end:  # some may start others meanwhile
             now = _children(os.getpid())
             left = [child for child in now if child not in self._before]
             if not left:
                 break
             for child in left:
-                with suppress(Exception):  # it is gone already
+                with suppress(psutil.Error):  # it is gone already
                     child.kill()
+            psutil.wait_procs(left, timeout=ROUND)
 
     def run(self, source: str, seconds: float) -> tuple[str, str]:
         """Run a cell; returns name and text of the exception that it ends with, or two empty ones.
@@ -301,13 +322,15 @@ def end_with_parent() -> None:
 
 
 def _children(pid: int) -> list[Any]:
-    """The processes that a process has started, and those that these have left behind: on Linux they become its own."""
+    """The processes that a process has started, and those that these have left behind: on Linux they become its own.
+
+    The dead are among them, until somebody waits for them.
+    """
     import psutil  # comes with ipykernel
 
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(ADOPT, 1)
     try:
-        living = psutil.Process(pid).children(recursive=True)
-        return [child for child in living if child.status() != psutil.STATUS_ZOMBIE]
+        return list(psutil.Process(pid).children(recursive=True))
     except psutil.Error:
         return []

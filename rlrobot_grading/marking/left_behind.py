@@ -1,0 +1,73 @@
+"""What a user leaves on this computer where everybody may leave something; it is removed for the next one."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+SHARED = (
+    Path(tempfile.gettempdir()),
+    Path("/var/tmp"),
+    Path("/dev/shm"),
+    Path("/dev/mqueue"),
+    Path("/run/lock"),
+)  # folders where everybody may leave something
+IPC = Path("/proc/sysvipc")  # the tables of System V on Linux
+IPC_KINDS = ("shm", "sem", "msg")  # shared memory, semaphores, queues of messages
+IPC_REMOVE = 0  # IPC_RMID
+
+
+@contextmanager
+def removed_in_the_end(uid: int) -> Iterator[None]:
+    """Remove in the end what belongs to a user and was not there in the beginning."""
+    files = _files_of(uid)
+    objects = _objects_of(uid)
+    try:
+        yield
+    finally:
+        for path in _files_of(uid) - files:
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path, ignore_errors=True)
+            else:
+                path.unlink(missing_ok=True)
+        for kind, number in _objects_of(uid) - objects:
+            _remove(kind, number)
+
+
+def _files_of(uid: int) -> set[Path]:
+    files = set()
+    for folder in SHARED:
+        paths = folder.iterdir() if folder.is_dir() else ()
+        for path in paths:
+            with suppress(OSError):  # it is gone already
+                if path.lstat().st_uid == uid:
+                    files.add(path)
+    return files
+
+
+def _objects_of(uid: int) -> set[tuple[str, int]]:
+    """System V's objects of a user, as ("shm", 3)."""
+    objects = set()
+    for kind in IPC_KINDS:
+        with suppress(OSError):  # this kernel has no such table
+            names, *lines = (IPC / kind).read_text().splitlines()
+            for line in lines:
+                row = dict(zip(names.split(), line.split(), strict=True))
+                if int(row["cuid"]) == uid:
+                    # in the second column, as shmid, semid, msqid
+                    objects.add((kind, int(line.split()[1])))
+    return objects
+
+
+def _remove(kind: str, number: int) -> None:
+    system = ctypes.CDLL(None)
+    if kind == "shm":
+        system.shmctl(number, IPC_REMOVE, None)
+    elif kind == "sem":
+        system.semctl(number, 0, IPC_REMOVE)
+    else:
+        system.msgctl(number, IPC_REMOVE, None)
