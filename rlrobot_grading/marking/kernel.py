@@ -20,6 +20,7 @@ from typing import Any
 from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
+from rlrobot_grading.marking.left_behind import end_all_but, processes
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
 STARTS = 3  # of a kernel that does not become ready
@@ -30,10 +31,7 @@ LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = (
     "TimeoutError"  # the name of the exception of a cell that had to be interrupted
 )
-ENDING = 20.0  # of what a kernel has left behind, at most [s]
-ROUND = 0.5  # in which what was killed is waited for, before one looks again [s]
 END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
-ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 KERNEL_SIDE = "__import__('rlrobot_grading.marking.kernel_side', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
 PASSED_ON = (
@@ -136,7 +134,7 @@ class Kernel:
         from jupyter_client.manager import KernelManager
 
         self._file.unlink(missing_ok=True)
-        self._before = _children(os.getpid())
+        self._before = processes()
         # behind a guard they talk by sockets that are files, since there may be no network
         by_files = (
             {"transport": "ipc", "ip": str(self._home / "k")} if self._guard else {}
@@ -171,25 +169,7 @@ class Kernel:
         self._client.stop_channels()
         self._manager.shutdown_kernel(now=True)
         self._guard.end(self._home)
-        self._clear_away()
-
-    def _clear_away(self) -> None:
-        """End what the kernel has left behind, and wait for it.
-
-        The dead whom nobody has waited for count among the processes of their user, who may have only so many.
-        """
-        import psutil
-
-        end = time.monotonic() + ENDING
-        while time.monotonic() < end:  # some may start others meanwhile
-            now = _children(os.getpid())
-            left = [child for child in now if child not in self._before]
-            if not left:
-                break
-            for child in left:
-                with suppress(psutil.Error):  # it is gone already
-                    child.kill()
-            psutil.wait_procs(left, timeout=ROUND)
+        end_all_but(self._before)
 
     def run(self, source: str, seconds: float) -> tuple[str, str]:
         """Run a cell; returns name and text of the exception that it ends with, or two empty ones.
@@ -319,18 +299,3 @@ def end_with_parent() -> None:
     """Have this process end when the one that started it is killed; on Linux."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(END_WITH_PARENT, signal.SIGKILL)
-
-
-def _children(pid: int) -> list[Any]:
-    """The processes that a process has started, and those that these have left behind: on Linux they become its own.
-
-    The dead are among them, until somebody waits for them.
-    """
-    import psutil  # comes with ipykernel
-
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(ADOPT, 1)
-    try:
-        return list(psutil.Process(pid).children(recursive=True))
-    except psutil.Error:
-        return []

@@ -1,14 +1,21 @@
-"""What a user leaves on this computer where everybody may leave something; it is removed for the next one."""
+"""What a notebook leaves behind is cleared away for the next one: processes, and what its user has left elsewhere."""
 
 from __future__ import annotations
 
 import ctypes
+import os
 import shutil
+import sys
 import tempfile
-from collections.abc import Iterator
+import time
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
+ENDING = 20.0  # of processes, at most [s]
+ROUND = 0.5  # in which what was killed is waited for, before one looks again [s]
+ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 SHARED = (
     Path(tempfile.gettempdir()),
     Path("/var/tmp"),
@@ -19,6 +26,39 @@ SHARED = (
 IPC = Path("/proc/sysvipc")  # the tables of System V on Linux
 IPC_KINDS = ("shm", "sem", "msg")  # shared memory, semaphores, queues of messages
 IPC_REMOVE = 0  # IPC_RMID
+
+
+def processes() -> list[Any]:
+    """The processes that this one has started, and those that these have left behind: on Linux they become its own.
+
+    The dead are among them, until somebody waits for them.
+    """
+    import psutil  # comes with ipykernel
+
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(ADOPT, 1)
+    try:
+        return list(psutil.Process(os.getpid()).children(recursive=True))
+    except psutil.Error:
+        return []
+
+
+def end_all_but(others: Collection[Any]) -> None:
+    """End the processes that this one has started, except some, and wait for them.
+
+    The dead whom nobody has waited for count among the processes of their user, who may have only so many.
+    """
+    import psutil
+
+    end = time.monotonic() + ENDING
+    while time.monotonic() < end:  # some may start others meanwhile
+        left = [one for one in processes() if one not in others]
+        if not left:
+            break
+        for one in left:
+            with suppress(psutil.Error):  # it is gone already
+                one.kill()
+        psutil.wait_procs(left, timeout=ROUND)
 
 
 @contextmanager
