@@ -25,7 +25,6 @@ What the grader must know of a course is a value, `course.Course`, which is pass
 What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
 by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.
 
-The solutions ship in every student's package: they are public, and a copied one is right. Without a guard,
-that is with `--trust`, a submission runs with the rights of whoever grades, and one that means harm can read and delete
-files.
+The solutions ship in every student's package: they are public, and a copied one is right. Without a guard, that is
+with `--trust`, a submission runs with the rights of whoever grades, and one that means harm can read and delete files.
 """
