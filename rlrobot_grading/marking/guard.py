@@ -86,8 +86,10 @@ class Guard:
                     continue
                 if uid != self.uid and _is_somebody(uid):
                     continue
+                guard = replace(self, user=str(uid))
+                guard._end_processes()  # of a grading that was killed
                 with removed_in_the_end(uid):
-                    yield replace(self, user=str(uid))
+                    yield guard
                 return
 
     @property
@@ -121,6 +123,11 @@ class Guard:
             )
         if self.uid == 0:
             raise ValueError("--user must be another user than root")
+        # another grading ends all processes of the number that it uses
+        with self.of_one_job() as guard:
+            guard._check_rights(course, notebooks)
+
+    def _check_rights(self, course: Course, notebooks: Sequence[Path]) -> None:
         imports = f"import {course.package}, ipykernel"
         self._output(
             [sys.executable, "-c", imports], f"--user {self.user}: no Python for it"
@@ -240,9 +247,15 @@ class Guard:
             subprocess.run(
                 [self.engine, "rm", "--force", home.parent.name], capture_output=True
             )
-        elif self.user and not _is_somebody(self.uid):
-            # All at once: a process that starts another and ends is gone whenever one looks for it. The user may have
-            # as many as are allowed, so this one is not limited. An account may have processes of its own.
+        self._end_processes()
+
+    def _end_processes(self) -> None:
+        """End all processes of the other user, unless it is an account, which may have processes of its own.
+
+        All at once: one that starts another and ends is gone whenever one looks for it. The user may have as many as
+        are allowed, so the one that ends them is not limited.
+        """
+        if self.user and not _is_somebody(self.uid):
             end_all = ["sh", "-c", "kill -KILL -1"]
             subprocess.run([*self._without_limit(), *end_all], capture_output=True)
 

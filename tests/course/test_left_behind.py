@@ -121,6 +121,31 @@ def test_an_accounts_other_processes_are_not_ended(tmp_path, monkeypatch):
         other.wait()
 
 
+@needs_root
+def test_processes_of_a_grading_that_was_killed_are_ended_before_the_next_begins():
+    left = subprocess.Popen(["sleep", "60"], user=USER)
+    try:
+        with Guard(user=str(USER)).of_one_job():
+            assert left.wait(10) < 0
+    finally:
+        left.kill()
+        left.wait()
+
+
+@needs_root
+def test_a_grading_that_begins_is_not_disturbed_by_the_end_of_another(monkeypatch):
+    used = []
+    check_rights = Guard._check_rights
+    monkeypatch.setattr(
+        Guard,
+        "_check_rights",
+        lambda self, *more: used.append(self.uid) or check_rights(self, *more),
+    )
+    with Guard(user=str(USER)).of_one_job() as one:
+        Guard(user=str(USER)).check(COURSE, [])
+    assert used and one.uid not in used
+
+
 MAKES = {
     "shm": "system.shmget(0, 4096, 0o1666)",
     "sem": "system.semget(0, 1, 0o1666)",
