@@ -100,7 +100,7 @@ def add_commands(commands: Commands) -> None:
     add("progress", show_progress, "my_course").add_argument(
         "folder", nargs="?", help="my_course/ if not given"
     )
-    add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
+    add_options(add("grade", grade_notebooks, "handed_in --container rlrobot-edu"))
     handing_out = add("hand-out", hand_out_notebooks, "students.csv --to handed_out")
     handing_out.add_argument("students", help="list of students, CSV with a column id")
     handing_out.add_argument(

@@ -27,8 +27,10 @@ def check_name(name: object, names: Collection[str], kind: str, owner: str) -> s
     """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
     if isinstance(name, str) and name in names:
         return name
-    advice = f"{did_you_mean(name, names)}It has: {', '.join(names)}"
-    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {advice}")
+    suggestion = did_you_mean(name, names)
+    mark = ";" if suggestion else "."
+    advice = f"{suggestion}It has: {', '.join(names)}"
+    raise ValueError(f"{owner} has no {kind} {name!r:.200}{mark} {advice}")
 
 
 def check_index(kind: str, number: int, n: int) -> int:

@@ -204,6 +204,9 @@ def load_arrays(
     try:
         with zipfile.ZipFile(path) as archive:
             claimed = sum(entry.file_size for entry in archive.infolist())
+            names = archive.namelist()
+        if len(set(names)) < len(names):
+            raise ValueError("it holds two arrays of one name")
         if max(claimed, path.stat().st_size) > LARGEST:
             raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
         with np.load(path, allow_pickle=False) as file:

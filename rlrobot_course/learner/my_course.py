@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from importlib.util import find_spec
 from itertools import chain, count
 from pathlib import Path
 from typing import Any
@@ -16,14 +17,15 @@ from rlrobot_grading.answers.values import safely
 NOTEBOOKS = shipped("notebooks")
 IN_CHECKOUT = NOTEBOOKS.parent == Path(__file__).parents[2]
 FOLDER = (NOTEBOOKS.parent if IN_CHECKOUT else Path.cwd()) / "my_course"
-LAB, FRESH = (
-    ("make lab", "make fresh LESSON=")
-    if IN_CHECKOUT
-    else ("rlrobot-edu lab", "rlrobot-edu fresh ")
-)
+LAB = "rlrobot-edu lab"
+FRESH = "rlrobot-edu fresh "
+if IN_CHECKOUT and Path.cwd() == NOTEBOOKS.parent:  # make finds its file there alone
+    LAB = "make lab"
+    FRESH = "make fresh LESSON="
 FIRST = "00_start_here.ipynb"
 # What the application prefers, beside what the learner prefers: JupyterLab asks no questions about news, and what a
 # widget shows is saved with the notebook, so that it is there on the next day, before any kernel runs
+OPTIONS = {"--ip": "127.0.0.1", "--log-level": "ERROR"}  # unless one's own are given
 PREFERENCES = {
     "@jupyterlab/apputils-extension:notification": {
         "fetchNews": "false",
@@ -38,27 +40,42 @@ Notebook = dict[str, Any]
 def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -> int:
     """Copy the notebooks that are missing, and run JupyterLab on the copies until it ends; returns its exit code.
 
-    more: further arguments for JupyterLab
+    more: further arguments for JupyterLab. Raises ImportError if it is not installed.
     """
+    if find_spec("jupyterlab") is None:
+        raise ImportError(
+            "JupyterLab is not installed: run pip install 'rlrobot-edu[lab]'"
+        )
     print(*copy_missing(source, folder), sep="\n")
     settings = folder / ".jupyterlab"
     write_whole(settings / "overrides.json", json.dumps(PREFERENCES) + "\n")
     print(
-        f"JupyterLab starts, and your browser shows {FIRST}. What you write stays in {folder.name}/. Ctrl-C ends it."
+        f"JupyterLab starts; then your browser shows {FIRST}. What you write stays in {folder}. Ctrl-C ends it."
     )
+    given = [word.partition("=")[0] for word in more]
+    options = [f"{name}={OPTIONS[name]}" for name in OPTIONS if name not in given]
     command = [
-        sys.executable, "-m", "jupyterlab", "--ip=127.0.0.1", "--log-level=ERROR", "-y",  # -y: one Ctrl-C is enough
+        sys.executable, "-m", "jupyterlab", *options, "-y",  # -y: one Ctrl-C is enough
         f"--ServerApp.root_dir={folder.parent}", f"--LabApp.app_settings_dir={settings}",
         f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
     ]  # fmt: skip
     lab = subprocess.Popen(command, cwd=folder)
+    is_wanted = False
     while True:
         try:
             code = lab.wait()
         except KeyboardInterrupt:
+            is_wanted = True
             continue  # JupyterLab has heard it, too, and ends
+        if code == 0 or is_wanted:
+            print(
+                f"JupyterLab has ended. Your notebooks are in {folder}; {LAB} goes on where you stopped."
+            )
+            return 0
         print(
-            f"JupyterLab has ended. Your notebooks are in {folder.name}/; {LAB} goes on where you stopped."
+            f"JupyterLab did not start, or broke off (exit code {code}): see what it says above. "
+            f"Your notebooks are in {folder}.",
+            file=sys.stderr,
         )
         return code
 
@@ -76,7 +93,9 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
             told.append(
                 f"{mine.name} has a new edition; {fresh} gives it to you and keeps yours."
             )
-    return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
+    if copied:
+        told.insert(0, f"{copied} notebooks were copied to {folder}.")
+    return told
 
 
 def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> str:
@@ -94,9 +113,9 @@ def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> st
     told = ""
     if mine.exists():
         old = _put_away(mine, folder / "old")
-        told = f"; the old one is {old.relative_to(folder.parent).as_posix()}"
+        told = f"; the old one is {old}"
     write_whole(mine, _text(blank(original)))
-    return f"{mine.relative_to(folder.parent).as_posix()} is fresh{told}."
+    return f"{mine} is fresh{told}."
 
 
 def _put_away(mine: Path, folder: Path) -> Path:

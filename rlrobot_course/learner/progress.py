@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rlrobot_course.authoring.lists import facts
-from rlrobot_course.learner.my_course import FOLDER, NOTEBOOKS
+from rlrobot_course.learner.my_course import FOLDER, LAB, NOTEBOOKS
 from rlrobot_course.learner.my_functions import (
     FILE,
     LESSONS,
@@ -38,6 +38,11 @@ class Progress(NamedTuple):
             return "All functions of the course are written, and right."
         first, hours = left[0], sum(lesson.minutes for lesson in left) / 60
         done = sum(len(lesson.right) for lesson in self.lessons)
+        if not done:
+            return (
+                f"You have not begun yet, so all is still ahead, some {hours:.0f} hours: {LAB} opens the course. "
+                f"Lesson {first.number} {first.title} asks for the first function, {first.write[0]}."
+            )
         todo = done + sum(len(lesson.write) for lesson in left)
         return (
             f"{done} of {todo} functions are right. Next: lesson {first.number} {first.title}, "
@@ -63,13 +68,8 @@ class Progress(NamedTuple):
 def progress(folder: str | Path = FOLDER) -> Progress:
     """How far the learner of this folder has come; each function in its my_functions.py is checked once more.
 
-    Raises FileNotFoundError where there is no such file.
+    Where there is no such file yet, nothing is written: the first check that is green makes it.
     """
-    path = Path(folder, FILE)
-    if not path.is_file():
-        raise FileNotFoundError(
-            f"{path}: not found; the first check that is green writes it, as in lesson 01"
-        )
     lessons, known = [], facts(NOTEBOOKS.parent)
     for number in LESSONS:
         names = [
@@ -90,7 +90,12 @@ def progress(folder: str | Path = FOLDER) -> Progress:
 
 
 def show(folder: str | None) -> None:
-    """Print how far the learner is, and whether Python cannot read my_functions.py."""
+    """Print how far the learner is, and whether Python cannot read my_functions.py.
+
+    Raises FileNotFoundError if there is no such folder.
+    """
+    if folder and not Path(folder).is_dir():
+        raise FileNotFoundError(f"{folder}: there is no such folder")
     folder = folder or FOLDER
     print(progress(folder))
     mistake = syntax_error(Path(folder, FILE))

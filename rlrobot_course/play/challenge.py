@@ -76,9 +76,11 @@ class Challenge:
             return Verdict(
                 "wrong", one_line(f"No score: {error}".rstrip(".") + ".", 400)
             )
-        best, told = self._keep(score) if is_notebook() else (score, "")
-        yours = "your best so far" if best == score else f"your best is {best}"
-        text = f"{score} {self.unit}, over {self.seeds} seeds: {yours}. {told}".strip()
+        text = f"{score} {self.unit}, over {self.seeds} seeds"
+        if is_notebook():  # elsewhere nothing is kept, so nobody knows the best
+            best, told = self._keep(score)
+            yours = "your best so far" if best == score else f"your best is {best}"
+            text = f"{text}: {yours}. {told}".strip()
         return Verdict("score", text, gained=self._beside)
 
     def score(self, answer: Any) -> Score:

@@ -56,6 +56,10 @@ def load_task(task: str | Path | Task) -> Task:
         )
     path = Path(task)
     is_own = path.suffix == ".py"
+    if not is_own and (path.suffix or len(path.parts) > 1):
+        if path.exists():
+            raise ValueError(f"{path}: the name of a task's file ends in .py")
+        raise FileNotFoundError(f"{path}: there is no such task file")
     if not is_own:
         name = check_name(str(task), available_tasks(), "task", "the toolkit")
         path = shipped("tasks") / f"{name}.py"

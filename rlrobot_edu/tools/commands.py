@@ -14,7 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import rlrobot_edu as rl
+from rlrobot_edu.checks import did_you_mean
 from rlrobot_edu.task.task_file import available_tasks
+from rlrobot_edu.version import __version__
 
 GROUP = "rlrobot_edu.commands"
 ABOUT = "Learn tabular reinforcement learning on simulated robots: a library, and a course of notebooks on top of it."
@@ -75,9 +77,10 @@ class Commands:
         self.parser = ArgumentParser(
             name, description=ABOUT, epilog=FIRST, formatter_class=AsWritten
         )
-        self._commands = self.parser.add_subparsers(
-            required=True, title="commands", metavar="COMMAND"
+        self.parser.add_argument(
+            "--version", action="version", version=f"rlrobot-edu {__version__}"
         )
+        self._commands = self.parser.add_subparsers(title="commands", metavar="COMMAND")
 
     def add(
         self, name: str, run: Callable[..., None], example: str = ""
@@ -90,6 +93,17 @@ class Commands:
         )
         command.set_defaults(run=run, passes_on="")
         return command
+
+    def check(self, given: Sequence[str]) -> None:
+        """End the program if there is no command, with the help; or if it is none of these, with the nearest."""
+        if not given:
+            self.parser.print_help()
+            self.parser.exit()
+        word = given[0]
+        names = list(self._commands.choices)
+        if word not in names and not word.startswith("-"):
+            advice = did_you_mean(word, names) or f"there are {', '.join(names)}"
+            self.parser.error(f"there is no command {word!r:.200}; {advice.strip()}")
 
 
 def add_commands(commands: Commands) -> None:
@@ -114,7 +128,7 @@ def add_commands(commands: Commands) -> None:
 
 
 def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
-    """The function of the given command, and its arguments. Ends the program if there is no such command.
+    """The function of the given command, and its arguments. Ends the program if there is none.
 
     A command whose parser sets `passes_on` gets all arguments that it does not know under that name.
     """
@@ -122,8 +136,14 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     add_commands(commands)
     for package in sorted(entry_points(group=GROUP), key=lambda entry: entry.name):
         package.load()(commands)
-    known, unknown = commands.parser.parse_known_args(given)
+    words = sys.argv[1:] if given is None else given
+    commands.check(words)
+    known, unknown = commands.parser.parse_known_args(words)
     arguments = vars(known)
+    if "run" not in arguments:
+        commands.parser.error(
+            f"{' '.join(unknown)}: a command comes first; --help lists them"
+        )
     run = arguments.pop("run")
     passes_on = arguments.pop("passes_on")
     if passes_on:

@@ -12,6 +12,7 @@ What the grader must know of a course is a value, `course.Course`, which is pass
 - `serialization`: values as text, so that nothing of a learner's is unpickled; `remote_function`: a function that runs
   in the kernel, which a check takes like any other;
 - `guard`: what a kernel runs behind, another user or a container, and whether the grader's own files are as they were;
+  `left_behind`: what is cleared away after it;
 - `secret`: another tape for an exercise, drawn from a seed; `variants`: another variant of an assignment for each
   student;
 - `handed_in`: which files are notebooks; `text`: their encoding; `submission`: which lesson a notebook belongs to, and
@@ -24,6 +25,6 @@ What the grader must know of a course is a value, `course.Course`, which is pass
 What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
 by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.
 
-The solutions ship in every student's package: they are public, and a copied one is right. Without a guard a submission
-runs with the rights of whoever grades, and one that means harm can read and delete files.
+The solutions ship in every student's package: they are public, and a copied one is right. Without a guard, that is
+with `--trust`, a submission runs with the rights of whoever grades, and one that means harm can read and delete files.
 """

@@ -8,6 +8,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from datetime import date
 from functools import partial
@@ -18,7 +19,7 @@ from rlrobot_grading.marking.attribution import Owner, class_of, owners_of
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import Digests, Guard
 from rlrobot_grading.marking.handed_in import HandIn, handed_in, notes_on
-from rlrobot_grading.marking.kernel import end_with_parent
+from rlrobot_grading.marking.kernel import NotStartedError, end_with_parent
 from rlrobot_grading.marking.marks import (
     NO_RULES,
     Limits,
@@ -28,7 +29,7 @@ from rlrobot_grading.marking.marks import (
     read_rules,
 )
 from rlrobot_grading.marking.misunderstood import mistakes_table
-from rlrobot_grading.marking.one_notebook import mark_file
+from rlrobot_grading.marking.one_notebook import mark_file, not_marked
 from rlrobot_grading.marking.reports import (
     as_sheet,
     as_text,
@@ -113,13 +114,16 @@ def grade(
 
         submissions = [_submission(course, one, lesson) for one in found]
         owners = owners_of(submissions, students)
-        copies = [one.copy for one in found]
+        copies = [one.copy for one in found if not one.fault]
         marks = marked_files(course, copies, lesson, seed, limits, jobs, what_counts)
         marked = []
-        for one, submission, owner in zip(marks, submissions, owners, strict=True):
+        for hand_in, submission, owner in zip(found, submissions, owners, strict=True):
+            one = not_marked(submission, what_counts) if hand_in.fault else next(marks)
             digests.check(submission.name)
             one = with_cells_shown(one, submission.cells)
             one = _of_student(one, submission.name, owner, what_counts)
+            if hand_in.note:
+                one.notes.append(hand_in.note)
             marked.append(one)
             print(as_text(one), flush=True)
 
@@ -136,7 +140,10 @@ def grade(
         if mistakes:
             reports[mistakes] = lambda: mistakes_table(course, counting)
         if feedback:
-            copy_of = {one.name: copy for one, copy in zip(marked, copies, strict=True)}
+            copy_of = {
+                one.name: hand_in.copy
+                for one, hand_in in zip(marked, found, strict=True)
+            }
             for one, name in zip(counting, sheet_names(counting), strict=True):
                 path = str(Path(feedback, name))
                 reports[path] = partial(_sheet, one, copy_of[one.name])
@@ -153,7 +160,8 @@ def _print_each(notes: Sequence[str]) -> None:
 def _submission(course: Course, one: HandIn, lesson: str) -> Submission:
     """What is in a notebook, under the name of what was handed in, in letters that can be written into reports."""
     name = str(one.path).encode(errors="backslashreplace").decode()
-    return replace(read_submission(course, one.copy, lesson), name=name)
+    read = read_submission(course, one.copy, lesson)
+    return replace(read, name=name, problem=one.fault or read.problem)
 
 
 def _of_student(one: Marked, name: str, owner: Owner, rules: Rules) -> Marked:
@@ -191,22 +199,30 @@ def marked_files(
     """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
 
     A process that fails, or is killed, costs no more than the notebook that it was at: what it should have done after
-    that is done by another.
+    that is done by another. A process that is killed takes the others with it, and nobody knows which one it was; so
+    the notebooks at which they were are marked anew, one at a time.
     """
     ahead = list(paths)
+    suspects = 0  # how many of the next may have had their process killed
     while ahead:
-        with _pool(min(jobs, len(ahead))) as pool:
+        batch = ahead[:1] if suspects else list(ahead)
+        suspects = max(0, suspects - 1)
+        n_processes = min(jobs, len(batch))
+        with _pool(n_processes) as pool:
             waiting = [
                 pool.submit(mark_file, course, path, lesson, seed, limits, rules)
-                for path in ahead
+                for path in batch
             ]
             try:
-                for future in waiting:
-                    path = ahead.pop(0)
+                for path, future in zip(batch, waiting, strict=True):
                     error = future.exception()
                     if isinstance(error, ImportError):
                         # nothing can be graded without it
                         raise error
+                    if isinstance(error, BrokenProcessPool) and n_processes > 1:
+                        suspects = n_processes
+                        break
+                    ahead.pop(0)
                     if error is not None:
                         yield _failed(path, error)
                         break
@@ -224,8 +240,19 @@ def _pool(jobs: int) -> ProcessPoolExecutor:
 
 
 def _failed(path: Path, error: BaseException) -> Marked:
-    fault = one_line(f"{type(error).__name__}: {error}")
-    problem = f"The grader itself failed at this notebook ({fault}); grade it again."
+    if isinstance(error, NotStartedError):
+        problem = str(error)
+    elif isinstance(error, BrokenProcessPool):
+        problem = (
+            "The process that marked this notebook was killed, and it was the only one. See whether this computer has "
+            "memory left, look into the notebook, and grade it again behind --user or --container."
+        )
+    else:
+        fault = one_line(f"{type(error).__name__}: {error}")
+        problem = (
+            f"The grader has a mistake that shows at this notebook ({fault}). That says nothing about the notebook: "
+            "mark it by hand, and report the mistake."
+        )
     return Marked(str(path), "", [Score("notebook", 0.0, problem)], problem=problem)
 
 
@@ -235,11 +262,12 @@ def run(
     memory: int,
     user: str,
     container: str,
+    trust: bool,
     **arguments: object,
 ) -> None:
     """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
     try:
-        limits = Limits(seconds, memory, Guard(user, container))
+        limits = Limits(seconds, memory, Guard(user, container, trust))
         code = grade(course, limits=limits, **arguments)  # type: ignore[arg-type]
     except (ValueError, OSError, ImportError) as error:
         print(error, file=sys.stderr)

@@ -11,13 +11,13 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rlrobot_grading.marking.course import Course
+from rlrobot_grading.marking.left_behind import removed_in_the_end
 
 NOT_IN_CONTAINERS = ("PATH", "PYTHONPATH", "VIRTUAL_ENV", "TMPDIR")
 NOBODY = 65534  # the user in a container, if root grades
@@ -26,23 +26,26 @@ PROCESSES = 512  # of a user who runs a notebook, threads counted
 LOCKS = Path(
     "/run/rlrobot-grading"
 )  # root's: in it, each job locks the number of its user
-SHARED = (
-    Path(tempfile.gettempdir()),
-    Path("/var/tmp"),
-    Path("/dev/shm"),
-)  # where everybody may leave something
 OPEN = (
     "Without --container or --user a submission runs with your rights: it can read, change and delete your files, the "
     "other notebooks and this grader, and use the network."
+)
+CHOOSE = (
+    "Choose a guard, --container IMAGE (needs podman or docker) or --user 61000 (needs root on Linux); or say --trust "
+    "if you trust all who wrote these notebooks."
 )
 
 
 @dataclass(frozen=True)
 class Guard:
-    """Another user, by name or number, whom the notebooks' kernels run as; or the image of a container for each."""
+    """Another user, by name or number, whom the notebooks' kernels run as; or the image of a container for each.
+
+    trust: whether the notebooks may run without a guard
+    """
 
     user: str = ""
     container: str = ""
+    trust: bool = False
 
     def __bool__(self) -> bool:
         return bool(self.user or self.container)
@@ -67,7 +70,7 @@ class Guard:
     def of_one_job(self) -> Iterator[Guard]:
         """This guard with a user whom no other job has at the same time: its own, or the next number of nobody.
 
-        What this user has left in folders that everybody may write to is removed in the end.
+        What this user has left where everybody may leave something is removed in the end.
         """
         if not self.user:
             yield self
@@ -83,15 +86,10 @@ class Guard:
                     continue
                 if uid != self.uid and _is_somebody(uid):
                     continue
-                before = _left_by(uid)
-                try:
-                    yield replace(self, user=str(uid))
-                finally:
-                    for path in _left_by(uid) - before:
-                        if path.is_dir() and not path.is_symlink():
-                            shutil.rmtree(path, ignore_errors=True)
-                        else:
-                            path.unlink(missing_ok=True)
+                guard = replace(self, user=str(uid))
+                guard._end_processes()  # of a grading that was killed
+                with removed_in_the_end(uid):
+                    yield guard
                 return
 
     @property
@@ -104,7 +102,12 @@ class Guard:
         return OPEN
 
     def check(self, course: Course, notebooks: Sequence[Path]) -> None:
-        """Raise ValueError if this guard cannot be set up, or would let a submission read the notebooks of others."""
+        """Raise ValueError if there is no guard and no trust.
+
+        Also if this guard cannot be set up, or would let a submission read the notebooks of others.
+        """
+        if not self and not self.trust:
+            raise ValueError(f"{OPEN} {CHOOSE}")
         if self.user and self.container:
             raise ValueError("--user and --container: choose one of them")
         if self.user:
@@ -120,6 +123,11 @@ class Guard:
             )
         if self.uid == 0:
             raise ValueError("--user must be another user than root")
+        # another grading ends all processes of the number that it uses
+        with self.of_one_job() as guard:
+            guard._check_rights(course, notebooks)
+
+    def _check_rights(self, course: Course, notebooks: Sequence[Path]) -> None:
         imports = f"import {course.package}, ipykernel"
         self._output(
             [sys.executable, "-c", imports], f"--user {self.user}: no Python for it"
@@ -180,15 +188,16 @@ class Guard:
     def _other_user(self) -> list[str]:
         if not self.user:
             return []
+        return ["prlimit", f"--nproc={PROCESSES}", *self._without_limit()]
+
+    def _without_limit(self) -> list[str]:
         rights = [
             "--clear-groups",
             "--no-new-privs",
             "--inh-caps=-all",
             "--bounding-set=-all",
         ]
-        limit = ["prlimit", f"--nproc={PROCESSES}"]
         return [
-            *limit,
             "setpriv",
             f"--reuid={self.uid}",
             f"--regid={self.uid}",
@@ -238,6 +247,17 @@ class Guard:
             subprocess.run(
                 [self.engine, "rm", "--force", home.parent.name], capture_output=True
             )
+        self._end_processes()
+
+    def _end_processes(self) -> None:
+        """End all processes of the other user, unless it is an account, which may have processes of its own.
+
+        All at once: one that starts another and ends is gone whenever one looks for it. The user may have as many as
+        are allowed, so the one that ends them is not limited.
+        """
+        if self.user and not _is_somebody(self.uid):
+            end_all = ["sh", "-c", "kill -KILL -1"]
+            subprocess.run([*self._without_limit(), *end_all], capture_output=True)
 
 
 NO_GUARD = Guard()
@@ -250,18 +270,6 @@ def _is_somebody(uid: int) -> bool:
         return bool(pwd.getpwuid(uid))
     except KeyError:
         return False
-
-
-def _left_by(uid: int) -> set[Path]:
-    """What belongs to a user in the folders that everybody may write to."""
-    left = set()
-    for folder in SHARED:
-        paths = folder.iterdir() if folder.is_dir() else ()
-        for path in paths:
-            with suppress(OSError):  # it is gone already
-                if path.lstat().st_uid == uid:
-                    left.add(path)
-    return left
 
 
 class Digests:

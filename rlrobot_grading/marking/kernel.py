@@ -20,8 +20,10 @@ from typing import Any
 from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.course import Course
 from rlrobot_grading.marking.guard import NO_GUARD, Guard
+from rlrobot_grading.marking.left_behind import end_all_but, processes
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
+STARTS = 3  # of a kernel that does not become ready
 # after which a kernel that was asked to end, as by a restart, is gone [s]
 SETTLED = 0.5
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
@@ -29,9 +31,7 @@ LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = (
     "TimeoutError"  # the name of the exception of a cell that had to be interrupted
 )
-MOST_ROUNDS = 50  # of ending what a kernel has left behind
 END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
-ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 KERNEL_SIDE = "__import__('rlrobot_grading.marking.kernel_side', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
 PASSED_ON = (
@@ -65,8 +65,12 @@ class GoneError(EndedError):
     """The kernel is gone. That may have begun a cell earlier: some ends come a moment after a cell has answered."""
 
 
+class NotStartedError(Exception):
+    """No kernel has become ready. No cell has run by then, so it is not for what the notebook does."""
+
+
 class Kernel:
-    """A context manager.
+    """A context manager. Entering it raises NotStartedError if no kernel becomes ready.
 
     folder: where the notebook runs, empty but for it; home: of its settings
     course, lesson, exercises: whose notebook it is, the lesson's number, and the names of its exercises
@@ -109,24 +113,28 @@ class Kernel:
         self._before: list[Any] = []
 
     def __enter__(self) -> Kernel:
-        for tries_left in (2, 1, 0):
+        for _ in range(STARTS):
             try:
                 self._start()
-                break
-            except (
-                EndedError,
-                TimeoutError,
-            ):  # it hangs, or another program has taken a port that was free
-                if tries_left == 0:
-                    raise
-        return self
+                return self
+            except GoneError:  # another program may have taken a port that was free
+                fault = "it ended before it could be asked anything"
+            except TimeoutError:
+                fault = f"it did not answer within {START:.0f} seconds"
+            except OSError as error:
+                fault = str(error)
+        raise NotStartedError(
+            f"No kernel started for this notebook in {STARTS} tries: {fault}. No cell had run, so this is not the "
+            "notebook's fault: see whether this computer has processes, memory and space on its disk left, and whether "
+            f"--memory {self._memory} is enough, and grade it again."
+        )
 
     def _start(self) -> None:
         from jupyter_client.kernelspec import KernelSpec
         from jupyter_client.manager import KernelManager
 
         self._file.unlink(missing_ok=True)
-        self._before = _children(os.getpid())
+        self._before = processes()
         # behind a guard they talk by sockets that are files, since there may be no network
         by_files = (
             {"transport": "ipc", "ip": str(self._home / "k")} if self._guard else {}
@@ -161,14 +169,7 @@ class Kernel:
         self._client.stop_channels()
         self._manager.shutdown_kernel(now=True)
         self._guard.end(self._home)
-        for _ in range(MOST_ROUNDS):  # some may start others meanwhile
-            now = _children(os.getpid())
-            left = [child for child in now if child not in self._before]
-            if not left:
-                break
-            for child in left:
-                with suppress(Exception):  # it is gone already
-                    child.kill()
+        end_all_but(self._before)
 
     def run(self, source: str, seconds: float) -> tuple[str, str]:
         """Run a cell; returns name and text of the exception that it ends with, or two empty ones.
@@ -298,16 +299,3 @@ def end_with_parent() -> None:
     """Have this process end when the one that started it is killed; on Linux."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(END_WITH_PARENT, signal.SIGKILL)
-
-
-def _children(pid: int) -> list[Any]:
-    """The processes that a process has started, and those that these have left behind: on Linux they become its own."""
-    import psutil  # comes with ipykernel
-
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(ADOPT, 1)
-    try:
-        living = psutil.Process(pid).children(recursive=True)
-        return [child for child in living if child.status() != psutil.STATUS_ZOMBIE]
-    except psutil.Error:
-        return []

@@ -46,13 +46,18 @@ def mark_file(
     """Run and judge one notebook; its scores say what is wrong with it."""
     submission = read_submission(course, path, lesson)
     if submission.problem:
-        names = list(submission.answered_in) or ["notebook"]
-        problem = submission.problem
-        scores = [Score(name, 0.0, problem, rules.points_of(name)) for name in names]
-        return Marked(
-            submission.name, submission.lesson, scores, [problem], problem=problem
-        )
+        return not_marked(submission, rules)
     return Marking(course, path, submission, seed, limits, rules).marked()
+
+
+def not_marked(submission: Submission, rules: Rules) -> Marked:
+    """What becomes of a submission that has a problem."""
+    names = list(submission.answered_in) or ["notebook"]
+    problem = submission.problem
+    scores = [Score(name, 0.0, problem, rules.points_of(name)) for name in names]
+    return Marked(
+        submission.name, submission.lesson, scores, [problem], problem=problem
+    )
 
 
 @lru_cache(maxsize=4)

@@ -20,6 +20,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add("notebooks", nargs="+", metavar="NOTEBOOK", help="a file, a folder, a pattern")
     for name, meaning in TEXTS.items():
         add(f"--{name}", default="", help=meaning)
+    add("--trust", action="store_true", help="run the notebooks with your own rights")
     add("--seed", type=int, help="of the secret tapes; drawn, and shown, if not given")
     add("--seconds", type=float, default=300.0, help="for one notebook, 300")
     add("--memory", type=int, default=4096, help="for one notebook [MiB], 4096")

@@ -78,7 +78,7 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
     command = [sys.executable, "-m", "rlrobot_edu", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
                "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
                "--jobs", "2", "--memory", "2048", "--seconds", "60",
-               *(["--user", "61000"] if guarded else [])]  # fmt: skip
+               *(["--user", "61000"] if guarded else ["--trust"])]  # fmt: skip
     done = subprocess.run(
         command, cwd=tmp_path, capture_output=True, text=True, timeout=3000
     )

@@ -5,9 +5,12 @@ from __future__ import annotations
 import csv
 import importlib
 import inspect
+import os
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from textwrap import indent
 from typing import NamedTuple
@@ -18,9 +21,11 @@ import pytest
 from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.homework import COURSE
 from rlrobot_course.lesson_03 import exercises
+from rlrobot_grading.marking import grade as grade_module
 from rlrobot_grading.marking.grade import grade, marked_files
-from rlrobot_grading.marking.kernel import EndedError, Kernel
-from rlrobot_grading.marking.marks import Limits
+from rlrobot_grading.marking.guard import Guard
+from rlrobot_grading.marking.kernel import Kernel, NotStartedError
+from rlrobot_grading.marking.marks import Limits, Marked, Score
 from rlrobot_grading.marking.submission import read_submission
 
 pytestmark = pytest.mark.long  # what all its tests are about takes a minute
@@ -28,6 +33,7 @@ pytestmark = pytest.mark.long  # what all its tests are about takes a minute
 pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
+TRUSTED = Limits(guard=Guard(trust=True))
 NOTEBOOK = str(ROOT / "notebooks/03_q_learning.ipynb")
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_03 import check"
 FUNCTIONS = {
@@ -308,6 +314,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
             COURSE,
             [str(right), str(broken), str(unknown)],
             seed=5,
+            limits=TRUSTED,
             jobs=2,
             csv=str(tmp_path / "csv"),
         )
@@ -326,7 +333,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
         ("", ""),
     ]
     assert rows[0]["03:target"] == "1" and "not a notebook" in rows[1]["notes"]
-    assert grade(COURSE, [str(right)], seed=5) == 0
+    assert grade(COURSE, [str(right)], seed=5, limits=TRUSTED) == 0
 
 
 @pytest.mark.parametrize(
@@ -337,6 +344,9 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
         ([NOTEBOOK, "--seconds", "nan"], "--seconds nan: it must be above 0"),
         ([NOTEBOOK, "--lesson", "77"], "there are no exercises in a lesson '77'"),
         ([NOTEBOOK, "--jobs", "0"], "--jobs at least 1"),
+        ([NOTEBOOK], "--container IMAGE"),
+        ([NOTEBOOK], "--user 61000"),
+        ([NOTEBOOK], "say --trust"),
         ([], "NOTEBOOK"),
     ],
 )
@@ -409,5 +419,35 @@ def test_a_kernel_that_ends_or_hangs_as_it_starts_is_started_again(
         assert kernel.run("1 / 0", 60)[0] == "ZeroDivisionError"
     assert first.exists()
     kernel._argv = [*its_own[:2], "pass", *its_own[3:]]
-    with pytest.raises(EndedError, match="ends the whole kernel"):
+    with pytest.raises(NotStartedError, match="not the notebook's fault"):
         kernel.__enter__()
+
+
+def one_that_kills_its_process(course, path, *_):
+    """What `mark_file` does, in other processes: at one of the notebooks the process is killed."""
+    if path.stem == "killer":
+        time.sleep(1)
+        os.kill(os.getpid(), signal.SIGKILL)
+    if path.stem == "slow":
+        time.sleep(3)
+    return Marked(str(path), "03", [Score("target", 1.0, "")])
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
+def test_a_process_that_is_killed_is_told_of_its_own_notebook_and_of_no_neighbour(
+    monkeypatch,
+):
+    monkeypatch.setattr(grade_module, "mark_file", one_that_kills_its_process)
+    paths = [Path(name) for name in ("slow.ipynb", "killer.ipynb", "last.ipynb")]
+    marks = list(marked_files(COURSE, paths, "03", 7, Limits(), jobs=2))
+    assert [one.name for one in marks] == [str(path) for path in paths]
+    assert [bool(one.problem) for one in marks] == [False, True, False]
+    assert "was killed" in marks[1].problem
+
+
+def test_a_failure_says_whose_fault_it_is():
+    def told(error):
+        return grade_module._failed(Path("a.ipynb"), error).problem
+
+    assert "says nothing about the notebook" in told(KeyError("x"))
+    assert told(NotStartedError("No kernel started.")) == "No kernel started."

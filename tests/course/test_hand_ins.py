@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import csv
+import glob
 import os
 import random
 import re
 import sys
 import tempfile
+import warnings
+import zipfile
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -18,7 +22,7 @@ from hypothesis import strategies as st
 
 from rlrobot_course.homework import COURSE
 from rlrobot_grading.marking import grade as grade_module
-from rlrobot_grading.marking.grade import grade
+from rlrobot_grading.marking.guard import Guard
 from rlrobot_grading.marking.handed_in import handed_in
 from rlrobot_grading.marking.marks import NO_RULES, Limits, Marked, Score
 from rlrobot_grading.marking.one_notebook import mark_file
@@ -27,6 +31,8 @@ from rlrobot_grading.marking.submission import read_submission
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
 ZIP = b"PK\x03\x04 and so on"
 HEAD = "from rlrobot_course.lesson_03 import check"
+TRUSTED = Limits(guard=Guard(trust=True))
+grade = partial(grade_module.grade, limits=TRUSTED)
 
 
 def notebook(path: Path, points: int) -> Path:
@@ -266,9 +272,8 @@ def test_a_file_that_cannot_be_read_costs_no_other(tmp_path):
     notebook(tmp_path / "in/s1.ipynb", 4)
     (tmp_path / "in/s2.ipynb").symlink_to(tmp_path / "nowhere.ipynb")
     assert grade(COURSE, ["in"], csv="points.csv", seed=1) == 1
-    assert [row["score"] for row in rows()] == ["4", ""] and "cannot be read" in rows()[
-        1
-    ]["reasons"]
+    assert [row["score"] for row in rows()] == ["4", ""]
+    assert "is a link to" in rows()[1]["reasons"]
 
 
 @pytest.mark.skipif(
@@ -292,7 +297,112 @@ def test_a_folder_that_is_a_link_is_not_passed_over_in_silence(tmp_path, capsys)
     notebook(tmp_path / "in/s1.ipynb", 4)
     (tmp_path / "in/s2").symlink_to(tmp_path / "elsewhere")
     assert grade(COURSE, ["in"], seed=1) == 0
-    assert "no files that end in .ipynb: in/s2." in capsys.readouterr().out
+    assert "since these are links: in/s2." in capsys.readouterr().out
+
+
+def a_link(path: Path, ann: Path) -> None:
+    path.symlink_to(ann)
+
+
+def a_relative_link(path: Path, ann: Path) -> None:
+    path.symlink_to(os.path.relpath(ann, path.parent))
+
+
+def a_link_to_a_link(path: Path, ann: Path) -> None:
+    path.with_name("between").symlink_to(ann)
+    path.symlink_to("between")
+
+
+def a_hard_link(path: Path, ann: Path) -> None:
+    path.hardlink_to(ann)
+
+
+def a_pipe(path: Path, ann: Path) -> None:
+    os.mkfifo(path)
+
+
+def a_folder_that_is_a_link(path: Path, ann: Path) -> None:
+    path.parent.rmdir()
+    path.parent.symlink_to(ann.parent)
+
+
+NOT_ONES_OWN = (a_link, a_relative_link, a_link_to_a_link, a_hard_link, a_pipe)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other links, and no pipes")
+@pytest.mark.parametrize("asked", ["in", "in/*", "in/*/*.ipynb", "in/**/*.ipynb"])
+@pytest.mark.parametrize(
+    "made", [*NOT_ONES_OWN, a_folder_that_is_a_link], ids=lambda made: made.__name__
+)
+@pytest.mark.parametrize("where", ["the same class", "elsewhere"])
+@pytest.mark.parametrize("by_the_shell", [False, True], ids=["pattern", "names"])
+def test_what_is_no_file_of_ones_own_gets_no_points_and_a_word(
+    tmp_path, made, asked, where, by_the_shell, capsys
+):
+    notebook(tmp_path / "in/cid/x.ipynb", 3)
+    folder = "in/ann" if where == "the same class" else "home/ann"
+    ann = notebook(tmp_path / folder / "x.ipynb", 4)
+    (tmp_path / "in/bob").mkdir()
+    made(tmp_path / "in/bob/x.ipynb", ann)
+    names = [asked]
+    if by_the_shell:
+        names = sorted(glob.glob(asked, recursive=True))
+    grade(COURSE, names, csv="points.csv", seed=1)
+    points = {Path(row["notebook"]).parts[1]: row["score"] for row in rows()}
+    said = capsys.readouterr().out
+    assert points["cid"] == "3"
+    if made is a_hard_link and where == "elsewhere":
+        # as good as a copy, but for the note: he could read it
+        assert "2 names on this computer" in said
+    else:
+        assert points.get("bob", "") == ""
+        assert re.search(r"in/bob(/x\.ipynb)?\b", said)
+    if where == "the same class" and made is not a_hard_link:
+        assert points["ann"] == "4"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights on Windows")
+def test_the_teachers_own_folder_may_be_a_link(tmp_path):
+    notebook(tmp_path / "disk/ann/x.ipynb", 4)
+    notebook(tmp_path / "disk/bob/x.ipynb", 3)
+    (tmp_path / "in").symlink_to(tmp_path / "disk")
+    for names in (["in"], ["in/*"], ["in/ann", "in/bob"]):
+        grade(COURSE, names, csv="points.csv", seed=1)
+        assert [row["score"] for row in rows()] == ["4", "3"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights on Windows")
+def test_a_file_that_becomes_a_link_while_it_is_looked_at_is_not_followed(
+    tmp_path, monkeypatch
+):
+    notebook(tmp_path / "ann.ipynb", 4)
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in/bob.ipynb").symlink_to(tmp_path / "ann.ipynb")
+    monkeypatch.setattr(Path, "is_symlink", lambda path: False)
+    (one,), _ = handed_in(["in"], tmp_path / "in")
+    assert one.fault and not one.copy.exists()
+
+
+def test_an_archive_is_named_and_not_opened_whatever_is_in_it(tmp_path, capsys):
+    notebook(tmp_path / "in/ann.ipynb", 4)
+    source = (tmp_path / "in/ann.ipynb").read_text(encoding="utf-8")
+    with zipfile.ZipFile(tmp_path / "in/bob.zip", "w") as archive:
+        for name in ("bob.ipynb", "bob.ipynb", "../bob.ipynb", "/tmp/bob.ipynb"):
+            with warnings.catch_warnings(action="ignore"):  # of the second of one name
+                archive.writestr(name, source)
+    grade(COURSE, ["in"], csv="points.csv", seed=1)
+    assert [row["id"] for row in rows()] == ["ann"]
+    assert "no files that end in .ipynb: in/bob.zip." in capsys.readouterr().out
+
+
+def test_a_grading_without_a_guard_needs_a_word_of_trust_before_anything_runs(
+    tmp_path, capsys
+):
+    notebook(tmp_path / "s1.ipynb", 4)
+    for limits in (None, Limits()):
+        with pytest.raises(ValueError, match=r"--container .* --user .* --trust"):
+            grade(COURSE, ["s1.ipynb"], csv="points.csv", limits=limits)
+    assert capsys.readouterr().out == "" and not Path("points.csv").exists()
 
 
 def test_students_whose_folders_differ_in_their_capitals_alone_are_two(tmp_path):

@@ -2,6 +2,9 @@
 
 import importlib.util
 import json
+import os
+import subprocess
+import sys
 import time
 
 import pytest
@@ -54,7 +57,7 @@ def course(tmp_path):
 
 
 def test_copies_have_no_outputs_and_are_never_overwritten(course):
-    assert copy_missing(**course) == ["2 notebooks were copied to my_course/."]
+    assert copy_missing(**course) == [f"2 notebooks were copied to {course['folder']}."]
     mine = course["folder"] / "03_q.ipynb"
     cell = json.loads(mine.read_text())["cells"][0]
     assert (
@@ -77,9 +80,8 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
     write(course["source"] / "03_q.ipynb", "2 + 2")
     assert "make fresh LESSON=03" in copy_missing(**course)[0]
-    assert (
-        "my_course/03_q.ipynb is fresh; the old one is my_course/old/03_q_"
-        in set_back("03", **course)
+    assert set_back("03", **course).startswith(
+        f"{mine} is fresh; the old one is {course['folder'] / 'old' / '03_q_'}"
     )
     assert "2 + 2" in mine.read_text()
     assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
@@ -88,12 +90,10 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
 
 def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
     write(course["source"] / "homework" / "1_cart.ipynb")
-    assert copy_missing(**course) == ["3 notebooks were copied to my_course/."]
+    assert copy_missing(**course) == [f"3 notebooks were copied to {course['folder']}."]
     mine = course["folder"] / "homework" / "1_cart.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
-    assert "my_course/homework/1_cart.ipynb is fresh" in set_back(
-        "homework 1", **course
-    )
+    assert f"{mine} is fresh" in set_back("homework 1", **course)
     assert "1 + 1" in mine.read_text()
 
 
@@ -102,9 +102,13 @@ def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other
 ):
     write(course["source"] / "homework" / "2_cart.ipynb")
     copy_missing(**course)
-    for number, file in (("3", "my_course/03_q.ipynb"), ("03", "my_course/03_q.ipynb"),
-                         ("homework 2", "my_course/homework/2_cart.ipynb")):  # fmt: skip
-        assert set_back(number, **course).startswith(f"{file} is fresh")
+    for number, file in (
+        ("3", "03_q.ipynb"),
+        ("03", "03_q.ipynb"),
+        ("homework 2", "homework/2_cart.ipynb"),
+    ):
+        mine = course["folder"] / file
+        assert set_back(number, **course).startswith(f"{mine} is fresh")
 
 
 def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypatch):
@@ -128,20 +132,28 @@ def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
         set_back("77", **course)
 
 
+def lab_that_ends_with(*ends):
+    """A stand-in for the process of JupyterLab: what each call of `wait` returns, or raises."""
+
+    ahead = list(ends)
+
+    class Lab:
+        def __init__(self, command, cwd):
+            Lab.command = command
+
+        def wait(self):
+            end = ahead.pop(0)
+            if end is KeyboardInterrupt:
+                raise KeyboardInterrupt
+            return end
+
+    return Lab
+
+
 def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(
     course, monkeypatch, capsys
 ):
-    class Lab:
-        waits = iter([KeyboardInterrupt, 0])
-
-        def __init__(self, command, cwd):
-            self.command = Lab.command = command
-
-        def wait(self):
-            if (what := next(self.waits)) is KeyboardInterrupt:
-                raise KeyboardInterrupt
-            return what
-
+    Lab = lab_that_ends_with(KeyboardInterrupt, 130)
     monkeypatch.setattr(my_course.subprocess, "Popen", Lab)
     assert my_course.open_lab(["--port=1"], **course) == 0
     assert Lab.command[-2:] == [
@@ -149,7 +161,57 @@ def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(
         "--port=1",
     ]
     assert "--ip=127.0.0.1" in Lab.command
-    assert capsys.readouterr().out.splitlines()[-1].startswith("JupyterLab has ended.")
+    *_, last = capsys.readouterr().out.splitlines()
+    assert last.startswith(
+        f"JupyterLab has ended. Your notebooks are in {course['folder']};"
+    )
+
+
+@pytest.mark.parametrize("code", [1, 2, -9])
+def test_a_jupyterlab_that_does_not_start_is_not_told_as_a_normal_end(
+    course, monkeypatch, capsys, code
+):
+    monkeypatch.setattr(my_course.subprocess, "Popen", lab_that_ends_with(code))
+    assert my_course.open_lab([], **course) == code
+    said = capsys.readouterr()
+    assert "has ended" not in said.out + said.err
+    assert f"did not start, or broke off (exit code {code})" in said.err
+
+
+def test_without_jupyterlab_it_is_told_what_to_install(course, monkeypatch):
+    monkeypatch.setattr(my_course, "find_spec", lambda name: None)
+    with pytest.raises(ImportError, match="pip install"):
+        my_course.open_lab([], **course)
+
+
+@pytest.mark.parametrize("own", ["--ip=0.0.0.0", "--ip 0.0.0.0", "--log-level=INFO"])
+def test_an_option_of_ones_own_takes_the_place_of_the_commands(
+    course, monkeypatch, own
+):
+    Lab = lab_that_ends_with(0)
+    monkeypatch.setattr(my_course.subprocess, "Popen", Lab)
+    my_course.open_lab(own.split(), **course)
+    name = own.split()[0].partition("=")[0]
+    assert [word.partition("=")[0] for word in Lab.command].count(name) == 1
+
+
+@pytest.mark.parametrize("where", ["the checkout", "elsewhere"])
+def test_the_command_that_is_named_works_where_one_stands(tmp_path, where):
+    folder = my_course.NOTEBOOKS.parent if where == "the checkout" else tmp_path
+    script = (
+        "from rlrobot_course.learner.my_course import LAB, FRESH; print(LAB, FRESH)"
+    )
+    environment = os.environ | {"PYTHONPATH": str(my_course.NOTEBOOKS.parent)}
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    program = "make" if where == "the checkout" else "rlrobot-edu"
+    assert done.stdout.startswith(f"{program} lab {program} fresh")
 
 
 def module_of(path, source):

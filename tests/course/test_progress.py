@@ -2,6 +2,7 @@
 
 import pytest
 
+from rlrobot_course.learner import progress as progress_module
 from rlrobot_course.learner.my_functions import FILE, keep
 from rlrobot_course.learner.progress import progress
 from rlrobot_course.lesson_03 import check, exercises
@@ -39,6 +40,19 @@ def test_the_command_prints_a_table(begun, capsys):
     assert "03  Q-learning" in out and "2 of 3" in out and "Next: lesson 01" in out
 
 
-def test_without_a_file_it_says_what_writes_it(tmp_path):
-    with pytest.raises(SystemExit, match="the first check that is green writes it"):
-        commands.main(["progress", str(tmp_path)])
+def test_a_beginner_is_told_where_to_begin_and_not_of_a_fault(tmp_path, capsys):
+    commands.main(["progress", str(tmp_path)])
+    said = capsys.readouterr().out
+    assert "You have not begun yet" in said and "lab opens the course" in said
+    assert "asks for the first function, bin_of." in said
+
+
+def test_a_beginner_without_the_folder_is_told_the_same(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(progress_module, "FOLDER", tmp_path / "my_course")
+    commands.main(["progress"])
+    assert "You have not begun yet" in capsys.readouterr().out
+
+
+def test_a_folder_that_is_not_there_is_named(tmp_path):
+    with pytest.raises(SystemExit, match="nowhere: there is no such folder"):
+        commands.main(["progress", str(tmp_path / "nowhere")])

@@ -1,5 +1,7 @@
 """An agent that can be saved can be loaded, and goes on as if nothing had been; another one is refused when saved."""
 
+import warnings
+import zipfile
 from fractions import Fraction
 
 import numpy as np
@@ -124,3 +126,18 @@ def test_a_file_that_would_be_too_large_to_read_is_not_written(
     assert np.array_equal(
         files.load_arrays(path, "agent", lambda about, arrays: arrays["array"]), array
     )
+
+
+def test_a_file_with_two_arrays_of_one_name_is_refused(tmp_path):
+    """Else one of them would count, and nobody would know which."""
+    one, other = tmp_path / "one.npz", tmp_path / "other.npz"
+    agent = rl.Agent("worked_example", "Q+EG", seed=0)
+    agent.save(one)
+    agent.learn_step(0, 0, 1.0, 1, False)
+    agent.save(other)
+    with zipfile.ZipFile(other) as second, zipfile.ZipFile(one, "a") as first:
+        for name in second.namelist():
+            with warnings.catch_warnings(action="ignore"):  # zipfile's own
+                first.writestr(name, second.read(name))
+    with pytest.raises(ValueError, match="it holds two arrays of one name"):
+        rl.Agent.load(one)

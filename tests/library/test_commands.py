@@ -7,6 +7,7 @@ from unittest.mock import Mock
 
 import pytest
 
+import rlrobot_edu as rl
 from rlrobot_course.commands import open_lab
 from rlrobot_edu.task.task_file import available_tasks
 from rlrobot_edu.tools import commands
@@ -104,10 +105,62 @@ def test_a_file_that_cannot_be_written_is_told_in_a_sentence_without_the_systems
 
 @pytest.mark.parametrize(
     "more",
-    [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []],
+    [
+        ["--allow-root"],
+        ["--port", "9999", "--no-browser"],
+        ["a.ipynb", "--port=1"],
+        ["--version"],
+        [],
+    ],
 )
 def test_what_follows_lab_goes_to_jupyterlab_as_it_stands(more):
     assert commands.parse(["lab", *more]) == (open_lab, {"more": more})
+
+
+def test_without_a_command_there_is_the_help_and_no_error(capsys):
+    with pytest.raises(SystemExit) as end:
+        commands.main([])
+    assert end.value.code == 0
+    alone = capsys.readouterr()
+    assert alone.err == ""
+    assert " ".join(alone.out.split()) == help_of(capsys)
+
+
+def test_the_version_can_be_asked_for(capsys):
+    with pytest.raises(SystemExit) as end:
+        commands.main(["--version"])
+    assert end.value.code == 0
+    assert capsys.readouterr().out == f"rlrobot-edu {rl.__version__}\n"
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("slip", ["left out", "changed", "doubled", "exchanged"])
+def test_a_slip_in_a_command_gets_the_command_that_was_meant(capsys, name, slip):
+    word = {
+        "left out": name[:1] + name[2:],
+        "changed": f"{name[:-1]}q",
+        "doubled": name[:2] + name[1:],
+        "exchanged": name[1] + name[0] + name[2:],
+    }[slip]
+    with pytest.raises(SystemExit) as end:
+        commands.main([word])
+    assert end.value.code == 2
+    assert f"did you mean {name!r}?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["--quick"], ["--"], [""], ["xyzzy"]])
+def test_what_is_no_command_is_refused_in_a_sentence(capsys, words):
+    with pytest.raises(SystemExit) as end:
+        commands.main(words)
+    assert end.value.code == 2
+    said = capsys.readouterr().err
+    assert "there is no command" in said or "a command comes first" in said
+
+
+@pytest.mark.parametrize("name", ["nofile.toml", "nofile.py", "folder/nofile"])
+def test_what_looks_like_a_file_is_told_to_be_none_and_not_to_be_no_name(name):
+    with pytest.raises(SystemExit, match=r"nofile.*: there is no such task file"):
+        commands.main(["check-task", name])
 
 
 def test_an_option_that_is_not_known_is_refused(capsys):
