@@ -11,10 +11,14 @@ from rlrobot_course.exercises.parts import (
     wrong_choices,
 )
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_FOR_Q,
+    FINE_GAMMA,
     Q_START,
     Q_TAPE,
     Chooser,
     PatientWorld,
+    Weighing,
     rows,
     with_columns,
 )
@@ -63,10 +67,12 @@ def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
     learns[s, a] += alpha * (target - learns[s, a])
 
 
-OTHER = np.array([[1.0, 0.5, 2.5], [-2.0, 6.5, 3.5], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]])
-HEADS = (True, False, True, False, True, True, False, False, False)
-ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
-GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
+OTHER = np.array(
+    [[1.0, 0.5, 2.5], [-2.0, 6.5, 3.4567], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]]
+)
+HEADS = (True, False, True, False, True, True, False, False, False, True)
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, FINE_ALPHA)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, FINE_GAMMA)
 
 
 def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
@@ -104,6 +110,7 @@ check = with_pages(
             (7, 1.0, 0.05, 20),
             (301, 0.75, 0.5, 4),
             (5, 0.625, 0.0, 2),
+            (3, 0.91234, 0.12345, 7),
         ),
         another=other_moment,
     ),
@@ -118,13 +125,20 @@ check = with_pages(
             ([2.5, 2.5], 1.5),
             ([900.5, 899.5, 100.25], 0.5),
             ([-7.5, -6.25, -9.5], 2.5),
+            ([1.23456, -0.98765, 0.54321], 0.87654),
+            # as large and as cold as is promised
+            ([1000.0, 0.0, 0.0], 0.1),
+            ([-1000.0, 999.95, 1000.0], 0.1),
+            ([-1000.0, -999.95], 0.1),
         ),
     ),
     who=Question(who, mistakes=wrong_choices(who, range(len(LEARNED)), CLUES, EXAMPLE)),
     double_update=Exercise(
         double_update,
         memory={"q1": Q_START, "q2": OTHER},
-        tape=with_columns(Q_TAPE, heads=HEADS, alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*Q_TAPE, *FINE_FOR_Q), heads=HEADS, alpha=ALPHAS, gamma=GAMMAS
+        ),
     ),
     double_learn=Exercise(
         double_learn,
@@ -134,6 +148,7 @@ check = with_pages(
             (Chooser(0), Coin(True, False), 1, 0.5, 0.9),
             (Chooser(1), Coin(False, True, True), 2, 0.25, 0.8),
             (Chooser(2), Coin(False, False, True), 3, 0.4, 0.7),
+            (Weighing(1), Coin(True, False, True, True), 3, FINE_ALPHA, FINE_GAMMA),
         ),
     ),
 )

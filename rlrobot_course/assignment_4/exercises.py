@@ -1,12 +1,14 @@
 """Right answers and tapes of assignment 4; the pages of this folder have the tasks, hints and mistakes."""
 
+import copy
 import math
+from types import FunctionType
 
 import numpy as np
 
-from rlrobot_course.assignment_4.fixtures import draw, table
+from rlrobot_course.assignment_4.fixtures import draw, softmax, table
 from rlrobot_course.exercises.parts import Case, Exercise, with_pages
-from rlrobot_course.worlds.tapes import TapeWorld, rows, with_action
+from rlrobot_course.worlds.tapes import TapeWorld, beside, rows, with_action
 
 
 def near_states(s, shape, is_circle):
@@ -108,6 +110,24 @@ def numbers(n: int) -> list[float]:
     return [float(u) for u in np.random.default_rng(n).random(n)]
 
 
+DRIVEN = {"env": Yard(), "q": table(4, 3, 7) / 6}
+FINELY = {"alpha": 0.31234, "gamma": 0.87654, "scale": 0.65432, "default": 0.54321}
+
+
+def sharp(case: Case) -> Case:
+    """A case of `drive` with random numbers beside the borders between the actions of the right answer."""
+    numbers: list[float] = []
+
+    def draw_beside(x: np.ndarray, temperature: float, u: float) -> int:
+        p = softmax(x, temperature)
+        numbers.append(beside(p, u, len(numbers) % 2 == 0))
+        return draw(x, temperature, numbers[-1])
+
+    driver = FunctionType(drive.__code__, drive.__globals__ | {"draw": draw_beside})
+    driver(**copy.deepcopy(case))
+    return {**case, "us": numbers}
+
+
 check = with_pages(
     globals(),
     near_states=Exercise(
@@ -137,6 +157,7 @@ check = with_pages(
             (table(6, 2, 3), (3, 2)),
             (table(12, 2, 4), (2, 3, 2)),
             (table(8, 1, 5), (2, 2, 2)),
+            (table(6, 2, 6) / 7, (2, 3)),
         ),
     ),
     period=Exercise(
@@ -177,18 +198,21 @@ check = with_pages(
             (7.5, [1, 2, 1, 2], [-3.5, 1.5, 0.0, 0.0], 1.5),
             (5.5, [9], [-0.5], 2.5),
             (2.5, [0, 1, 2, 3, 1, 2, 3], [-0.25] * 7, 0.5),
+            (1.23456, [6, 2, 6, 2], [0.5, 0.5, -0.0004, 0.0], 0.5),
+            (1.5, [6, 2, 6, 2], [0.5, 0.5, 0.0004, 0.0], 0.54321),
         ),
     ),
     drive=Exercise(
         drive,
         returns="rewards and temperatures",
-        memory={"env": Yard(), "q": table(4, 3, 7) / 6},
+        memory=DRIVEN,
         tape=rows(
             "shape us alpha gamma scale default",
             ((2, 2), numbers(6), 0.5, 0.9, 1.25, 0.75),
             ((2, 2), numbers(25), 0.25, 0.8, 0.75, 0.5),
             ((2, 2), numbers(40), 0.4, 0.7, 1.5, 0.25),
             ((2, 2), numbers(60), 0.1, 0.9, 0.5, 0.125),
-        ),
+        )
+        + [sharp({**DRIVEN, "shape": (2, 2), "us": numbers(60), **FINELY})],
     ),
 )

@@ -4,6 +4,9 @@ import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_FOR_Q,
+    FINE_GAMMA,
     Q_START,
     Q_TAPE,
     Fickle,
@@ -36,8 +39,8 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] = q[s, a] + alpha * delta
 
 
-ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
-GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3, FINE_ALPHA)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8, FINE_GAMMA)
 AT_A_WALL = rows(
     "s a r s_next terminated",
     (4, 1, -2.0, 4, False),
@@ -83,12 +86,15 @@ check = with_pages(
                 0.9,
             ),
             (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
+            (Q + 0.01234, 1.23456, 1, False, FINE_GAMMA),
         ),
     ),
     update=Exercise(
         update,
         memory={"q": Q},
-        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*Q_TAPE, *AT_A_WALL, *FINE_FOR_Q), alpha=ALPHAS, gamma=GAMMAS
+        ),
     ),
     learn=Exercise(
         learn,

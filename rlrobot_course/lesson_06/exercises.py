@@ -6,6 +6,8 @@ import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_GAMMA,
     OTHER_Q,
     Q_START,
     TAPE,
@@ -27,13 +29,14 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[s, a] = q[s, a] + alpha * delta
 
 
-# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
+# Another world for the last five steps: two actions, values with many digits, and an end that comes with a loss.
 OTHER_STEPS = rows(
     "q s a r s_next a_next terminated",
     (OTHER_Q, 1, 1, -0.3, 2, 1, False),
     (OTHER_Q, 0, 1, -5.5, 1, 0, np.True_),
     (OTHER_Q, 2, 0, 0.0, 1, 1, False),
     (OTHER_Q, 1, 0, 0.0, 0, None, True),
+    (OTHER_Q, 1, 0, 1.23456, 0, 1, False),
 )
 # α and γ of each step: none is the default twice, and no product of them is round
 ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
@@ -83,7 +86,11 @@ check = with_pages(
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},
-        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*TAPE, *OTHER_STEPS),
+            alpha=(*ALPHAS, FINE_ALPHA),
+            gamma=(*GAMMAS, FINE_GAMMA),
+        ),
     ),
     sarsa_learn=Exercise(
         sarsa_learn,

@@ -39,9 +39,21 @@ _STEPS = (
 )
 # (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
-Q_TAPE = [
-    {name: value for name, value in step.items() if name != "a_next"} for step in TAPE
-]
+# One more step, whose numbers have many digits: whoever rounds them goes another way.
+FINE = dict(zip(_COLUMNS, (1, 2, 1.23456, 0, 1, False), strict=True))
+FINE_ALPHA, FINE_GAMMA, FINE_LAMBDA = 0.31234, 0.87654, 0.65432
+
+
+def without_next_action(steps: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The steps as Q-learning needs them, which does not ask for a'."""
+    return [
+        {name: value for name, value in step.items() if name != "a_next"}
+        for step in steps
+    ]
+
+
+Q_TAPE = without_next_action(TAPE)
+FINE_FOR_Q = without_next_action([FINE])
 
 
 def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
@@ -71,6 +83,17 @@ def with_columns(
 def draw(p: np.ndarray, u: float) -> int:
     """The first action at which the running sum of `p` exceeds `u`, or the last where rounding leaves it below."""
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
+
+
+HAIR = 1e-6  # how near to a border a random number lies
+
+
+def beside(p: np.ndarray, u: float, above: bool) -> float:
+    """A number just above, or just below, that border between two actions of probabilities `p` that is next to `u`."""
+    borders = np.cumsum(p)[:-1]
+    border = float(borders[np.abs(borders - u).argmin()])
+    number = border + HAIR if above else border - HAIR
+    return number if 0 <= number < 1 else 2 * border - number
 
 
 def taken(
@@ -202,6 +225,14 @@ class Wavering(Ranked):
 
     def _action(self, q: np.ndarray, s: int) -> int:
         return (super()._action(q, s) + int(1000 * q.sum())) % 3
+
+
+class Weighing(Ranked):
+    """A choice that the smallest change of any entry of the table changes, but not its scale."""
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        weighed = float(q.ravel() @ np.arange(1, q.size + 1)) / float(np.abs(q).sum())
+        return (super()._action(q, s) + int(1000 * weighed)) % q.shape[1]
 
 
 class Fickle(Choice):
