@@ -3,13 +3,12 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Case, Exercise, with_pages
+from rlrobot_course.worlds.callbacks import Chooser, Weighing
 from rlrobot_course.worlds.tapes import (
     FINE_ALPHA,
     FINE_GAMMA,
     Q_START,
-    Chooser,
     PatientWorld,
-    Weighing,
     rows,
 )
 
@@ -97,6 +96,7 @@ check = with_pages(
                 VOLTS,
             ),  # a reading, or a cut point, that is rounded is in another bin
             (1, 11.7501, [11.2504, 11.7504]),
+            (3, 12.0, []),
         ),
         another=other_cell,
     ),
@@ -118,6 +118,8 @@ check = with_pages(
             ),  # whole numbers, whose returns are none
             ([1.23456, -0.98765, 3.14159], [False, True, False], 0.87654),
             ([1.23456, -0.98765, 3.14159], [False, False, True], 0.87654),
+            ([3.0, -2.0, 5.0], [False, False, True], 0.0),
+            ([3.0, -2.0, 5.0], [False, False, True], 0.99),
         ),
     ),
     replay=Exercise(
@@ -131,6 +133,8 @@ check = with_pages(
             (LOG, 0.1, 0.95),
             ([], 0.1, 0.95),
             ([(2, 0, 1.23456, 1, False), *LOG[1:]], FINE_ALPHA, FINE_GAMMA),
+            (LOG, 0.3, 0.0),
+            (LOG, 0.2, 0.99),
         ),
     ),
     greedy=Exercise(
@@ -160,12 +164,8 @@ check = with_pages(
             )
         ]
         + [
-            {
-                "choose": Weighing(1),
-                "episodes": 3,
-                "alpha": FINE_ALPHA,
-                "gamma": FINE_GAMMA,
-            }
+            {"choose": Weighing(1), "episodes": 3, "alpha": alpha, "gamma": gamma}
+            for alpha, gamma in ((FINE_ALPHA, FINE_GAMMA), (0.3, 0.0), (0.2, 0.99))
         ],
     ),
 )

@@ -10,15 +10,14 @@ from rlrobot_course.exercises.parts import (
     with_pages,
     wrong_choices,
 )
+from rlrobot_course.worlds.callbacks import Chooser, Weighing
 from rlrobot_course.worlds.tapes import (
     FINE_ALPHA,
     FINE_FOR_Q,
     FINE_GAMMA,
     Q_START,
     Q_TAPE,
-    Chooser,
     PatientWorld,
-    Weighing,
     rows,
     with_columns,
 )
@@ -70,9 +69,9 @@ def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
 OTHER = np.array(
     [[1.0, 0.5, 2.5], [-2.0, 6.5, 3.4567], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]]
 )
-HEADS = (True, False, True, False, True, True, False, False, False, True)
-ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, FINE_ALPHA)
-GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, FINE_GAMMA)
+HEADS = (True, False, True, False, True, True, False, False, False)
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
 
 
 def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
@@ -137,7 +136,10 @@ check = with_pages(
         double_update,
         memory={"q1": Q_START, "q2": OTHER},
         tape=with_columns(
-            (*Q_TAPE, *FINE_FOR_Q), heads=HEADS, alpha=ALPHAS, gamma=GAMMAS
+            (*Q_TAPE, *3 * FINE_FOR_Q),
+            heads=(*HEADS, True, False, True),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.0, 0.99),
         ),
     ),
     double_learn=Exercise(
@@ -149,6 +151,8 @@ check = with_pages(
             (Chooser(1), Coin(False, True, True), 2, 0.25, 0.8),
             (Chooser(2), Coin(False, False, True), 3, 0.4, 0.7),
             (Weighing(1), Coin(True, False, True, True), 3, FINE_ALPHA, FINE_GAMMA),
+            (Weighing(0), Coin(True, False), 1, 0.3, 0.0),
+            (Weighing(2), Coin(False, True), 1, 0.2, 0.99),
         ),
     ),
 )

@@ -52,12 +52,11 @@ EPISODES = with_columns(
         ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
         ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
         ([2, 0], [2.5]),
-        ([1, 2, 1, 0], FINE_REWARDS),
-        ([1, 2, 1, 0], FINE_REWARDS),
+        *6 * (([1, 2, 1, 0], FINE_REWARDS),),
     ),
-    alpha=(0.5, 0.25, 0.4, 0.1, 0.3, 0.2, FINE_ALPHA, FINE_ALPHA),
-    gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9, FINE_GAMMA, FINE_GAMMA),
-    lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3, FINE_LAMBDA, FINE_LAMBDA),
+    alpha=(0.5, 0.25, 0.4, 0.1, 0.3, 0.2, FINE_ALPHA, FINE_ALPHA, 0.3, 0.2, 0.3, 0.2),
+    gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9, FINE_GAMMA, FINE_GAMMA, 0.99, 0.99, 0.0, 0.8),
+    lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3, FINE_LAMBDA, FINE_LAMBDA, 1.0, 1.0, 0.5, 0.0),
 )
 V_START = np.array(
     [7.0, 1.5, -0.5, 9.0]
@@ -113,8 +112,11 @@ STEPS = (
     (0, 2, 1.23456, 1, 0, False),
     (1, 0, 0.5, 2, 0, False),  # another trace is in this row already
     (1, 2, 0.75, 0, 1, False),  # two are, and they differ
+    (0, 1, 0.25, 1, 0, False),
+    (1, 0, -0.5, 2, 0, False),
+    (2, 0, 1.5, 0, 1, False),
 )
-# of each step but the last three
+# of each step but the last six
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
 LAMBDAS = (0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7)
@@ -143,8 +145,9 @@ check = with_pages(
                 "values": FINE_VALUES,
                 "t": 0,
                 "n": 2,
-                "gamma": FINE_GAMMA,
+                "gamma": gamma,
             }
+            for gamma in (FINE_GAMMA, 0.0, 0.99)
         ],
     ),
     trace_after=Exercise(
@@ -162,7 +165,7 @@ check = with_pages(
         ),
     ),
     td_episode=Exercise(
-        td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 4)
+        td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 6)
     ),
     true_online_episode=Exercise(
         true_online_episode, memory={"v": V_START}, tape=EPISODES
@@ -172,9 +175,9 @@ check = with_pages(
         memory={"q": Q, "e": np.zeros_like(Q)},
         tape=with_columns(
             rows("s a r s_next a_next terminated", *STEPS),
-            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
-            gamma=(*GAMMAS, FINE_GAMMA, 0.8, 0.9),
-            lam=(*LAMBDAS, FINE_LAMBDA, 0.7, 0.9),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2, 0.3, 0.2, 0.4),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.8, 0.9, 0.99, 0.0, 0.9),
+            lam=(*LAMBDAS, FINE_LAMBDA, 0.7, 0.9, 1.0, 0.8, 0.0),
         ),
     ),
 )

@@ -2,6 +2,7 @@
 
 import copy
 import math
+from collections.abc import Sequence
 from types import FunctionType
 
 import numpy as np
@@ -82,8 +83,13 @@ class Yard(TapeWorld):
 
     Action 2 in state 1 leads to state 3. The first, third … episode terminates there, and that pays; the others are
     truncated after 14 steps. So it goes in circles much of the time.
+    pays: instead, the rewards of the steps of an episode, again and again, whatever the steps do
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
+
+    def __init__(self, pays: Sequence[float] = ()) -> None:
+        super().__init__()
+        self.pays = pays
 
     def reset(self) -> int:
         """Start an episode; returns its first state."""
@@ -97,12 +103,10 @@ class Yard(TapeWorld):
         self.s = (self.s + a) % 4
         odd = self.episode % 2 == 1
         there = before == 1 and a == 2 and odd
-        return (
-            self.s,
-            1.5 if there else -0.5 - 0.25 * a,
-            there,
-            not odd and self.t >= 14,
-        )
+        reward = 1.5 if there else -0.5 - 0.25 * a
+        if self.pays:
+            reward = self.pays[(self.t - 1) % len(self.pays)]
+        return self.s, reward, there, not odd and self.t >= 14
 
 
 def numbers(n: int) -> list[float]:
@@ -111,6 +115,8 @@ def numbers(n: int) -> list[float]:
 
 
 DRIVEN = {"env": Yard(), "q": table(4, 3, 7) / 6}
+# whose sum is below 0, though their signs cancel, and they do if they are rounded
+UNEVEN = (0.3051, -0.3054)
 FINELY = {"alpha": 0.31234, "gamma": 0.87654, "scale": 0.65432, "default": 0.54321}
 
 
@@ -212,7 +218,19 @@ check = with_pages(
             ((2, 2), numbers(25), 0.25, 0.8, 0.75, 0.5),
             ((2, 2), numbers(40), 0.4, 0.7, 1.5, 0.25),
             ((2, 2), numbers(60), 0.1, 0.9, 0.5, 0.125),
+            ((2, 2), numbers(15), 0.3, 0.0, 0.5, 0.5),
+            ((2, 2), numbers(15), 0.2, 0.99, 0.5, 0.5),
         )
-        + [sharp({**DRIVEN, "shape": (2, 2), "us": numbers(60), **FINELY})],
+        + [
+            sharp(
+                {
+                    **DRIVEN,
+                    "env": Yard(UNEVEN),
+                    "shape": (2, 2),
+                    "us": numbers(60),
+                    **FINELY,
+                }
+            )
+        ],
     ),
 )

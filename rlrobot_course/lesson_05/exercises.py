@@ -64,6 +64,8 @@ check = with_pages(
             ((4, 3), 7, 0),
             ((4, 3), 7, 1),
             ((5,), 2, 0),
+            (SHAPE, 0, 3),
+            (SHAPE, 23, 0),
         ),
         another=another_set,
     ),
@@ -83,6 +85,6 @@ check = with_pages(
                 ((5, 3, 2), 11, 3),
             )
         ]
-        + [{"q": BIAS_FINE, "shape": SHAPE, "s": 14}],
+        + [{"q": BIAS_FINE, "shape": SHAPE, "s": s} for s in (14, 0, 23)],
     ),
 )

@@ -1,19 +1,16 @@
 """Right answers and tapes of lesson 06; the pages of this folder have the tasks, hints and mistakes."""
 
-from typing import Any
-
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.worlds.callbacks import Fickle, SarsaLearner
 from rlrobot_course.worlds.tapes import (
     FINE_ALPHA,
     FINE_GAMMA,
     OTHER_Q,
     Q_START,
     TAPE,
-    Fickle,
     TapeWorld,
-    in_order,
     rows,
     with_columns,
 )
@@ -56,28 +53,6 @@ def sarsa_learn(env, q, choose, update, steps):
             a = choose(q, s)
 
 
-def called_update(*arguments: Any, **by_name: Any) -> None:
-    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
-    learn_from(*in_order("update", learn_from, arguments, by_name))
-
-
-def learn_from(
-    q: np.ndarray,
-    s: int,
-    a: int,
-    r: float,
-    s_next: int,
-    a_next: int | None,
-    terminated: bool,
-) -> None:
-    """SARSA's update."""
-    if a_next is None and not terminated:
-        raise ValueError(
-            "update needs a_next, for the world goes on: only terminated ends it for good"
-        )
-    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
-
-
 WORLD = TapeWorld()
 
 check = with_pages(
@@ -87,14 +62,19 @@ check = with_pages(
         sarsa_update,
         memory={"q": Q_START},
         tape=with_columns(
-            (*TAPE, *OTHER_STEPS),
-            alpha=(*ALPHAS, FINE_ALPHA),
-            gamma=(*GAMMAS, FINE_GAMMA),
+            (*TAPE, *OTHER_STEPS, TAPE[0]),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.0),
         ),
     ),
     sarsa_learn=Exercise(
         sarsa_learn,
-        memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
-        tape=[{"update": called_update, "steps": n} for n in (1, 1, 4, 9, 12)],
+        memory={
+            "env": WORLD,
+            "choose": Fickle(WORLD),
+            "q": Q_START + 0.3,
+            "update": SarsaLearner(),
+        },
+        tape=[{"update": SarsaLearner(), "steps": n} for n in (1, 1, 4, 9, 12)],
     ),
 )

@@ -53,10 +53,10 @@ check = with_pages(
         sarsa_lambda_update,
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},
         tape=with_columns(
-            EPISODE + OTHER,
-            alpha=(*ALPHAS, FINE_ALPHA),
-            gamma=(*GAMMAS, FINE_GAMMA),
-            lam=(*LAMBDAS, FINE_LAMBDA),
+            [*EPISODE, *OTHER, TAPE[0], TAPE[1]],
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.9, 0.0),
+            lam=(*LAMBDAS, FINE_LAMBDA, 1.0, 0.5),
         ),
     ),
 )

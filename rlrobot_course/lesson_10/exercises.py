@@ -77,6 +77,8 @@ CHOICES = [
     )
     for case in at_the_border(q, shape, temperature, r_max, gamma)
 ]
+CHOICES += at_the_border(Q, SHAPE, 30.0, 4.0, 0.0)
+CHOICES += at_the_border(Q, SHAPE, 1.0, 4.0, 0.99)
 CHOICES += at_the_border(FINE, SHAPE, 11.73519, 3.45678, 0.87654, HAIR)
 CHOICES += [{**CHOICES[-1], "u": u} for u in (0.0, 0.99999)]
 
@@ -131,6 +133,12 @@ def learn_and_evade(
     return q
 
 
+# γ and λ at the ends of what the lessons say of them
+AT_ENDS = (
+    {"alpha": 0.2, "gamma": 0.0, "lam": 0.9},
+    {"alpha": 0.2, "gamma": 0.99, "lam": 1.0},
+    {"alpha": 0.2, "gamma": 0.9, "lam": 0.0},
+)
 # Rings of 22 and 18 states, which are no multiples of four; and rewards whose mean says something else than their
 # signs, or than rewards that are rounded.
 UNEVEN = (
@@ -154,6 +162,7 @@ check = with_pages(
             (Q, SHAPE, 23, 0.5, 0.9),
             (Q, SHAPE, 5, 10.0, 0.0),
             (FINE, SHAPE, 17, 3.45678, 0.87654),
+            (Q, SHAPE, 9, 4.0, 0.99),
         ),
     ),
     choose=Exercise(choose, returns="action", tape=CHOICES),
@@ -170,6 +179,7 @@ check = with_pages(
                     preferences,
                     ring((3, 6), ENDS, 40, **FINELY, temperature=2.34567),
                 ),
+                *(ring((3, 4), ENDS, 10, **ends, temperature=1.0) for ends in AT_ENDS),
             ],
             "temperature",
         ),
@@ -201,6 +211,7 @@ check = with_pages(
                     )
                     for shape, pays in UNEVEN
                 ),
+                *(ring((3, 4), ENDS, 10, **ends, default=1.0) for ends in AT_ENDS),
             ],
             "default",
         ),

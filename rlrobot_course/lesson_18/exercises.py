@@ -97,6 +97,8 @@ check = with_pages(
             ([0.51234, 0.6], 0.0, 0.1),  # a range with many digits
             ([0.7, 0.9], 1.04714, 0.1),  # the first ray is ahead, by a hair
             ([0.7, 0.9], 1.0474, 0.1),  # and here it is not
+            ([0.7, 0.9], -1.04714, 0.2),  # the same to the right
+            ([0.7, 0.9], -1.0474, 0.2),
             ([2.0, 1.9, 1.8, 1.7, 1.6, 1.5, 0.7], -0.5, 0.25786),  # the last one is
         ),
     ),

@@ -19,7 +19,7 @@ def learn_from(q, rows, alpha, gamma):
 
 _ROWS = [tuple(step.values()) for step in (*Q_TAPE, *FINE_FOR_Q)]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
-_PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0), (8, 10))
+_PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0), (8, 10), (0, 4), (0, 4))
 
 check = with_pages(
     globals(),
@@ -28,8 +28,8 @@ check = with_pages(
         memory={"q": Q_START},
         tape=with_columns(
             [{"rows": _ROWS[first:last]} for first, last in _PARTS],
-            alpha=(0.1, 0.5, 0.2, 0.3, 0.1, 0.1, FINE_ALPHA),
-            gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9, FINE_GAMMA),
+            alpha=(0.1, 0.5, 0.2, 0.3, 0.1, 0.1, FINE_ALPHA, 0.2, 0.3),
+            gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9, FINE_GAMMA, 0.0, 0.99),
         ),
     ),
     two_targets=Question(
