@@ -1,8 +1,10 @@
 """The task of assignment 5: to park in front of a wall."""
 
 import math
+from collections.abc import Mapping
 
 from rlrobot_course.exercises.design import (
+    NOTHING,
     ONE_WHEEL,
     Pay,
     Readings,
@@ -10,6 +12,7 @@ from rlrobot_course.exercises.design import (
     metres,
     moved,
     paid_by,
+    unasked,
     way,
 )
 from rlrobot_edu import InputVariable, OutputVariable, Task
@@ -33,14 +36,15 @@ def situation(
     right: float = 0.6,
     ahead: float = 0.0,
     start: float = -0.3,
-    rear: float = 1.4,
+    others: Mapping[str, float] = NOTHING,
     turned: float = 0.0,
 ) -> Situation:
     """A step that moved the robot from `start` by `ahead` in y [m], and what the lasers say after it [m].
 
-    before: laser_front before the step; None is the same as after it; turned: by how much it turned the robot [rad]
+    before: laser_front before the step; None is the same as after it; turned: by how much it turned the robot [rad];
+    others: further lasers, which play no part
     """
-    now = dict(zip(LASERS, (front, left, right), strict=True)) | {"laser_rear": rear}
+    now = dict(zip(LASERS, (front, left, right), strict=True)) | dict(others)
     was = now | {"laser_front": front if before is None else before}
     comes = was["laser_front"] > front
     looks_down = (ahead < 0) == comes and ahead != 0
@@ -77,7 +81,10 @@ PAIRS = (
     (STANDS_FAR, situation("stands and touches on the left", 0.25, left=0.03)),
     (LEAVES, situation("stands and touches on the right", 0.25, right=0.04)),
     (situation("stands parked, a wall at 0.10 m on its left", 0.25, left=0.10), COMES),
-    (situation("stands parked, a box at its tail", 0.25, rear=0.03), COMES),
+    *(
+        (situation("stands parked, a box beside it", 0.25, others=near), COMES)
+        for near in unasked(LASERS)
+    ),
     (PARKED, situation("comes nearer fast", 0.8, 0.995, ahead=0.195)),
     (
         STANDS_FAR,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 from rlrobot_edu.task.task import Task
@@ -34,6 +35,7 @@ FREE = dict.fromkeys(
     ),
     1.4,
 )
+NOTHING: Mapping[str, float] = MappingProxyType({})  # that is near
 ONE_WHEEL = 0.29  # by how much a step turns the robot that turns one wheel [rad]
 READ = ("before", "after")  # arguments of the learner's function
 Place = tuple[float, float]  # x and y [m]
@@ -58,6 +60,11 @@ def heading(way: Place) -> float:
     """Where the robot looks that drives this way in x and y [rad]."""
     dx, dy = way
     return math.atan2(dy, dx)
+
+
+def unasked(lasers: Sequence[str]) -> list[Readings]:
+    """Readings in which something is near where none of `lasers` looks, one laser at a time."""
+    return [{laser: 0.03} for laser in FREE if laser not in lasers]
 
 
 def moved(

@@ -1,12 +1,16 @@
 """The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
 
+from collections.abc import Mapping
+
 from rlrobot_course.exercises import design
 from rlrobot_course.exercises.design import (
+    NOTHING,
     ONE_WHEEL,
     Readings,
     Situation,
     heading,
     metres,
+    unasked,
     way,
 )
 
@@ -26,14 +30,14 @@ def situation(
     after: tuple[float, float] = (0.9, 0.9),
     start: tuple[float, float] = (2.0, 1.0),
     turned: float = 0.0,
-    behind: float = 1.4,
+    others: Mapping[str, float] = NOTHING,
 ) -> Situation:
     """A step that moved the robot from `start` by `moved` in x and y [m], and turned it [rad].
 
-    before, after: the lasers left and right [m]; behind: the one behind, which plays no part [m]
+    before, after: the lasers left and right [m]; others: further lasers, which play no part
     """
-    was = dict(zip(LASERS, before, strict=True)) | {"laser_rear": behind}
-    now = dict(zip(LASERS, after, strict=True)) | {"laser_rear": behind}
+    was = dict(zip(LASERS, before, strict=True)) | dict(others)
+    now = dict(zip(LASERS, after, strict=True)) | dict(others)
     return design.moved(name, start, moved, was, now, heading(moved), turned)
 
 
@@ -100,8 +104,8 @@ PAIRS = (
     (situation("drives 0.0702 m, too", (0.0702, 0), *FREE, (0.4001, 0.0)), STANDS),
     (STANDS, situation("leans on a wall, left", (0, 0), (0.0996, 0.3), (0.0996, 0.3))),
     (STANDS, situation("scrapes along fast", (0.3, 0), (0.9, 0.3), (0.9, 0.08))),
-    (
-        situation("drives, a wall behind it", (0.095, 0), *FREE, behind=0.03),
-        STANDS,
+    *(
+        (situation("drives, a box beside it", (0.095, 0), *FREE, others=near), STANDS)
+        for near in unasked(LASERS)
     ),
 )

@@ -1,15 +1,20 @@
 """The situations on which a reward for following a wall on the right is tried."""
 
+from collections.abc import Mapping
+
 from rlrobot_course.exercises import design
 from rlrobot_course.exercises.design import (
+    NOTHING,
     ONE_WHEEL,
     Readings,
     Situation,
     heading,
     metres,
+    unasked,
     way,
 )
 
+ASKED = ("laser_front", "laser_front_right", "laser_right")  # for a touch
 LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
 
 
@@ -30,14 +35,15 @@ def situation(
     before: float | None = None,
     start: tuple[float, float] = (0.4, -0.5),
     turned: float = 0.0,
-    rear: float = 1.4,
+    others: Mapping[str, float] = NOTHING,
 ) -> Situation:
     """A step that moved the robot from `start` by `moved` in x and y [m], and what the lasers say after it [m].
 
-    before: laser_right before the step; None is the same as after it; turned: by how much it turned the robot [rad]
+    before: laser_right before the step; None is the same as after it; turned: by how much it turned the robot [rad];
+    others: further lasers, which play no part
     """
     now = dict(zip(LASERS, (front, front_right, right, left), strict=True))
-    now |= {"laser_rear": rear}
+    now |= dict(others)
     was = now | {"laser_right": right if before is None else before}
     return design.moved(name, start, moved, was, now, heading(moved), turned)
 
@@ -135,10 +141,14 @@ PAIRS = (
     (situation("follows the wall slowly", (0.075, 0.0)), FAST),
     (STANDS, situation("scrapes along fast", (0.195, 0.0), right=0.04)),
     # what plays no part
-    (situation("follows the wall, its tail at a box", AHEAD, rear=0.03), STANDS),
-    (situation("follows the wall, its left at a box", AHEAD, left=0.03), STANDS),
-    (situation("stands, its left at a box", left=0.03), SCRAPES),
-    (situation("stands, its tail at a box", rear=0.03), SCRAPES),
+    *(
+        (situation("follows the wall, a box beside it", AHEAD, others=near), STANDS)
+        for near in unasked(ASKED)
+    ),
+    *(
+        (situation("stands, a box beside it", others=near), SCRAPES)
+        for near in unasked(ASKED)
+    ),
     # at the limits, and beside them, where whoever rounds judges otherwise
     (situation("follows the wall at 0.1004 m", AHEAD, right=0.1004), FREE),
     (MIDWAY, situation("at 0.4004 m", AHEAD, right=0.4004)),

@@ -274,6 +274,38 @@ def test_in_some_case_the_row_of_the_state_holds_two_that_differ(lesson, name, t
     assert any(len(set(row[row != 0])) > 1 for row in rows)
 
 
+def cleared(row, kept):
+    row[np.arange(len(row)) != kept] = 0
+
+
+def evened(row, kept):
+    row[:] = row.mean()
+
+
+def mirrored(row, kept):
+    row[:] = row[::-1].copy()
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("change", [cleared, evened, mirrored])
+@pytest.mark.parametrize(("lesson", "name", "table"), tables())
+def test_an_answer_to_which_a_row_is_one_value_is_wrong(lesson, name, table, change):
+    """It changes the row of s first: what else stands there is 0, or the mean, or stands in another order."""
+    exercise = exercises(lesson)[name]
+    place = exercise.parameters.index
+
+    def answer(*given):
+        given = list(given)
+        q = given[place(table)]
+        if table not in exercise.memory:
+            q = given[place(table)] = q.copy()
+        a = given[place("a")] if "a" in exercise.parameters else 0
+        change(q[given[place("s")]], a)
+        return exercise.right(*given)
+
+    assert not is_right(exercise, answer)
+
+
 @pytest.mark.parametrize(("lesson", "name"), of_cases(Design))
 def test_a_situation_holds_all_that_the_robot_reads(lesson, name):
     readings = rl.make_env("wander_1k").unwrapped.robot.reset()
