@@ -5,8 +5,10 @@ import copy
 import numpy as np
 import pytest
 from test_checks import exercises
+from test_tapes_tell import text_of
 
 from rlrobot_course.assignment_2.exercises import double_update
+from rlrobot_course.exercises.design import FREE
 from rlrobot_course.lesson_10.exercises import (
     choose,
     new_temperature,
@@ -137,13 +139,7 @@ def watkins_that_clears_the_row(
     e *= gamma * lam if greedy else 0
 
 
-ALL_LASERS = (
-    "laser_front",
-    "laser_front_right",
-    "laser_right",
-    "laser_left",
-    "laser_rear",
-)
+ALL_LASERS = tuple(FREE)
 WRONG = (
     ("lesson_04", "draw", draw_by_rounded_u),
     ("lesson_04", "draw", draw_in_hundredths),
@@ -170,3 +166,66 @@ WRONG = (
 )
 def test_what_was_wrong_and_called_right_is_called_wrong(lesson, name, answer):
     assert exercises(lesson)[name].judge(copy.copy(answer)).status == "wrong"
+
+
+def half_the_sum(env, q1, q2, choose, toss, episodes, alpha, gamma):
+    for _ in range(episodes):
+        s, over = env.reset(), False
+        while not over:
+            a = choose((q1 + q2) / 2, s)
+            s_next, r, terminated, truncated = env.step(a)
+            double_update(q1, q2, s, a, r, s_next, terminated, toss(), alpha, gamma)
+            s, over = s_next, terminated or truncated
+
+
+# answers that no case can tell from the right one, since they are right, and the words that say so
+RIGHT_TOO = (
+    ("lesson_10", "learn_and_evade", evades(lambda r: r / 7, as_told), "does as well"),
+    ("assignment_2", "double_learn", half_the_sum, "their mean does as well"),
+)
+
+
+@pytest.mark.parametrize(
+    ("lesson", "name", "answer", "words"), RIGHT_TOO, ids=[one[1] for one in RIGHT_TOO]
+)
+def test_what_cannot_be_told_from_the_right_answer_is_right_and_the_page_says_so(
+    lesson, name, answer, words
+):
+    assert exercises(lesson)[name].judge(copy.copy(answer))
+    assert words in text_of(lesson)
+
+
+def fewer(n_states):
+    return max(4, min(21, n_states // 5))
+
+
+def lower_cap(n_states):
+    return max(4, min(20, n_states // 4))
+
+
+def smaller_least(n_states):
+    return max(3, min(21, n_states // 4))
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("length", [fewer, lower_cap, smaller_least])
+def test_a_queue_of_another_length_is_wrong(length):
+    answer = evades(float, length)
+    assert exercises("lesson_10")["learn_and_evade"].share(answer) < 1
+
+
+PUSHED = {
+    "its size": abs,
+    "at most 1": lambda r: max(-1.0, min(1.0, r)),
+    "its square, with its sign": lambda r: r * abs(r),
+    "a little more": lambda r: r + 0.1,
+    "whether it pays": lambda r: float(r > 0),
+    "whole": round,
+}
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("pushed", PUSHED)
+def test_a_queue_of_something_else_than_rewards_is_wrong(pushed):
+    answer = evades(PUSHED[pushed], as_told)
+    assert exercises("lesson_10")["learn_and_evade"].share(answer) < 1
