@@ -23,7 +23,7 @@ VOLTS = [11.25, 11.75, 12.25]
 
 def other_cell(rng: np.random.Generator, case: Case) -> Case:
     """A case of `state_of` in another cell, its voltages moved; what lies on a cut stays there."""
-    volts = float(rng.uniform(-0.9, 0.9))
+    volts = float(rng.integers(-3, 4))
     cuts = [cut + volts for cut in case["cuts"]]
     return {
         "cell": case["cell"] + int(rng.integers(1, 4)),

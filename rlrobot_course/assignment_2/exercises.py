@@ -44,6 +44,19 @@ def policy_value(q_s, temperature):
     return sum(powers * q_s) / sum(powers)
 
 
+LARGEST, COLDEST = 1000.0, 0.1  # as the text promises
+
+
+def other_row(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `policy_value` with other values and warmer; what is at an end of what is promised stays there."""
+    q_s, temperature = case["q_s"], case["temperature"]
+    shift, heat = rng.uniform(-0.04, 0.04), rng.uniform(1.0, 1.5)
+    return {
+        "q_s": np.where(np.abs(q_s) < LARGEST, q_s + shift, q_s),
+        "temperature": temperature if temperature == COLDEST else temperature * heat,
+    }
+
+
 who = [3, 2, 1, 0]
 LEARNED = ("it cannot be told", "Q-learning", "SARSA", "expected SARSA")
 CLUES = (
@@ -130,6 +143,7 @@ check = with_pages(
             ([-1000.0, 999.95, 1000.0], 0.1),
             ([-1000.0, -999.95], 0.1),
         ),
+        another=other_row,
     ),
     who=Question(who, mistakes=wrong_choices(who, range(len(LEARNED)), CLUES, EXAMPLE)),
     double_update=Exercise(

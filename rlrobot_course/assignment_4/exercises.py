@@ -117,7 +117,14 @@ def numbers(n: int) -> list[float]:
 DRIVEN = {"env": Yard(), "q": table(4, 3, 7) / 6}
 # whose sum is below 0, though their signs cancel, and they do if they are rounded
 UNEVEN = (0.3051, -0.3054)
-FINELY = {"alpha": 0.31234, "gamma": 0.87654, "scale": 0.65432, "default": 0.54321}
+FINELY = {
+    "shape": (2, 2),
+    "us": numbers(60),
+    "alpha": 0.31234,
+    "gamma": 0.87654,
+    "scale": 0.65432,
+    "default": 0.54321,
+}
 
 
 def sharp(case: Case) -> Case:
@@ -132,6 +139,14 @@ def sharp(case: Case) -> Case:
     driver = FunctionType(drive.__code__, drive.__globals__ | {"draw": draw_beside})
     driver(**copy.deepcopy(case))
     return {**case, "us": numbers}
+
+
+def other_drive(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `drive` with other numbers; those that lie beside borders do so again."""
+    new = {**case, "us": rng.random(len(case["us"])).tolist()}
+    for name in ("alpha", "gamma", "scale", "default"):
+        new[name] = case[name] * float(rng.uniform(0.8, 1.0))
+    return sharp(new) if "q" in case else new
 
 
 check = with_pages(
@@ -221,16 +236,7 @@ check = with_pages(
             ((2, 2), numbers(15), 0.3, 0.0, 0.5, 0.5),
             ((2, 2), numbers(15), 0.2, 0.99, 0.5, 0.5),
         )
-        + [
-            sharp(
-                {
-                    **DRIVEN,
-                    "env": Yard(UNEVEN),
-                    "shape": (2, 2),
-                    "us": numbers(60),
-                    **FINELY,
-                }
-            )
-        ],
+        + [sharp(DRIVEN | {"env": Yard(UNEVEN)} | FINELY)],
+        another=other_drive,
     ),
 )

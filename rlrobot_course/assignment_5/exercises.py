@@ -3,7 +3,7 @@
 import numpy as np
 
 from rlrobot_course.assignment_5.parking import PAIRS, words
-from rlrobot_course.exercises.parts import Design, Exercise, Question, with_pages
+from rlrobot_course.exercises.parts import Case, Design, Exercise, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
 
 
@@ -65,6 +65,16 @@ EARNED = [2.5, 3.25, 1.75, 4.5, 3.0]
 LIKE = [
     x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)
 ]  # a little less, nearly the same pair by pair
+
+
+def other_results(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `verdict` whose results are all so many times as large, which changes no verdict."""
+    size = rng.uniform(0.6, 1.7)
+    first, second = (
+        [float(size * x) for x in case[name]] for name in ("first", "second")
+    )
+    return {"first": first, "second": second, "t": case["t"]}
+
 
 right_interval = interval  # for answers that have an `interval` of their own
 
@@ -129,5 +139,6 @@ check = with_pages(
             ([2.0, 4.0, 6.0], [1.0, 2.0, 3.0], 3.4644),
             ([2.0, 4.0, 6.0], [1.0, 2.0, 3.0], 3.4638),
         ),
+        another=other_results,
     ),
 )
