@@ -3,7 +3,14 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Case, Exercise, with_pages
-from rlrobot_course.worlds.tapes import Q_START, Chooser, PatientWorld, rows
+from rlrobot_course.worlds.callbacks import Chooser, Weighing
+from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_GAMMA,
+    Q_START,
+    PatientWorld,
+    rows,
+)
 
 
 def state_of(cell, voltage, cuts):
@@ -16,7 +23,7 @@ VOLTS = [11.25, 11.75, 12.25]
 
 def other_cell(rng: np.random.Generator, case: Case) -> Case:
     """A case of `state_of` in another cell, its voltages moved; what lies on a cut stays there."""
-    volts = float(rng.uniform(-0.9, 0.9))
+    volts = float(rng.integers(-3, 4))
     cuts = [cut + volts for cut in case["cuts"]]
     return {
         "cell": case["cell"] + int(rng.integers(1, 4)),
@@ -83,6 +90,13 @@ check = with_pages(
             (5, 11.5, [11.25]),
             (3, 13.0, [11.0, 11.5, 12.0, 12.5, 13.5]),
             (1, 9.0, VOLTS),
+            (
+                2,
+                11.7504,
+                VOLTS,
+            ),  # a reading, or a cut point, that is rounded is in another bin
+            (1, 11.7501, [11.2504, 11.7504]),
+            (3, 12.0, []),
         ),
         another=other_cell,
     ),
@@ -102,6 +116,10 @@ check = with_pages(
                 [False, False, True],
                 0.5,
             ),  # whole numbers, whose returns are none
+            ([1.23456, -0.98765, 3.14159], [False, True, False], 0.87654),
+            ([1.23456, -0.98765, 3.14159], [False, False, True], 0.87654),
+            ([3.0, -2.0, 5.0], [False, False, True], 0.0),
+            ([3.0, -2.0, 5.0], [False, False, True], 0.99),
         ),
     ),
     replay=Exercise(
@@ -114,6 +132,9 @@ check = with_pages(
             (LOG[:3], 0.5, 0.8),
             (LOG, 0.1, 0.95),
             ([], 0.1, 0.95),
+            ([(2, 0, 1.23456, 1, False), *LOG[1:]], FINE_ALPHA, FINE_GAMMA),
+            (LOG, 0.3, 0.0),
+            (LOG, 0.2, 0.99),
         ),
     ),
     greedy=Exercise(
@@ -126,6 +147,7 @@ check = with_pages(
             ([[-0.5, -1.5]],),
             ([[0.0, 3.5, 3.5, 3.5], [5.5, 0.0, 5.5, 1.0]],),
             ([[0.5, 1.25, 0.75], [7.5, 7.25, 7.0], [0.0, 0.125, -2.5]],),
+            ([[1.23456, 1.23447], [0.00043, 0.0]],),  # nearly equal is not equal
         ),
     ),
     train=Exercise(
@@ -140,6 +162,10 @@ check = with_pages(
                 (2, 3, 0.25, 0.9),
                 (0, 2, 0.4, 0.7),
             )
+        ]
+        + [
+            {"choose": Weighing(1), "episodes": 3, "alpha": alpha, "gamma": gamma}
+            for alpha, gamma in ((FINE_ALPHA, FINE_GAMMA), (0.3, 0.0), (0.2, 0.99))
         ],
     ),
 )

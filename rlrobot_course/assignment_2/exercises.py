@@ -10,10 +10,13 @@ from rlrobot_course.exercises.parts import (
     with_pages,
     wrong_choices,
 )
+from rlrobot_course.worlds.callbacks import Chooser, Weighing
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_FOR_Q,
+    FINE_GAMMA,
     Q_START,
     Q_TAPE,
-    Chooser,
     PatientWorld,
     rows,
     with_columns,
@@ -41,6 +44,19 @@ def policy_value(q_s, temperature):
     return sum(powers * q_s) / sum(powers)
 
 
+LARGEST, COLDEST = 1000.0, 0.1  # as the text promises
+
+
+def other_row(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `policy_value` with other values and warmer; what is at an end of what is promised stays there."""
+    q_s, temperature = case["q_s"], case["temperature"]
+    shift, heat = rng.uniform(-0.04, 0.04), rng.uniform(1.0, 1.5)
+    return {
+        "q_s": np.where(np.abs(q_s) < LARGEST, q_s + shift, q_s),
+        "temperature": temperature if temperature == COLDEST else temperature * heat,
+    }
+
+
 who = [3, 2, 1, 0]
 LEARNED = ("it cannot be told", "Q-learning", "SARSA", "expected SARSA")
 CLUES = (
@@ -63,7 +79,9 @@ def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
     learns[s, a] += alpha * (target - learns[s, a])
 
 
-OTHER = np.array([[1.0, 0.5, 2.5], [-2.0, 6.5, 3.5], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]])
+OTHER = np.array(
+    [[1.0, 0.5, 2.5], [-2.0, 6.5, 3.4567], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]]
+)
 HEADS = (True, False, True, False, True, True, False, False, False)
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
@@ -104,6 +122,7 @@ check = with_pages(
             (7, 1.0, 0.05, 20),
             (301, 0.75, 0.5, 4),
             (5, 0.625, 0.0, 2),
+            (3, 0.91234, 0.12345, 7),
         ),
         another=other_moment,
     ),
@@ -118,13 +137,24 @@ check = with_pages(
             ([2.5, 2.5], 1.5),
             ([900.5, 899.5, 100.25], 0.5),
             ([-7.5, -6.25, -9.5], 2.5),
+            ([1.23456, -0.98765, 0.54321], 0.87654),
+            # as large and as cold as is promised
+            ([1000.0, 0.0, 0.0], 0.1),
+            ([-1000.0, 999.95, 1000.0], 0.1),
+            ([-1000.0, -999.95], 0.1),
         ),
+        another=other_row,
     ),
     who=Question(who, mistakes=wrong_choices(who, range(len(LEARNED)), CLUES, EXAMPLE)),
     double_update=Exercise(
         double_update,
         memory={"q1": Q_START, "q2": OTHER},
-        tape=with_columns(Q_TAPE, heads=HEADS, alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*Q_TAPE, *3 * FINE_FOR_Q),
+            heads=(*HEADS, True, False, True),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.0, 0.99),
+        ),
     ),
     double_learn=Exercise(
         double_learn,
@@ -134,6 +164,9 @@ check = with_pages(
             (Chooser(0), Coin(True, False), 1, 0.5, 0.9),
             (Chooser(1), Coin(False, True, True), 2, 0.25, 0.8),
             (Chooser(2), Coin(False, False, True), 3, 0.4, 0.7),
+            (Weighing(1), Coin(True, False, True, True), 3, FINE_ALPHA, FINE_GAMMA),
+            (Weighing(0), Coin(True, False), 1, 0.3, 0.0),
+            (Weighing(2), Coin(False, True), 1, 0.2, 0.99),
         ),
     ),
 )

@@ -3,7 +3,13 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, with_pages
-from rlrobot_course.worlds.tapes import rows, with_columns
+from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_GAMMA,
+    FINE_LAMBDA,
+    rows,
+    with_columns,
+)
 
 
 def return_over_n(rewards, values, t, n, gamma):
@@ -33,6 +39,9 @@ def trace_after(path, n_states, decay, kind):
     return e
 
 
+FINE_REWARDS = [1.23456, -0.98765, 3.14159]
+FINE_VALUES = [0.54321, 2.71828, -1.41421, 9.87654]
+
 KINDS = ("accumulating", "replacing")
 EPISODES = with_columns(
     rows(
@@ -43,10 +52,11 @@ EPISODES = with_columns(
         ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
         ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
         ([2, 0], [2.5]),
+        *6 * (([1, 2, 1, 0], FINE_REWARDS),),
     ),
-    alpha=(0.5, 0.25, 0.4, 0.1, 0.3, 0.2),
-    gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9),
-    lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3),
+    alpha=(0.5, 0.25, 0.4, 0.1, 0.3, 0.2, FINE_ALPHA, FINE_ALPHA, 0.3, 0.2, 0.3, 0.2),
+    gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9, FINE_GAMMA, FINE_GAMMA, 0.99, 0.99, 0.0, 0.8),
+    lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3, FINE_LAMBDA, FINE_LAMBDA, 1.0, 1.0, 0.5, 0.0),
 )
 V_START = np.array(
     [7.0, 1.5, -0.5, 9.0]
@@ -99,7 +109,17 @@ STEPS = (
     (1, 0, 0.5, 2, 2, False),
     (2, 2, -1.25, 3, 2, True),
     (1, 1, 4.5, 0, 1, False),
+    (0, 2, 1.23456, 1, 0, False),
+    (1, 0, 0.5, 2, 0, False),  # another trace is in this row already
+    (1, 2, 0.75, 0, 1, False),  # two are, and they differ
+    (0, 1, 0.25, 1, 0, False),
+    (1, 0, -0.5, 2, 0, False),
+    (2, 0, 1.5, 0, 1, False),
 )
+# of each step but the last six
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
+LAMBDAS = (0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7)
 
 check = with_pages(
     globals(),
@@ -118,6 +138,16 @@ check = with_pages(
                 (1, 3, 0.95),
                 (3, 1, 0.4),
             )
+        ]
+        + [
+            {
+                "rewards": FINE_REWARDS,
+                "values": FINE_VALUES,
+                "t": 0,
+                "n": 2,
+                "gamma": gamma,
+            }
+            for gamma in (FINE_GAMMA, 0.0, 0.99)
         ],
     ),
     trace_after=Exercise(
@@ -131,10 +161,11 @@ check = with_pages(
             ([3, 3, 3, 0], 4, 0.75, "replacing"),
             ([0, 1, 2, 1, 1, 3], 4, 0.6, "accumulating"),
             ([0, 1, 2, 1, 1, 3], 4, 0.6, "replacing"),
+            ([1, 2, 1], 3, 0.87654, "accumulating"),
         ),
     ),
     td_episode=Exercise(
-        td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 3)
+        td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 6)
     ),
     true_online_episode=Exercise(
         true_online_episode, memory={"v": V_START}, tape=EPISODES
@@ -144,9 +175,9 @@ check = with_pages(
         memory={"q": Q, "e": np.zeros_like(Q)},
         tape=with_columns(
             rows("s a r s_next a_next terminated", *STEPS),
-            alpha=(0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3),
-            gamma=(0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8),
-            lam=(0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2, 0.3, 0.2, 0.4),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.8, 0.9, 0.99, 0.0, 0.9),
+            lam=(*LAMBDAS, FINE_LAMBDA, 0.7, 0.9, 1.0, 0.8, 0.0),
         ),
     ),
 )

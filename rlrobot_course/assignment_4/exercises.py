@@ -1,12 +1,15 @@
 """Right answers and tapes of assignment 4; the pages of this folder have the tasks, hints and mistakes."""
 
+import copy
 import math
+from collections.abc import Sequence
+from types import FunctionType
 
 import numpy as np
 
-from rlrobot_course.assignment_4.fixtures import draw, table
+from rlrobot_course.assignment_4.fixtures import draw, softmax, table
 from rlrobot_course.exercises.parts import Case, Exercise, with_pages
-from rlrobot_course.worlds.tapes import TapeWorld, rows, with_action
+from rlrobot_course.worlds.tapes import TapeWorld, beside, rows, with_action
 
 
 def near_states(s, shape, is_circle):
@@ -80,8 +83,13 @@ class Yard(TapeWorld):
 
     Action 2 in state 1 leads to state 3. The first, third … episode terminates there, and that pays; the others are
     truncated after 14 steps. So it goes in circles much of the time.
+    pays: instead, the rewards of the steps of an episode, again and again, whatever the steps do
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
+
+    def __init__(self, pays: Sequence[float] = ()) -> None:
+        super().__init__()
+        self.pays = pays
 
     def reset(self) -> int:
         """Start an episode; returns its first state."""
@@ -95,17 +103,50 @@ class Yard(TapeWorld):
         self.s = (self.s + a) % 4
         odd = self.episode % 2 == 1
         there = before == 1 and a == 2 and odd
-        return (
-            self.s,
-            1.5 if there else -0.5 - 0.25 * a,
-            there,
-            not odd and self.t >= 14,
-        )
+        reward = 1.5 if there else -0.5 - 0.25 * a
+        if self.pays:
+            reward = self.pays[(self.t - 1) % len(self.pays)]
+        return self.s, reward, there, not odd and self.t >= 14
 
 
 def numbers(n: int) -> list[float]:
     """Random numbers for the choices, always the same."""
     return [float(u) for u in np.random.default_rng(n).random(n)]
+
+
+DRIVEN = {"env": Yard(), "q": table(4, 3, 7) / 6}
+# whose sum is below 0, though their signs cancel, and they do if they are rounded
+UNEVEN = (0.3051, -0.3054)
+FINELY = {
+    "shape": (2, 2),
+    "us": numbers(60),
+    "alpha": 0.31234,
+    "gamma": 0.87654,
+    "scale": 0.65432,
+    "default": 0.54321,
+}
+
+
+def sharp(case: Case) -> Case:
+    """A case of `drive` with random numbers beside the borders between the actions of the right answer."""
+    numbers: list[float] = []
+
+    def draw_beside(x: np.ndarray, temperature: float, u: float) -> int:
+        p = softmax(x, temperature)
+        numbers.append(beside(p, u, len(numbers) % 2 == 0))
+        return draw(x, temperature, numbers[-1])
+
+    driver = FunctionType(drive.__code__, drive.__globals__ | {"draw": draw_beside})
+    driver(**copy.deepcopy(case))
+    return {**case, "us": numbers}
+
+
+def other_drive(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `drive` with other numbers; those that lie beside borders do so again."""
+    new = {**case, "us": rng.random(len(case["us"])).tolist()}
+    for name in ("alpha", "gamma", "scale", "default"):
+        new[name] = case[name] * float(rng.uniform(0.8, 1.0))
+    return sharp(new) if "q" in case else new
 
 
 check = with_pages(
@@ -137,6 +178,7 @@ check = with_pages(
             (table(6, 2, 3), (3, 2)),
             (table(12, 2, 4), (2, 3, 2)),
             (table(8, 1, 5), (2, 2, 2)),
+            (table(6, 2, 6) / 7, (2, 3)),
         ),
     ),
     period=Exercise(
@@ -177,18 +219,24 @@ check = with_pages(
             (7.5, [1, 2, 1, 2], [-3.5, 1.5, 0.0, 0.0], 1.5),
             (5.5, [9], [-0.5], 2.5),
             (2.5, [0, 1, 2, 3, 1, 2, 3], [-0.25] * 7, 0.5),
+            (1.23456, [6, 2, 6, 2], [0.5, 0.5, -0.0004, 0.0], 0.5),
+            (1.5, [6, 2, 6, 2], [0.5, 0.5, 0.0004, 0.0], 0.54321),
         ),
     ),
     drive=Exercise(
         drive,
         returns="rewards and temperatures",
-        memory={"env": Yard(), "q": table(4, 3, 7) / 6},
+        memory=DRIVEN,
         tape=rows(
             "shape us alpha gamma scale default",
             ((2, 2), numbers(6), 0.5, 0.9, 1.25, 0.75),
             ((2, 2), numbers(25), 0.25, 0.8, 0.75, 0.5),
             ((2, 2), numbers(40), 0.4, 0.7, 1.5, 0.25),
             ((2, 2), numbers(60), 0.1, 0.9, 0.5, 0.125),
-        ),
+            ((2, 2), numbers(15), 0.3, 0.0, 0.5, 0.5),
+            ((2, 2), numbers(15), 0.2, 0.99, 0.5, 0.5),
+        )
+        + [sharp(DRIVEN | {"env": Yard(UNEVEN)} | FINELY)],
+        another=other_drive,
     ),
 )

@@ -3,14 +3,16 @@
 import numpy as np
 
 
+def softmax(x: np.ndarray, temperature: float) -> np.ndarray:
+    """The probabilities of the actions with the preferences x at this temperature."""
+    powers: np.ndarray = np.exp((x - x.max()) / temperature)
+    return powers / powers.sum()
+
+
 def draw(x: np.ndarray, temperature: float, u: float) -> int:
     """The action that a random number u, 0 ≤ u < 1, picks by softmax from the preferences x at this temperature."""
-    powers = np.exp((x - x.max()) / temperature)
-    return int(
-        np.searchsorted(np.cumsum(powers / powers.sum()), u, side="right").clip(
-            max=len(x) - 1
-        )
-    )
+    reached = np.cumsum(softmax(x, temperature))
+    return int(np.searchsorted(reached, u, side="right").clip(max=len(x) - 1))
 
 
 def table(states: int, actions: int, turn: int) -> np.ndarray:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from rlrobot_course.assignment_5.parking import PAIRS, words
-from rlrobot_course.exercises.parts import Design, Exercise, Question, with_pages
+from rlrobot_course.exercises.parts import Case, Design, Exercise, Question, with_pages
 from rlrobot_course.worlds.tapes import rows
 
 
@@ -66,6 +66,16 @@ LIKE = [
     x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)
 ]  # a little less, nearly the same pair by pair
 
+
+def other_results(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `verdict` whose results are all so many times as large, which changes no verdict."""
+    size = rng.uniform(0.6, 1.7)
+    first, second = (
+        [float(size * x) for x in case[name]] for name in ("first", "second")
+    )
+    return {"first": first, "second": second, "t": case["t"]}
+
+
 right_interval = interval  # for answers that have an `interval` of their own
 
 check = with_pages(
@@ -88,6 +98,10 @@ check = with_pages(
             (ROWS[:6], [0, 1, 1], 3, 0.9, 3),
             (ROWS, [0, 1, 0], 3, 0.5, 40),
             ([], [0, 0], 2, 0.9, 5),
+            (ROWS, [1, 0, 1], 3, 0.75, 1),
+            (ROWS, [0, 1, 0], 3, 0.0, 3),
+            (ROWS, [0, 1, 0], 3, 0.99, 3),
+            ([(0, 0, 1.23456, 1), (1, 0, -0.98765, 0)], [0, 0], 2, 0.87654, 3),
         ),
     ),
     interval=Exercise(
@@ -100,6 +114,7 @@ check = with_pages(
             ([1.25, 1.25, 1.25], 4.3),
             ([10.5, 0.25, -3.5, 8.75, 2.0, 2.25, 1.5], 2.45),
             ([-0.5, -0.75, -1.0, -0.25], 3.18),
+            ([1.23456, -0.98765, 3.14159], 4.30265),
         ),
     ),
     verdict=Exercise(
@@ -118,6 +133,12 @@ check = with_pages(
             ([2.5, 2.75, 3.0, 3.5, 4.0, 4.5], [2.625, 2.0, 2.25, 2.75, 3.0, 3.5], 2.57),
             ([2.5, 3.0, 3.5, 3.0], [1.0, 2.75, 1.5, 2.5], 2.0),  # decided by t alone
             ([2.5, 3.0, 3.5, 3.0], [1.0, 2.75, 1.5, 2.5], 3.18),
+            # small differences, and an end of the interval that is nearly 0
+            ([2.00013, 3.00021, 1.50017], [2.0, 3.0, 1.5], 2.0),
+            ([2.0, 3.0, 1.5], [2.00013, 3.00021, 1.50017], 2.0),
+            ([2.0, 4.0, 6.0], [1.0, 2.0, 3.0], 3.4644),
+            ([2.0, 4.0, 6.0], [1.0, 2.0, 3.0], 3.4638),
         ),
+        another=other_results,
     ),
 )

@@ -1,11 +1,18 @@
 """The task of assignment 5: to park in front of a wall."""
 
+import math
+from collections.abc import Mapping
+
 from rlrobot_course.exercises.design import (
+    NOTHING,
+    ONE_WHEEL,
     Pay,
     Readings,
     Situation,
+    metres,
     moved,
     paid_by,
+    unasked,
     way,
 )
 from rlrobot_edu import InputVariable, OutputVariable, Task
@@ -15,8 +22,9 @@ LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 
 def words(before: Readings, after: Readings) -> str:
     """What describes a step: its way, and the lasers."""
-    front, left, right = (after[laser] for laser in LASERS)
-    told = f"front {front:.2f} (before {before['laser_front']:.2f}), front left {left:.2f}, front right {right:.2f} m"
+    front, left, right = (metres(after[laser]) for laser in LASERS)
+    was = metres(before["laser_front"])
+    told = f"front {front} (before {was}), front left {left}, front right {right} m"
     return f"{way(before, after)}; after it {told}"
 
 
@@ -27,21 +35,29 @@ def situation(
     left: float = 0.6,
     right: float = 0.6,
     ahead: float = 0.0,
+    start: float = -0.3,
+    others: Mapping[str, float] = NOTHING,
+    turned: float = 0.0,
 ) -> Situation:
-    """A step that moved the robot by `ahead` in y [m], and what the lasers say after it [m].
+    """A step that moved the robot from `start` by `ahead` in y [m], and what the lasers say after it [m].
 
-    before: laser_front before the step; None is the same as after it
+    before: laser_front before the step; None is the same as after it; turned: by how much it turned the robot [rad];
+    others: further lasers, which play no part
     """
-    now = dict(zip(LASERS, (front, left, right), strict=True))
+    now = dict(zip(LASERS, (front, left, right), strict=True)) | dict(others)
     was = now | {"laser_front": front if before is None else before}
-    return moved(name, (0.2, -0.3), (0.0, ahead), was, now)
+    comes = was["laser_front"] > front
+    looks_down = (ahead < 0) == comes and ahead != 0
+    theta = math.pi / 2 * (-1 if looks_down else 1)
+    return moved(name, (0.2, start), (0.0, ahead), was, now, theta, turned)
 
 
 PARKED = situation("stands 0.25 m in front of the wall", 0.25)
 STANDS_FAR = situation("stands 1.2 m from the wall", 1.2)
 COMES = situation("comes nearer to a wall afar", 0.9, 0.995, ahead=0.095)
 LEAVES = situation("drives away from the wall", 0.9, 0.805, ahead=-0.095)
-TURNS = situation("turns on the spot, far from any wall", 1.1, 1.1)
+TURNS = situation("turns on the spot, far from any wall", 1.1, 1.1, turned=ONE_WHEEL)
+TOUCHES = situation("stands 0.0496 m in front of the wall", 0.0496)
 
 PAIRS = (
     (PARKED, STANDS_FAR),
@@ -65,6 +81,29 @@ PAIRS = (
     (STANDS_FAR, situation("stands and touches on the left", 0.25, left=0.03)),
     (LEAVES, situation("stands and touches on the right", 0.25, right=0.04)),
     (situation("stands parked, a wall at 0.10 m on its left", 0.25, left=0.10), COMES),
+    *(
+        (situation("stands parked, a box beside it", 0.25, others=near), COMES)
+        for near in unasked(LASERS)
+    ),
+    (PARKED, situation("comes nearer fast", 0.8, 0.995, ahead=0.195)),
+    (
+        STANDS_FAR,
+        situation("comes nearer fast, and touches", 0.6, 0.795, left=0.03, ahead=0.195),
+    ),
+    # at the limits, and beside them, where whoever rounds judges otherwise
+    (situation("stands 0.35 m in front of the wall", 0.35), COMES),
+    (PARKED, situation("stands 0.15 m in front of the wall", 0.15)),
+    (situation("stands 0.1504 m in front of the wall", 0.1504), COMES),
+    (PARKED, situation("stands 0.3504 m in front of the wall", 0.3504)),
+    (situation("stands 0.05 m in front of the wall", 0.05), TOUCHES),
+    (STANDS_FAR, TOUCHES),
+    (situation("stands, but for 0.0096 m", 0.25, 0.2596, ahead=0.0096), COMES),
+    (
+        situation("stands, but for 0.0097 m", 0.25, ahead=-0.0097, start=-0.30046),
+        COMES,
+    ),
+    (situation("comes nearer by 0.0101 m", 0.9003, 0.9104, ahead=0.0101), STANDS_FAR),
+    (situation("comes nearer by 0.0102 m", 0.9096, 0.9198, ahead=0.0102), STANDS_FAR),
 )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 from rlrobot_edu.task.task import Task
@@ -20,6 +21,22 @@ NO_NUMBER = "no number:"  # how a pay that is none is told
 ANOTHER = (
     "pays otherwise when it is asked again"  # how a function that remembers is told
 )
+# what the lasers read where nothing is near [m]
+FREE = dict.fromkeys(
+    (
+        "laser_front",
+        "laser_front_left",
+        "laser_left",
+        "laser_rear_left",
+        "laser_rear",
+        "laser_rear_right",
+        "laser_right",
+        "laser_front_right",
+    ),
+    1.4,
+)
+NOTHING: Mapping[str, float] = MappingProxyType({})  # that is near
+ONE_WHEEL = 0.29  # by how much a step turns the robot that turns one wheel [rad]
 READ = ("before", "after")  # arguments of the learner's function
 Place = tuple[float, float]  # x and y [m]
 Situation = tuple[
@@ -27,19 +44,47 @@ Situation = tuple[
 ]  # name of a step of the robot, readings before and after it
 
 
+def metres(distance: float) -> str:
+    """A distance in words: in centimetres where it is one, else down to a tenth of a millimetre."""
+    is_whole = abs(distance - round(distance, 2)) < 5e-5
+    return f"{distance:.2f}" if is_whole else f"{distance:.4f}"
+
+
 def way(before: Mapping[str, float], after: Mapping[str, float]) -> str:
     """How a step has moved the robot, in words."""
-    return (
-        f"moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m"
-    )
+    dx, dy = after["x"] - before["x"], after["y"] - before["y"]
+    return f"moved by ({metres(dx)}, {metres(dy)}) m"
+
+
+def heading(way: Place) -> float:
+    """Where the robot looks that drives this way in x and y [rad]."""
+    dx, dy = way
+    return math.atan2(dy, dx)
+
+
+def unasked(lasers: Sequence[str]) -> list[Readings]:
+    """Readings in which something is near where none of `lasers` looks, one laser at a time."""
+    return [{laser: 0.03} for laser in FREE if laser not in lasers]
 
 
 def moved(
-    name: str, start: Place, by: Place, before: Readings, after: Readings
+    name: str,
+    start: Place,
+    by: Place,
+    before: Readings,
+    after: Readings,
+    theta: float = 0.0,
+    turned: float = 0.0,
 ) -> Situation:
-    """A step that moved the robot from `start` by so much in x and y [m]; before, after: its other readings."""
+    """A step that moved the robot from `start` by so much in x and y [m].
+
+    before, after: its lasers, of those that are not `FREE`; theta: its heading before the step; turned: by how much the
+    step turned it [rad]
+    """
     (x, y), (dx, dy) = start, by
-    return name, {"x": x, "y": y} | before, {"x": x + dx, "y": y + dy} | after
+    was = FREE | {"x": x, "y": y, "theta": theta} | before
+    now = FREE | {"x": x + dx, "y": y + dy, "theta": theta + turned} | after
+    return name, was, now
 
 
 @dataclass(frozen=True)

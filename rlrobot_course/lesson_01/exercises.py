@@ -55,7 +55,9 @@ check = with_pages(
         ]
         + [{"x": x, "cuts": [0.20]} for x in (0.20, 0.21)]
         + [{"x": x, "cuts": ANGLE} for x in (-30, -90, 90, 180, 0, 20)]
-        + [{"x": x, "cuts": [1.5, 1.6, 4.0, 4.5, 9.0]} for x in (4.2, 1.55, 5, 9.1)],
+        + [{"x": x, "cuts": [1.5, 1.6, 4.0, 4.5, 9.0]} for x in (4.2, 1.55, 5, 9.1)]
+        # a reading, or a cut point, that is rounded lies in another bin
+        + rows("x cuts", (0.4, []), (0.5304, LASER), (0.2702, [0.2704, 0.5296])),
     ),
     state_number=Exercise(
         state_number,

@@ -27,6 +27,7 @@ check = with_pages(
             {"rewards": [10.0] * 12, "gamma": 0.99},
             {"rewards": [0.0] * 30 + [50.0], "gamma": 0.95},
             {"rewards": [0.0] * 24 + [50.0], "gamma": 0.5},
+            {"rewards": [1.23456, -0.98765, 3.14159], "gamma": 0.87654},
         ],
     ),
     far_from_the_goal=Question(Formula("γ ** (steps - 1)", γ=0.8, steps=4)),

@@ -3,14 +3,14 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.worlds.callbacks import Fickle, QLearner, Ranked, Wavering
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_FOR_Q,
+    FINE_GAMMA,
     Q_START,
     Q_TAPE,
-    Fickle,
-    Ranked,
     TapeWorld,
-    Wavering,
-    q_learner,
     rows,
     with_columns,
 )
@@ -83,18 +83,24 @@ check = with_pages(
                 0.9,
             ),
             (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
+            (Q + 0.01234, 1.23456, 1, False, FINE_GAMMA),
+            (Q, 1.25, 1, False, 0.0),
         ),
     ),
     update=Exercise(
         update,
         memory={"q": Q},
-        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*Q_TAPE, *AT_A_WALL, *3 * FINE_FOR_Q),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.0, 0.99),
+        ),
     ),
     learn=Exercise(
         learn,
-        memory={"env": TapeWorld(), "q": Q[:4]},
+        memory={"env": TapeWorld(), "q": Q[:4], "update": QLearner(0.1, 0.9)},
         tape=[
-            {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
+            {"choose": Ranked(rank), "update": QLearner(alpha, gamma), "steps": n}
             for rank, alpha, gamma, n in (
                 (1, 0.1, 0.9, 4),
                 (2, 0.5, 0.7, 2),
@@ -102,12 +108,12 @@ check = with_pages(
                 (1, 0.25, 0.9, 1),
             )
         ]
-        + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
+        + [{"choose": Wavering(1), "update": QLearner(0.4, 0.9), "steps": 7}]
         + [
             {
                 "env": WORLD,
                 "choose": Fickle(WORLD),
-                "update": q_learner(0.2, 0.9),
+                "update": QLearner(0.2, 0.9),
                 "steps": 9,
             }
         ],

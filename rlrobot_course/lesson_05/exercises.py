@@ -43,6 +43,7 @@ def bias(q, shape, s):
 BIAS_DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
 BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
 BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
+BIAS_FINE = np.random.default_rng(8).normal(2.0, 6.0, size=(24, 3))  # with many digits
 SHAPE = (2, 2, 3, 2)  # bins of the inputs of worked_example
 best_adviser = "floor"
 
@@ -63,6 +64,8 @@ check = with_pages(
             ((4, 3), 7, 0),
             ((4, 3), 7, 1),
             ((5,), 2, 0),
+            (SHAPE, 0, 3),
+            (SHAPE, 23, 0),
         ),
         another=another_set,
     ),
@@ -81,6 +84,7 @@ check = with_pages(
                 ((24,), 5, 5),
                 ((5, 3, 2), 11, 3),
             )
-        ],
+        ]
+        + [{"q": BIAS_FINE, "shape": SHAPE, "s": s} for s in (14, 0, 23)],
     ),
 )

@@ -1,17 +1,16 @@
 """Right answers and tapes of lesson 06; the pages of this folder have the tasks, hints and mistakes."""
 
-from typing import Any
-
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.worlds.callbacks import Fickle, SarsaLearner
 from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_GAMMA,
     OTHER_Q,
     Q_START,
     TAPE,
-    Fickle,
     TapeWorld,
-    in_order,
     rows,
     with_columns,
 )
@@ -27,13 +26,14 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[s, a] = q[s, a] + alpha * delta
 
 
-# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
+# Another world for the last five steps: two actions, values with many digits, and an end that comes with a loss.
 OTHER_STEPS = rows(
     "q s a r s_next a_next terminated",
     (OTHER_Q, 1, 1, -0.3, 2, 1, False),
     (OTHER_Q, 0, 1, -5.5, 1, 0, np.True_),
     (OTHER_Q, 2, 0, 0.0, 1, 1, False),
     (OTHER_Q, 1, 0, 0.0, 0, None, True),
+    (OTHER_Q, 1, 0, 1.23456, 0, 1, False),
 )
 # α and γ of each step: none is the default twice, and no product of them is round
 ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
@@ -53,28 +53,6 @@ def sarsa_learn(env, q, choose, update, steps):
             a = choose(q, s)
 
 
-def called_update(*arguments: Any, **by_name: Any) -> None:
-    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
-    learn_from(*in_order("update", learn_from, arguments, by_name))
-
-
-def learn_from(
-    q: np.ndarray,
-    s: int,
-    a: int,
-    r: float,
-    s_next: int,
-    a_next: int | None,
-    terminated: bool,
-) -> None:
-    """SARSA's update."""
-    if a_next is None and not terminated:
-        raise ValueError(
-            "update needs a_next, for the world goes on: only terminated ends it for good"
-        )
-    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
-
-
 WORLD = TapeWorld()
 
 check = with_pages(
@@ -83,11 +61,20 @@ check = with_pages(
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},
-        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
+        tape=with_columns(
+            (*TAPE, *OTHER_STEPS, TAPE[0]),
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.0),
+        ),
     ),
     sarsa_learn=Exercise(
         sarsa_learn,
-        memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
-        tape=[{"update": called_update, "steps": n} for n in (1, 1, 4, 9, 12)],
+        memory={
+            "env": WORLD,
+            "choose": Fickle(WORLD),
+            "q": Q_START + 0.3,
+            "update": SarsaLearner(),
+        },
+        tape=[{"update": SarsaLearner(), "steps": n} for n in (1, 1, 4, 9, 12)],
     ),
 )

@@ -3,7 +3,16 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.worlds.tapes import OTHER_Q, Q_START, TAPE, rows, with_columns
+from rlrobot_course.worlds.tapes import (
+    FINE_ALPHA,
+    FINE_GAMMA,
+    FINE_LAMBDA,
+    OTHER_Q,
+    Q_START,
+    TAPE,
+    rows,
+    with_columns,
+)
 
 BY_HAND = Formula(
     "Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps"
@@ -31,6 +40,7 @@ OTHER = rows(
     (OTHER_Q, OTHER_E, 2, 0, 0.0, 1, 1, False),
     (OTHER_Q, OTHER_E, 0, 1, 0.0, 1, 0, True),
     (OTHER_Q, OTHER_E, 2, 0, 0.1234, 1, 0, True),  # δ = 0
+    (OTHER_Q, OTHER_E, 1, 0, 1.23456, 2, 1, False),
 )
 ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
 GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
@@ -42,6 +52,11 @@ check = with_pages(
     sarsa_lambda_update=Exercise(
         sarsa_lambda_update,
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},
-        tape=with_columns(EPISODE + OTHER, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
+        tape=with_columns(
+            [*EPISODE, *OTHER, TAPE[0], TAPE[1]],
+            alpha=(*ALPHAS, FINE_ALPHA, 0.3, 0.2),
+            gamma=(*GAMMAS, FINE_GAMMA, 0.9, 0.0),
+            lam=(*LAMBDAS, FINE_LAMBDA, 1.0, 0.5),
+        ),
     ),
 )

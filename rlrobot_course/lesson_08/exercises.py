@@ -3,7 +3,16 @@
 import numpy as np
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.worlds.tapes import Q_START, TAPE, rows, with_columns
+from rlrobot_course.worlds.tapes import (
+    FINE,
+    FINE_ALPHA,
+    FINE_GAMMA,
+    FINE_LAMBDA,
+    Q_START,
+    TAPE,
+    rows,
+    with_columns,
+)
 
 
 def dutch(e, alpha):
@@ -31,13 +40,13 @@ def true_online_update(
 
 # One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
-EPISODE = [*TAPE[5:7], *TAPE[:5]]
+EPISODE = [*TAPE[5:7], FINE, *TAPE[:2], *TAPE[:5]]
 E_START = np.array(
     [[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]]
 )
-ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
-GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
-LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
+ALPHAS = (0.3, 0.3, FINE_ALPHA, 0.3, 0.4, 0.2, 0.3, 0.45, 0.5, 0.6)
+GAMMAS = (0.9, 0.9, FINE_GAMMA, 0.99, 0.0, 0.8, 0.9, 0.7, 0.95, 0.85)
+LAMBDAS = (0.8, 0.0, FINE_LAMBDA, 1.0, 0.8, 0.9, 0.6, 0.8, 0.7, 0.9)
 
 check = with_pages(
     globals(),
@@ -52,6 +61,7 @@ check = with_pages(
             (2.37, 0.25),
             (1.4, 1.0),
             (0.53, 0.0),
+            (0.12345, 0.54321),
         ),
     ),
     true_online_by_hand=Question(BY_HAND),

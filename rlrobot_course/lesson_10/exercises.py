@@ -11,6 +11,8 @@ from rlrobot_course.lesson_08.exercises import true_online_update
 from rlrobot_course.lesson_09.exercises import new_temperature
 from rlrobot_course.lesson_10.fixtures import (
     ENDS,
+    FINE,
+    FINELY,
     OTHER,
     OTHERS,
     SHAPE,
@@ -20,8 +22,9 @@ from rlrobot_course.lesson_10.fixtures import (
     drives,
     library,
     ring,
+    sharp,
 )
-from rlrobot_course.worlds.tapes import SMALL, rows
+from rlrobot_course.worlds.tapes import HAIR, SMALL, rows
 
 
 def preferences(q, shape, s, r_max, gamma):
@@ -39,8 +42,9 @@ def at_the_border(
     temperature: float,
     r_max: float,
     gamma: float,
+    hair: float = 0.02,
 ) -> list[Case]:
-    """Cases in which u lies just below, or just above, the border between two actions.
+    """Cases in which u lies just below, or just above, the border between two actions, by so much.
 
     So whoever computes other probabilities takes another action in one of the two.
     """
@@ -57,10 +61,7 @@ def at_the_border(
             "gamma": gamma,
         }
         if 0.05 < border < 0.95:
-            cases += [
-                about | {"u": round(float(border) + beside, 3)}
-                for beside in (-0.02, 0.02)
-            ]
+            cases += [about | {"u": float(border) + beside} for beside in (-hair, hair)]
     return cases
 
 
@@ -76,6 +77,10 @@ CHOICES = [
     )
     for case in at_the_border(q, shape, temperature, r_max, gamma)
 ]
+CHOICES += at_the_border(Q, SHAPE, 30.0, 4.0, 0.0)
+CHOICES += at_the_border(Q, SHAPE, 1.0, 4.0, 0.99)
+CHOICES += at_the_border(FINE, SHAPE, 11.73519, 3.45678, 0.87654, HAIR)
+CHOICES += [{**CHOICES[-1], "u": u} for u in (0.0, 0.99999)]
 
 
 def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
@@ -128,6 +133,20 @@ def learn_and_evade(
     return q
 
 
+# γ and λ at the ends of what the lessons say of them
+AT_ENDS = (
+    {"alpha": 0.2, "gamma": 0.0, "lam": 0.9},
+    {"alpha": 0.2, "gamma": 0.99, "lam": 1.0},
+    {"alpha": 0.2, "gamma": 0.9, "lam": 0.0},
+)
+# Rings of 22 and 18 states, which are no multiples of four; and rewards whose mean says something else than their
+# signs, or than rewards that are rounded.
+UNEVEN = (
+    ((2, 11), (6.0, -0.3, -0.4, -0.2, -0.3, -0.45)),
+    ((3, 6), (-6.2, 0.3, 0.4, 0.2, 0.45)),
+    ((2, 11), (1.5051, -0.3044, -0.3044, -0.6044, -0.3044)),
+)
+
 check = with_pages(
     globals(),
     preferences=Exercise(
@@ -142,6 +161,8 @@ check = with_pages(
             (P, OTHER, 11, 7.0, 0.95),
             (Q, SHAPE, 23, 0.5, 0.9),
             (Q, SHAPE, 5, 10.0, 0.0),
+            (FINE, SHAPE, 17, 3.45678, 0.87654),
+            (Q, SHAPE, 9, 4.0, 0.99),
         ),
     ),
     choose=Exercise(choose, returns="action", tape=CHOICES),
@@ -153,6 +174,12 @@ check = with_pages(
             [
                 ring((3, 4), ENDS, 10, **USUAL, temperature=1.0),
                 ring((4, 5), ENDS[::-1], 80, **OTHERS, temperature=4.0),
+                sharp(
+                    learn,
+                    preferences,
+                    ring((3, 6), ENDS, 40, **FINELY, temperature=2.34567),
+                ),
+                *(ring((3, 4), ENDS, 10, **ends, temperature=1.0) for ends in AT_ENDS),
             ],
             "temperature",
         ),
@@ -168,6 +195,23 @@ check = with_pages(
                 ring((10, 12), ((50, False),), 66, 12, **USUAL, default=0.02),
                 ring((3, 4), ((50, False),), 40, 6, **USUAL, default=0.02),
                 ring((10, 12), ((56, False),), 66, 3, **USUAL, default=0.02, r_max=2.0),
+                *(
+                    sharp(
+                        learn_and_evade,
+                        preferences,
+                        ring(
+                            shape,
+                            ((23, False),),
+                            60,
+                            7,
+                            pays,
+                            **FINELY,
+                            default=0.54321,
+                        ),
+                    )
+                    for shape, pays in UNEVEN
+                ),
+                *(ring((3, 4), ENDS, 10, **ends, default=1.0) for ends in AT_ENDS),
             ],
             "default",
         ),

@@ -11,6 +11,7 @@ class Ring:
     n_states: how many; ends: number of steps of each episode in turn, and whether it terminates there (or is truncated)
     sticky: only one step in so many leads anywhere
     r_max: reward for arriving in a state that can be divided by 5; otherwise −2 for action 0, −0.5 for any other
+    pays: instead of that, the rewards of the steps of an episode, again and again, whatever the steps do
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
@@ -20,13 +21,10 @@ class Ring:
         ends: tuple[tuple[int, bool], ...],
         sticky: int = 1,
         r_max: float = 6.0,
+        pays: tuple[float, ...] = (),
     ) -> None:
-        self.n_states, self.ends, self.sticky, self.r_max = (
-            n_states,
-            ends,
-            sticky,
-            r_max,
-        )
+        self.n_states, self.ends, self.sticky = n_states, ends, sticky
+        self.r_max, self.pays = r_max, pays
         self.episode, self.t, self.s = -1, 0, 0
 
     def __repr__(self) -> str:
@@ -48,12 +46,19 @@ class Ring:
         self.s = (self.s + (0, 1, -1, 2)[a] * moves) % self.n_states
         steps, terminates = self.ends[self.episode % len(self.ends)]
         ended = self.t >= steps
-        reward = -0.5
+        return (
+            self.s,
+            self._reward(a, moves),
+            ended and terminates,
+            ended and not terminates,
+        )
+
+    def _reward(self, a: int, moves: bool) -> float:
+        if self.pays:
+            return self.pays[(self.t - 1) % len(self.pays)]
         if a == 0:
-            reward = -2.0
-        elif moves and self.s % 5 == 0:
-            reward = self.r_max
-        return self.s, reward, ended and terminates, ended and not terminates
+            return -2.0
+        return self.r_max if moves and self.s % 5 == 0 else -0.5
 
 
 class Dice:
@@ -65,8 +70,27 @@ class Dice:
     def __init__(self, world: Ring) -> None:
         self.world = world
 
+    def moment(self) -> tuple[int, int]:
+        """The number of the episode, and of the step in it."""
+        return max(self.world.episode, 0), self.world.t
+
     def random(self) -> float:
         """A number in [0, 1)."""
-        return float(
-            np.random.default_rng([max(self.world.episode, 0), self.world.t]).random()
-        )
+        return float(np.random.default_rng(self.moment()).random())
+
+
+class SharpDice(Dice):
+    """Dice that show numbers chosen beforehand.
+
+    numbers: by the moment, numbers so near to a border between two actions that whoever chooses by a slightly different
+    temperature, or value, takes the other action. At other moments they are as those of `Dice`
+    """
+
+    def __init__(self, world: Ring, numbers: dict[tuple[int, int], float]) -> None:
+        super().__init__(world)
+        self.numbers = numbers
+
+    def random(self) -> float:
+        """A number in [0, 1)."""
+        known = self.numbers.get(self.moment())
+        return super().random() if known is None else known

@@ -33,6 +33,8 @@ check = with_pages(
             (0.0, -1.5, False, 1.0),
             (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
             (-5.0, 0.0, False, 0.99),
+            (-1.23456, 2.34567, False, 0.87654),
+            (-2.0, -3.0, False, 0.0),
         ),
     ),
 )

@@ -40,6 +40,8 @@ ROWS = [
     (1, 1, 10.0, 0),
     (3, 1, -2.0, 1),
 ]
+# rewards with many digits
+FINE_ROWS = [(1, 0, 1.23456, 2), (1, 0, -0.98765, 0), (1, 0, 3.14159, 2)]
 ASKED = [(0, 1), (1, 1), (0, 0), (2, 0), (3, 1), (2, 1)]
 
 
@@ -74,6 +76,9 @@ DRAWS = [
     (0, 1, 0.14),
     (0, 1, 0.45),
     (0, 1, 0.36),
+    (0, 1, 0.42851),  # just below, and just above, three sevenths
+    (0, 1, 0.42862),
+    (0, 1, 0.99999),
 ]
 
 SECOND_LOOK = Formula(
@@ -86,12 +91,14 @@ check = with_pages(
     estimate=OfRows(
         estimate,
         returns="estimate",
-        tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED],
+        tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]
+        + [{"rows": FINE_ROWS, "s": 1, "a": 0}],
     ),
     second_look=Question(SECOND_LOOK),
     sample=Exercise(
         sample,
         returns="outcome",
-        tape=[{"rows": ROWS, "s": s, "a": a, "u": u} for s, a, u in DRAWS],
+        tape=[{"rows": ROWS, "s": s, "a": a, "u": u} for s, a, u in DRAWS]
+        + [{"rows": FINE_ROWS, "s": 1, "a": 0, "u": 0.67432}],
     ),
 )

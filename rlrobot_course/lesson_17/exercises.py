@@ -3,14 +3,8 @@
 from typing import Any
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.worlds.tapes import (
-    Q_START,
-    TapeWorld,
-    Wavering,
-    q_learner,
-    rows,
-    taken,
-)
+from rlrobot_course.worlds.callbacks import QLearner, Wavering, taken
+from rlrobot_course.worlds.tapes import Q_START, TapeWorld, rows
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -53,15 +47,20 @@ check = with_pages(
     ),
     dyna=Exercise(
         dyna,
-        memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
+        memory={
+            "env": TapeWorld(),
+            "q": Q_START,
+            "seen": {},
+            "update": QLearner(0.5, 0.9),
+        },
         tape=rows(
             "choose update pick steps",
-            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 1),
-            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 4),
-            (Wavering(2), q_learner(0.3, 0.7), Picker(3), 3),
-            (Wavering(0), q_learner(0.2, 0.8), Picker(2), 9),
-            (Wavering(1), q_learner(0.25, 0.9), Picker(0), 1),
-            (Wavering(2), q_learner(0.4, 0.9), Picker(4), 7),
+            (Wavering(1), QLearner(0.5, 0.9), Picker(1), 1),
+            (Wavering(1), QLearner(0.5, 0.9), Picker(1), 4),
+            (Wavering(2), QLearner(0.3, 0.7), Picker(3), 3),
+            (Wavering(0), QLearner(0.2, 0.8), Picker(2), 9),
+            (Wavering(1), QLearner(0.25, 0.9), Picker(0), 1),
+            (Wavering(2), QLearner(0.4, 0.9), Picker(4), 7),
         ),
     ),
 )

@@ -54,6 +54,7 @@ check = with_pages(
             (0.0, 0.0, *GIRAFF),
             (-0.05, 0.3, *GIRAFF),
             (0.3, 1.0, 0.2, 0.7),
+            (0.12345, 0.45678, 0.09754, 0.33147),
         ),
     ),
     nearest_ahead=Exercise(
@@ -93,6 +94,12 @@ check = with_pages(
             ([0.8, 0.7, 0.9, 1.2, INF], 1.05, 0.004),  # from 60.2 degrees on
             ([0.9, 1.2, 1.8, 2.0, 0.6], -0.6, 0.3),  # the last one is the nearest
             ([0.4, 2.0, 0.4, 2.0], -math.pi, math.pi / 2),  # as near behind as ahead
+            ([0.51234, 0.6], 0.0, 0.1),  # a range with many digits
+            ([0.7, 0.9], 1.04714, 0.1),  # the first ray is ahead, by a hair
+            ([0.7, 0.9], 1.0474, 0.1),  # and here it is not
+            ([0.7, 0.9], -1.04714, 0.2),  # the same to the right
+            ([0.7, 0.9], -1.0474, 0.2),
+            ([2.0, 1.9, 1.8, 1.7, 1.6, 1.5, 0.7], -0.5, 0.25786),  # the last one is
         ),
     ),
     allowed=Exercise(
@@ -125,6 +132,9 @@ check = with_pages(
             (0.1, 0.3, -0.02, 0.1),  # and is pressed against it
             (0.2, 0.3, 1.5, math.nan),
             (0.0, 0.3, 0.1, math.nan),
+            (0.12345, 0.34567, 1.5, 0.1),
+            (0.2, 0.2, 0.1796, 0.1),  # a hair below the limit
+            (0.2, 0.2, 1.5, 0.5004),  # a hair too old
         ),
     ),
 )

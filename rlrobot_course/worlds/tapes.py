@@ -1,8 +1,6 @@
 """The experience that the checks replay: one short sequence of steps, which reveals every typical mistake."""
 
 import functools
-import inspect
-from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
@@ -39,9 +37,21 @@ _STEPS = (
 )
 # (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
-Q_TAPE = [
-    {name: value for name, value in step.items() if name != "a_next"} for step in TAPE
-]
+# One more step, whose numbers have many digits: whoever rounds them goes another way.
+FINE = dict(zip(_COLUMNS, (1, 2, 1.23456, 0, 1, False), strict=True))
+FINE_ALPHA, FINE_GAMMA, FINE_LAMBDA = 0.31234, 0.87654, 0.65432
+
+
+def without_next_action(steps: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The steps as Q-learning needs them, which does not ask for a'."""
+    return [
+        {name: value for name, value in step.items() if name != "a_next"}
+        for step in steps
+    ]
+
+
+Q_TAPE = without_next_action(TAPE)
+FINE_FOR_Q = without_next_action([FINE])
 
 
 def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
@@ -73,38 +83,15 @@ def draw(p: np.ndarray, u: float) -> int:
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
 
 
-def taken(
-    name: str,
-    function: Callable[..., Any],
-    arguments: Sequence[Any],
-    by_name: Mapping[str, Any],
-) -> list[Any]:
-    """The arguments with which a learner's loop calls `name`, by place or by name, in the order of `function`'s.
-
-    Raises TypeError, which names them, where they are more or fewer, or others.
-    """
-    signature = inspect.signature(function)
-    try:
-        return list(signature.bind(*arguments, **by_name).args)
-    except TypeError:
-        raise TypeError(
-            f"{name} takes ({', '.join(signature.parameters)}), in this order"
-        ) from None
+HAIR = 1e-6  # how near to a border a random number lies
 
 
-def in_order(
-    name: str,
-    function: Callable[..., Any],
-    arguments: Sequence[Any],
-    by_name: Mapping[str, Any],
-) -> list[Any]:
-    """What `taken` returns: the table q and then numbers. Raises TypeError where the table stands elsewhere."""
-    q, *numbers = given = taken(name, function, arguments, by_name)
-    if (q is not None and np.ndim(q) != 2) or any(map(np.ndim, numbers)):
-        raise TypeError(
-            f"{name} takes ({', '.join(inspect.signature(function).parameters)}), in this order"
-        )
-    return given
+def beside(p: np.ndarray, u: float, above: bool) -> float:
+    """A number just above, or just below, that border between two actions of probabilities `p` that is next to `u`."""
+    borders = np.cumsum(p)[:-1]
+    border = float(borders[np.abs(borders - u).argmin()])
+    number = border + HAIR if above else border - HAIR
+    return number if 0 <= number < 1 else 2 * border - number
 
 
 def with_action(method: Callable[..., T]) -> Callable[..., T]:
@@ -162,88 +149,6 @@ class PatientWorld(TapeWorld):
         """Do action `a`: returns next state, reward, terminated, truncated."""
         s_next, reward, terminated, truncated = super().step(a)
         return s_next, reward, terminated or self.t >= 6, truncated
-
-
-class Choice:
-    """choose(q, s) without chance."""
-
-    def __call__(self, *arguments: Any, **by_name: Any) -> int:
-        """An action. Raises TypeError for other arguments than (q, s)."""
-        return self._action(*in_order("choose", self._action, arguments, by_name))
-
-    @abstractmethod
-    def _action(self, q: np.ndarray, s: int) -> int:
-        """The action that is chosen."""
-
-
-class Ranked(Choice):
-    """Chooses the best action, or that of another rank, 0 for the worst."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
-
-    def _action(self, q: np.ndarray, s: int) -> int:
-        return int(q[s].argsort(kind="stable")[self.rank])
-
-
-class Chooser(Ranked):
-    """Chooses without chance, by the state and by where the table is largest and smallest; its scale has no effect."""
-
-    def _action(self, q: np.ndarray, s: int) -> int:
-        return int(
-            q[s].argsort(kind="stable")[
-                (self.rank + int(q.argmax() + q.argmin())) % q.shape[1]
-            ]
-        )
-
-
-class Wavering(Ranked):
-    """A choice that the smallest change of the table changes: it reveals a loop that chooses before the update."""
-
-    def _action(self, q: np.ndarray, s: int) -> int:
-        return (super()._action(q, s) + int(1000 * q.sum())) % 3
-
-
-class Fickle(Choice):
-    """Asked twice at the same moment it answers differently, so that asking again shows.
-
-    world: the TapeWorld whose clock it reads
-    """
-
-    def __init__(self, world: TapeWorld) -> None:
-        self.world, self.asked = world, 0
-        self.moment: tuple[int, int] | None = None
-
-    def __repr__(self) -> str:
-        return "choose"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(
-            other, Fickle
-        )  # how often it was asked is judged by what follows from it
-
-    def _action(self, q: np.ndarray, s: int) -> int:
-        """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
-        moment = (self.world.episode, self.world.t)
-        self.asked = self.asked + 1 if moment == self.moment else 0
-        self.moment = moment
-        return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
-
-
-def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
-    """update(q, s, a, r, s_next, terminated) of Q-learning, for a loop that calls it."""
-
-    def learn_from(
-        q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool
-    ) -> None:
-        q[s, a] += alpha * (
-            r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a]
-        )
-
-    def update(*arguments: Any, **by_name: Any) -> None:
-        learn_from(*in_order("update", learn_from, arguments, by_name))
-
-    return update
 
 
 class RobotWorld:

@@ -263,6 +263,7 @@ class Exercise:
             n
             for n in self.parameters
             if safely(0, np.size, case[n]) <= MOST_SHOWN
+            and not callable(case[n])
             and " at 0x" not in repr(case[n])
         ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)

@@ -9,14 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from rlrobot_course.worlds.callbacks import Chooser, QLearner, Ranked
 from rlrobot_course.worlds.short_world import ShortWorld
-from rlrobot_course.worlds.tapes import (
-    Chooser,
-    Ranked,
-    RobotWorld,
-    TapeWorld,
-    q_learner,
-)
+from rlrobot_course.worlds.tapes import RobotWorld, TapeWorld
 from rlrobot_grading.exercises.exercise import Exercise
 
 COURSE = Path(importlib.import_module("rlrobot_course").__file__).parent
@@ -147,4 +142,4 @@ def test_a_double_says_by_the_lessons_names_what_it_takes():
         TypeError,
         match=r"^update takes \(q, s, a, r, s_next, terminated\), in this order$",
     ):
-        q_learner(0.1, 0.9)(q, 0, 0, 1.0, 0)
+        QLearner(0.1, 0.9)(q, 0, 0, 1.0, 0)
