@@ -70,7 +70,8 @@ class Question:
                 "wrong", f"These are {1 + len(more)} answers.", hint=told, id="form"
             )
         if answer is ... or answer is None:
-            return Verdict("waiting", f"This check waits for your answer: {self.task}.")
+            told = f"This check waits for your answer: {self.task}.{self._form}"
+            return Verdict("waiting", told)
         answer = as_data(answer)
         if self.equals(answer, self.right):
             return self._right()
@@ -88,6 +89,15 @@ class Question:
         return Verdict(
             "wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id
         )
+
+    @property
+    def _form(self) -> str:
+        """How an answer is written, where that is not clear: Python would stop before it comes to the check."""
+        if isinstance(self.right, str):
+            return " Text stands in quotation marks."
+        if np.ndim(self.right) == 0:
+            return " A calculation will do; 0.8² is 0.8 ** 2."
+        return ""
 
     def _right(self) -> Verdict:
         return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)

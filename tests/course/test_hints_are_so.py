@@ -215,8 +215,9 @@ def answer(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
 @pytest.mark.parametrize(("lesson", "name"), EXACT)
 def test_no_line_of_the_solution_is_told_to_who_has_not_written_it(lesson, name):
     exercise = exercises(lesson)[name]
-    changes = one_change_of(exercise.right)
-    for _, _, mutant in changes[:: len(changes) // 12 + 1]:
+    mutants = [mutant for _, _, mutant in one_change_of(exercise.right)]
+    unseen = [one for one in mutants if one.__code__.co_filename[0] == "<"]
+    for mutant in unseen[:: len(unseen) // 12 + 1]:
         seen = exercise.evidence(mutant, exercise.outcomes(mutant))
         if not seen.wrong:
             continue
