@@ -34,7 +34,7 @@ from rlrobot_grading.hints.further_changes import (
 )
 from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
-SECONDS = 3.0  # of computing, after which a learner is told that no hint is known
+SECONDS = 4.0  # of computing, after which a learner is told that no hint is known
 MOST = 1000  # changes that are tried, the simple ones first
 # the likely ones first
 KINDS = (
@@ -73,12 +73,12 @@ def _changes_that_fit(seen: Evidence) -> Iterator[str]:
     """Each one change of the right function that does in every case what the answer does, the likely ones first."""
     if not seen.is_exact:
         return
+    begun = time.process_time()
     changes = safely([], one_change_of, seen.right)  # its source may not be at hand
     ranked = sorted(
         ((_rank(kind, said, seen), said, made) for kind, said, made in changes),
         key=lambda one: one[0],
     )
-    begun = time.process_time()
     for rank, said, function in ranked:
         if time.process_time() - begun > SECONDS:
             return
@@ -158,7 +158,7 @@ def _rank(kind: int, said: str, seen: Evidence) -> float:
         types, is_whole = _types(number[1], seen), number[2] in "01"
         if "float" not in types and not (is_whole and types <= {"int", "bool"}):
             return NEVER
-        return kind if is_whole and types <= {"float", "bool"} else kind + 3.5
+        return kind if is_whole and types <= {"float", "bool"} else kind + 1.5
     pair = IN_PLACE.search(said)
     if pair:
         types, others = (_types(name, seen) for name in pair.groups())
