@@ -16,7 +16,7 @@ from rlrobot_course.worlds.tapes import (
 )
 
 FALL = Formula(
-    "1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p"
+    "1 - well ** steps", ε=0.1, actions=4, steps=11, risk="ε / actions", well="1 - risk"
 )
 
 

@@ -6,7 +6,7 @@ from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pag
 from rlrobot_course.worlds.tapes import rows
 
 AGENTS_NEEDED = Formula(
-    "2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3"
+    "2 * (SD / error) ** 2", SD=3, difference=0.5, error="difference / 3"
 )
 
 

@@ -22,6 +22,10 @@ from rlrobot_grading.answers.values import one_line, show
 FUNCTIONS = (FunctionType, MethodType, BuiltinMethodType)
 # their errors speak of what they were given
 LIBRARIES = sys.stdlib_module_names | {"numpy", "scipy"}
+HIDDEN = (
+    "inside your function, {0} is the name of a value, because it is given one there. So the function {0} is out of "
+    "reach. Give the value another name."
+)
 HARMLESS = (ast.Expression, ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Add, ast.Sub, ast.USub, ast.Call,
             ast.Load)  # fmt: skip
 
@@ -44,6 +48,8 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
         not in LIBRARIES
     ):
         return _about_a_call(frames, text)
+    if "object is not callable" in text:
+        return _about_a_hidden_function(frames[0], line)
     known = {**vars(builtins), **frames[0].f_globals, **frames[0].f_locals}
     if type(error) is NameError:
         return _about_a_name(frames[0].f_locals, error.name, line)
@@ -95,6 +101,20 @@ def _known_as(frame: FrameType, code: CodeType) -> str:
         if getattr(call, "__code__", None) is code:
             return name
     return code.co_name
+
+
+def _about_a_hidden_function(frame: FrameType, line: str) -> str:
+    """Which function cannot be called in `line`, since a local value has its name."""
+    for name in re.findall(r"(?<!\.)\b(\w+)\(", line):
+        is_value = not callable(frame.f_locals.get(name, callable))
+        if is_value and is_function(name, frame.f_globals):
+            return HIDDEN.format(name)
+    return ""
+
+
+def is_function(name: str, names: Mapping[str, Any]) -> bool:
+    """Whether a name is that of a function, where these names are known."""
+    return callable(names.get(name, getattr(builtins, name, None)))
 
 
 def _about_a_name(known: Mapping[str, Any], name: str, line: str) -> str:

@@ -25,7 +25,7 @@ from rlrobot_grading.answers.frames import told_by
 from rlrobot_grading.answers.notebook import shell
 from rlrobot_grading.answers.values import Function, one_line, safely
 
-SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
+SECONDS = 3.0  # of computing that an answer may take; right ones take a hundredth of it
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]
 COMPUTES = "has not ended after {:.0f} seconds of computing"
 WAITS = "has waited for {:.0f} seconds"

@@ -179,10 +179,42 @@ def names_from_outside(answer: Function, right: Function) -> list[str]:
     ]
 
 
+def arguments_read(function: Function) -> set[int]:
+    """The places of the arguments that a function reads anywhere."""
+    return {i for i, (_, read) in enumerate(_arguments_read(function)) if read}
+
+
+def read_as_given(function: Function) -> set[int]:
+    """The places of those that it reads and gives no other value."""
+    stored = set()
+    for step in dis.get_instructions(function.__code__):
+        if step.opname == "STORE_FAST_LOAD_FAST":
+            stored.add(step.argval[0])
+        elif "STORE" in step.opname:
+            stored |= set(_parts(step.argval))
+    return {
+        i
+        for i, (name, read) in enumerate(_arguments_read(function))
+        if read and name not in stored
+    }
+
+
 def uses_chance(answer: Function) -> bool:
-    """Whether a function names something that draws random numbers."""
+    """Whether a function names something that draws random numbers, and that it is not given as an argument."""
     code = getattr(answer, "__code__", None)
-    return code is not None and not CHANCE.isdisjoint(code.co_names)
+    if code is None:
+        return False
+    owner: Any = None
+    for step in dis.get_instructions(code):
+        is_given = owner in code.co_varnames[: code.co_argcount]
+        is_name = "LOAD" in step.opname or "IMPORT" in step.opname
+        if "FAST" in step.opname:
+            owner = _parts(step.argval)[-1]
+            continue
+        if is_name and not is_given and step.argval in CHANCE:
+            return True
+        owner = None
+    return False
 
 
 def _arguments_read(function: Function) -> list[tuple[str, bool]]:

@@ -184,7 +184,7 @@ def differences(
         mine = got.get(name)
         if not same(mine, right):
             rows += safely([], _entries, name, right, mine) or [
-                (name, show(right), show(mine))
+                (name, *_shown_apart(right, mine))
             ]
     if len(rows) > ROWS_SHOWN:
         rows[ROWS_SHOWN:] = [(f"and {len(rows) - ROWS_SHOWN} more", "", "")]
@@ -203,11 +203,23 @@ def _entries(name: str, right: Any, mine: Any) -> list[tuple[str, str, str]]:
     return [
         (
             f"{name}[{', '.join(map(str, i))}]",
-            show(right[tuple(i)]),
-            show(mine[tuple(i)]),
+            *_shown_apart(right[tuple(i)], mine[tuple(i)]),
         )
         for i in differ
     ]
+
+
+def _shown_apart(right: Any, mine: Any) -> tuple[str, str]:
+    """Two values that differ, as they are shown; with all digits where few would look the same."""
+    shown = show(right), show(mine)
+    if shown[0] != shown[1]:
+        return shown
+    written = safely("", _written, right), safely("", _written, mine)
+    return written if written[0] != written[1] else shown
+
+
+def _written(value: Any) -> str:
+    return one_line(repr(np.asarray(as_data(value)).tolist()))
 
 
 def show(value: Any, level: int = 0) -> str:

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from rlrobot_grading.answers.limits import PATIENCE, Elsewhere, Failure, TooLong
-from rlrobot_grading.answers.notebook import is_notebook
+from rlrobot_grading.answers.notebook import is_notebook, told_if_slow
 from rlrobot_grading.answers.replay import Case, Outcome, cases_of, outcome_of
 from rlrobot_grading.answers.source import (
     COURSES_OWN,
@@ -33,12 +33,13 @@ from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
 from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.hints.detectors import find_hint
 from rlrobot_grading.hints.errors import error_hint
-from rlrobot_grading.hints.evidence import Evidence, Hint, Known
+from rlrobot_grading.hints.evidence import Evidence, Half, Hint, Known, Pair
 
 # of the mistakes, the frequent ones first, that are also tried two at a time
 MOST_PAIRED = 20
-COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
+NEW_ARRAY = "or write x = x - y, a new array, where x -= y changes the old one."
 
+CHANGEABLE = (np.ndarray, list, dict, set)
 
 Keep = Callable[["Exercise", Function], str]
 
@@ -93,7 +94,10 @@ class Exercise:
             return self.judge(answer)
         if safely(False, is_courses_own, answer, self.right):
             return Verdict("wrong", COURSES_OWN, id="courses_own")
-        verdict = self.judge(answer)
+        with told_if_slow(
+            f"Your function is tried in {len(self.tape)} {self._unit}s …"
+        ):
+            verdict = self.judge(answer)
         if not verdict or self.keep is None:
             return verdict
         told = self.keep(self, answer)
@@ -178,18 +182,22 @@ class Exercise:
         return list(zip(hints, self.wrong_functions, strict=True))
 
     @cached_property
-    def _pairs(self) -> list[Known]:
+    def _pairs(self) -> list[Pair]:
         """The functions that make two mistakes at once, each with its hint."""
-        frequent = self.mistakes[:MOST_PAIRED]
-        edits = [mistake for mistake in frequent if not callable(mistake.wrong)]
+        frequent = list(zip(self.mistakes, self.wrong_functions, strict=True))
+        edits = [
+            (mistake.id, Half(mistake.hint, function, mistake.wrong))
+            for mistake, function in frequent[:MOST_PAIRED]
+            if not callable(mistake.wrong)
+        ]
         pairs = []
-        for one, other in combinations(edits, 2):
-            if one.wrong.keys() & other.wrong.keys():
+        for (first, one), (second, other) in combinations(edits, 2):
+            if one.edits.keys() & other.edits.keys():
                 continue
-            both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
+            both = safely(None, edited, self.right, {**one.edits, **other.edits})
             if both is not None:
-                told = f"two things at once. First, {one.hint} Second, {other.hint}"
-                pairs.append((Hint(f"{one.id}+{other.id}", told), both))
+                told = f"two things at once. First, {one.text} Second, {other.text}"
+                pairs.append(Pair(Hint(f"{first}+{second}", told), both, (one, other)))
         return pairs
 
     def _waits(self) -> Verdict:
@@ -242,8 +250,9 @@ class Exercise:
         if not rows:
             names = " and ".join(mine.spoilt)
             told = f"The result is right, but in {here} your function changes {names}, which it should only read."
-            copy = COPY.format(mine.spoilt[0])
-            return Verdict("wrong", told, called, hint=copy, id="spoilt")
+            name = mine.spoilt[0]
+            hint = f"work on a copy, as in {_copied(name, self.cases[first].get(name))}; {NEW_ARRAY}"
+            return Verdict("wrong", told, called, hint=hint, id="spoilt")
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
@@ -252,7 +261,8 @@ class Exercise:
         id, told = self.hint_on(answer, got)
         if mine.spoilt and not told:
             name = mine.spoilt[0]
-            told = f"{name} changes, and it should only be read: {COPY.format(name)}"
+            copied = _copied(name, self.cases[first].get(name))
+            told = f"{name} changes, and it should only be read: work on a copy, as in {copied}; {NEW_ARRAY}"
             id = "spoilt"
         return Verdict("wrong", where, called, rows, told, id=id)
 
@@ -290,3 +300,22 @@ class Exercise:
             lenders=self.lenders,
             is_exact=self.is_exact,
         )
+
+
+def _copied(name: str, value: Any) -> str:
+    """The line that copies an argument with all in it that can be changed."""
+    parts = _parts(value)
+    if not any(isinstance(part, CHANGEABLE) for part in parts):
+        return f"{name} = {name}.copy()"
+    if isinstance(value, list) and not any(
+        isinstance(inner, CHANGEABLE) for part in parts for inner in _parts(part)
+    ):
+        return f"{name} = [one.copy() for one in {name}]"
+    return f"{name} = copy.deepcopy({name}), with import copy in a cell above"
+
+
+def _parts(value: Any) -> list[Any]:
+    """What a list or a dictionary holds; numbers and arrays hold nothing that is to be copied for itself."""
+    if isinstance(value, Mapping):
+        return list(value.values())
+    return list(value) if isinstance(value, list | tuple) else []

@@ -26,6 +26,7 @@ from rlrobot_grading.hints.suspicions import unlike
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
 DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it
+COMMA = "a point, not a comma, stands before the digits of a fraction: 0.5, not 0,5."
 MANY = 5  # numbers, of which it is told how many are right
 FURTHER = 0.05  # how far rounding may take it, before it is another number
 
@@ -61,13 +62,16 @@ class Question:
 
     def __call__(self, answer: Any, *more: Any) -> Verdict:
         """Judge `answer`; never raises."""
+        if more and self._has_comma((answer, *more)):
+            return Verdict("wrong", "These are two numbers.", hint=COMMA, id="form")
         if more:
             told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
             return Verdict(
                 "wrong", f"These are {1 + len(more)} answers.", hint=told, id="form"
             )
         if answer is ... or answer is None:
-            return Verdict("waiting", f"This check waits for your answer: {self.task}.")
+            told = f"This check waits for your answer: {self.task}.{self._form}"
+            return Verdict("waiting", told)
         answer = as_data(answer)
         if self.equals(answer, self.right):
             return self._right()
@@ -85,6 +89,15 @@ class Question:
         return Verdict(
             "wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id
         )
+
+    @property
+    def _form(self) -> str:
+        """How an answer is written, where that is not clear: Python would stop before it comes to the check."""
+        if isinstance(self.right, str):
+            return " Text stands in quotation marks."
+        if np.ndim(self.right) == 0:
+            return " A calculation will do; 0.8² is 0.8 ** 2."
+        return ""
 
     def _right(self) -> Verdict:
         return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
@@ -137,6 +150,8 @@ class Question:
             return self._word_looked_at(answer)
         if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
             return "the right number, but as text: leave out the quotation marks."
+        if self._has_comma(answer):
+            return COMMA
         told = unlike(self.right, answer)
         if told:
             return told
@@ -156,6 +171,15 @@ class Question:
         if same(100 * right, mine, ROUNDED):
             return "this is 100 times as much: is it in per cent, or in centimetres?"
         return ""
+
+    def _has_comma(self, answer: Any) -> bool:
+        """Whether one number is asked, and two whole ones are given, as 0,5 is read."""
+        return (
+            not isinstance(self.right, str)
+            and np.ndim(self.right) == 0
+            and isinstance(answer, list | tuple)
+            and [type(part) for part in answer] == [int, int]
+        )
 
     def _how_many(self, answer: Any) -> str:
         """How many of several numbers are right."""

@@ -7,6 +7,7 @@ import builtins
 import inspect
 import re
 import textwrap
+import time
 import warnings
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
@@ -15,7 +16,12 @@ from itertools import islice, product
 from types import FunctionType
 from typing import Any
 
-from rlrobot_grading.answers.source import names_of, parameters, tree_of
+from rlrobot_grading.answers.source import (
+    names_of,
+    parameters,
+    read_as_given,
+    tree_of,
+)
 from rlrobot_grading.answers.values import Function, safely
 from rlrobot_grading.hints.changed import become, changed, made, quoted
 from rlrobot_grading.hints.evidence import Evidence
@@ -28,6 +34,7 @@ from rlrobot_grading.hints.further_changes import (
 )
 from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
+SECONDS = 4.0  # of computing, after which a learner is told that no hint is known
 MOST = 1000  # changes that are tried, the simple ones first
 # the likely ones first
 KINDS = (
@@ -37,8 +44,12 @@ KINDS = (
     handed_over,
     put_around,
 )
+FAR_FETCHED = 4  # the rank of changes that need two wrong cases as evidence
 NEVER = 99  # the rank of a change that nobody makes
 LONGEST = 90  # characters of a piece of code that is told
+SHORT = 25  # of one that the learner has not written
+WORD = re.compile(r"(\w+=)([^ =].*)")  # of a call, as in axis=0
+AROUND = re.compile(r"(?: in| of|:) “[^”]*”(?:, not “[^”]*”)?$")
 QUOTED = re.compile(r"“([^”]*)”")
 ALWAYS = re.compile(r"“(\w+)” were always (.+)")
 IN_PLACE = re.compile(r"“(\w+)” (?:(?:stood )?in place of “(\w+)”|were squared)")
@@ -46,20 +57,36 @@ IN_PLACE = re.compile(r"“(\w+)” (?:(?:stood )?in place of “(\w+)”|were s
 
 def one_change(seen: Evidence) -> str:
     """What differs in one thing from the right function and does in every case what the answer does."""
+    for said in _changes_that_fit(seen):
+        words = safely("", _in_its_words, said, seen)
+        if words:
+            return f"it answers as if {words}."
+    return ""
+
+
+def has_one_change(seen: Evidence) -> bool:
+    """Whether there is such a function, in whatever words."""
+    return any(True for _ in _changes_that_fit(seen))
+
+
+def _changes_that_fit(seen: Evidence) -> Iterator[str]:
+    """Each one change of the right function that does in every case what the answer does, the likely ones first."""
     if not seen.is_exact:
-        return ""
+        return
+    begun = time.process_time()
     changes = safely([], one_change_of, seen.right)  # its source may not be at hand
     ranked = sorted(
         ((_rank(kind, said, seen), said, made) for kind, said, made in changes),
         key=lambda one: one[0],
     )
     for rank, said, function in ranked:
-        if rank >= NEVER or not seen.shows(function, endless=True):
-            continue
-        words = safely("", _in_its_words, said, seen)
-        if words:
-            return f"it answers as if {words}."
-    return ""
+        if time.process_time() - begun > SECONDS:
+            return
+        # one number may be met by chance in so many ways
+        is_unlikely = rank >= FAR_FETCHED or _is_read(said, seen)
+        is_chance = is_unlikely and len(seen.wrong) == 1
+        if rank < NEVER and not is_chance and seen.shows(function, endless=True):
+            yield said
 
 
 @cache
@@ -115,6 +142,15 @@ def _changed_inside(
                 )
 
 
+def _is_read(said: str, seen: Evidence) -> bool:
+    """Whether the answer takes an argument as it is given, of which is said that it were always the same."""
+    number = ALWAYS.fullmatch(said)
+    if number is None or number[1] not in seen.parameters:
+        return False
+    given = safely(set(), read_as_given, seen.answer)
+    return seen.parameters.index(number[1]) in given
+
+
 def _rank(kind: int, said: str, seen: Evidence) -> float:
     """How far-fetched a change is; NEVER if it puts a thing of another type in a name's place."""
     number = ALWAYS.fullmatch(said)
@@ -122,7 +158,7 @@ def _rank(kind: int, said: str, seen: Evidence) -> float:
         types, is_whole = _types(number[1], seen), number[2] in "01"
         if "float" not in types and not (is_whole and types <= {"int", "bool"}):
             return NEVER
-        return kind if is_whole and types <= {"float", "bool"} else kind + 3.5
+        return kind if is_whole and types <= {"float", "bool"} else kind + 1.5
     pair = IN_PLACE.search(said)
     if pair:
         types, others = (_types(name, seen) for name in pair.groups())
@@ -187,15 +223,45 @@ def _in_its_words(said: str, seen: Evidence) -> str:
     if number and _types(number[1], seen) == {"bool"}:
         said = f"“{number[1]}” were always {number[2] == '1'}"
     pieces = {piece: _put(piece, terms, known) for piece in QUOTED.findall(said)}
-    told = QUOTED.sub(lambda piece: f"“{pieces[piece[1]]}”", said)
-    return told if all(0 < len(piece) <= LONGEST for piece in pieces.values()) else ""
+    code = safely("", _code_of, answer)
+    # without the code around it where that is the solution's
+    for words in (said, AROUND.sub("", said)):
+        quotes = [pieces[piece] for piece in QUOTED.findall(words)]
+        if quotes and all(
+            _may_be_told(piece, code, {*called.values()}) for piece in quotes
+        ):
+            return QUOTED.sub(lambda piece: f"“{pieces[piece[1]]}”", words)
+    return ""
+
+
+def _code_of(answer: Function) -> str:
+    """The code of an answer in Python's own writing, as pieces of code are told."""
+    return ast.unparse(tree_of(answer))
+
+
+def _may_be_told(piece: str, code: str, arguments: set[str]) -> bool:
+    """Whether a piece of code is the learner's own, or short and made of the learner's names; no other line is told."""
+    if not piece:
+        return False
+    if re.search(rf"(?<!\w){re.escape(piece)}(?!\w)", code):
+        return len(piece) <= LONGEST
+    if piece in ("and", "or", "break", "continue") or piece in {*CALLED, *REDUCED}:
+        return True
+    if len(piece) > SHORT:
+        return False
+    tree = ast.parse(piece.partition("=")[2] if WORD.fullmatch(piece) else piece)
+    if not isinstance(tree.body[0], ast.Expr):
+        return False
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    names |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    return names <= arguments | set(re.findall(r"\w+", code))
 
 
 def _put(piece: str, terms: Mapping[str, str], known: set[str]) -> str:
     """A piece of code with other terms for its names; empty if there are names in it that are not known."""
     if piece in ("and", "or"):
         return piece
-    word = re.fullmatch(r"(\w+=)([^ =].*)", piece)  # of a call, as in axis=0
+    word = WORD.fullmatch(piece)
     if word:
         value = _put(word[2], terms, known)
         return word[1] + value if value else ""

@@ -57,12 +57,14 @@ def changed(
 
 
 def _around(node: ast.AST, parents: Mapping[ast.AST, ast.AST]) -> ast.AST:
-    """In which piece of code a name or a number stands, if there is one that is short; else itself."""
+    """In which piece of code a name or a number stands, the smallest that says more; itself, if that is long."""
     pieces = ast.expr | ast.keyword | ast.Assign | ast.Return | ast.AugAssign
     around = node
     above = parents[around]
     while isinstance(above, pieces) and len(ast.unparse(above)) <= LONGEST:
         around = above
+        if not isinstance(around, SMALL):
+            break
         above = parents[around]
     return around
 

@@ -7,6 +7,7 @@ tells what that exception means.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 from rlrobot_grading.answers.source import uses_chance
@@ -14,6 +15,8 @@ from rlrobot_grading.answers.values import safely
 from rlrobot_grading.hints.as_if import one_change
 from rlrobot_grading.hints.events import order_of_events
 from rlrobot_grading.hints.evidence import Evidence, Hint
+from rlrobot_grading.hints.in_place import not_in_place
+from rlrobot_grading.hints.mistakes import known_mistake, two_mistakes
 from rlrobot_grading.hints.suspicions import (
     about_the_cases,
     about_the_code,
@@ -25,6 +28,7 @@ from rlrobot_grading.hints.suspicions import (
 
 # times that a function is asked the same, to see whether there is chance in it
 AGAIN = 40
+SECONDS = 1.0  # of computing that this may take
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
 
@@ -36,8 +40,7 @@ def chance(seen: Evidence) -> Hint | None:
         return None
     if not before.equals(before):
         return None  # some values equal nothing, not even themselves
-    again = (seen.outcome(seen.answer, seen.cases[first]) for _ in range(AGAIN))
-    if all(outcome.failure or outcome.equals(before) for outcome in again):
+    if not _differs(seen, first):
         return None
     outside = from_the_notebook(seen)
     if outside:
@@ -51,19 +54,10 @@ def chance(seen: Evidence) -> Hint | None:
     return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
 
 
-def known_mistake(seen: Evidence) -> Hint | None:
-    """It computes what one of the exercise's mistakes computes, in every case."""
-    return next((hint for hint, wrong in seen.mistakes if seen.shows(wrong)), None)
-
-
-def two_mistakes(seen: Evidence) -> Hint | None:
-    """It makes two of the mistakes at once."""
-    return next((hint for hint, both in seen.pairs() if seen.shows(both)), None)
-
-
 DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
     "chance": chance,
     "known_mistake": known_mistake,
+    "in_place": not_in_place,
     "values": about_the_values,
     "two_mistakes": two_mistakes,
     "notebook": from_the_notebook,
@@ -73,6 +67,18 @@ DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
     "code": about_the_code,
     "cases": about_the_cases,
 }
+
+
+def _differs(seen: Evidence, i: int) -> bool:
+    """Whether the answer does something else when it is asked the same case again, as far as there is time."""
+    begun = time.process_time()
+    for _ in range(AGAIN):
+        again = seen.outcome(seen.answer, seen.cases[i])
+        if not again.failure and not again.equals(seen.got[i]):
+            return True
+        if time.process_time() - begun > SECONDS:
+            break
+    return False
 
 
 def find_hint(seen: Evidence) -> Hint:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rlrobot_grading.answers.frames import HIDDEN, is_function
 from rlrobot_grading.answers.limits import Failure
 from rlrobot_grading.answers.source import names_of, parameters
 from rlrobot_grading.answers.values import Function
@@ -87,7 +88,11 @@ def _about_a_name(
         or "before assignment" in failure.text
         or "not associated" in failure.text
     ):
-        return f"{name} is used before it has a value. Give it one before the loop, or on every way that leads here."
+        names = getattr(answer, "__globals__", {})
+        is_called = re.search(rf"(?<!\.)\b{name}\(", failure.line)
+        if is_called and (name in lenders or is_function(name, names)):
+            return HIDDEN.format(name)
+        return f"{name} is used before it has a value. Give it one above this line, on every way that leads here."
     if name in MODULES:
         return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
     if name in lenders:

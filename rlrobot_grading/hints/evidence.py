@@ -21,6 +21,22 @@ class Hint(NamedTuple):
 Known = tuple[Hint, Function]  # a wrong function, and the hint for it
 
 
+class Half(NamedTuple):
+    """One of two mistakes: its hint, the function that makes it alone, and its edits of the right function."""
+
+    text: str
+    function: Function
+    edits: Mapping[str, str]
+
+
+class Pair(NamedTuple):
+    """Two mistakes at once: the hint for both, and the function that makes both."""
+
+    hint: Hint
+    both: Function
+    halves: tuple[Half, Half]
+
+
 @dataclass(frozen=True)
 class Evidence:
     """One wrong answer beside the right function, and what both have done in each case that was tried.
@@ -43,7 +59,7 @@ class Evidence:
     outcome: Callable[[Function, Case], Outcome]
     mistaken: Callable[[Function, int, bool], Outcome]
     mistakes: Sequence[Known]
-    pairs: Callable[[], Sequence[Known]]
+    pairs: Callable[[], Sequence[Pair]]
     memory: Mapping[str, Any]
     returns: str
     lenders: Mapping[str, str]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -13,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_grading.answers.values import safely, same
-from rlrobot_grading.hints.changed import Change, changed
+from rlrobot_grading.hints.changed import Change, become, changed
 from rlrobot_grading.hints.further_changes import further_changes, put_around, renamed
 from rlrobot_grading.hints.simple_changes import simple_changes
 
@@ -25,6 +26,8 @@ UNITS = {
     "a thousand": 1000,
     "a thousandth": 0.001,
 }
+FAR_FETCHED = 3  # the rank of changes that give a round number by chance
+QUOTED = re.compile(r"“([^”]*)”")
 MOST = 2  # changes that give the same number and are told; if there are more, none is
 
 
@@ -66,6 +69,8 @@ class Formula:
             if not any(same(change.elsewhere, other.elsewhere) for other in found):
                 found.append(change)
         likely = [change.said for change in found if change.rank == found[0].rank]
+        if found and found[0].rank == FAR_FETCHED and _is_round(answer):
+            return ""
         if not 1 <= len(likely) <= MOST:
             return ""
         return f"it is as if {', or as if '.join(likely)}."
@@ -88,9 +93,34 @@ class Formula:
                     if value is None or same(value, right, 1e-3):
                         continue
                     elsewhere = safely(None, self._worth, texts, other)
-                    words = said.replace("_", " ")
-                    found.append(Changed(words, rank, value, elsewhere))
+                    found.append(Changed(self._read(said), rank, value, elsewhere))
         return found
+
+    def _read(self, said: str) -> str:
+        """What is said, with numbers for the names that stand in no lesson: those of more than one letter."""
+        return QUOTED.sub(lambda piece: f"“{self._in_numbers(piece[1])}”", said)
+
+    def _in_numbers(self, piece: str) -> str:
+        if len(piece) > 1 and piece in self.texts:
+            piece = self.texts[piece]  # how it is made says more than what it is
+        tree = ast.parse(piece, mode="eval")
+        for node in ast.walk(tree):
+            if (
+                isinstance(node, ast.Name)
+                and len(node.id) > 1
+                and node.id in self.values
+            ):
+                become(node, f"{self.values[node.id]:.5g}")
+        return ast.unparse(tree)
+
+    @cached_property
+    def values(self) -> dict[str, Any]:
+        """The numbers by their names, and those that the parts of the formula make."""
+        known = dict(self.numbers)
+        for name, text in self.texts.items():
+            if name:
+                known[name] = self._worth({"": text}, known)
+        return known
 
     def _parts(self) -> Iterator[Variant]:
         """A part of the formula alone, or all of it in another unit."""
@@ -181,3 +211,10 @@ class Formula:
         for name, text in texts.items():
             known[name] = eval(text, known)
         return known[""]
+
+
+def _is_round(answer: Any) -> bool:
+    """Whether each number of an answer has one or two digits, as many other calculations give."""
+    return all(
+        float(f"{x:.2g}") == x for x in np.ravel(np.asarray(answer, dtype=float))
+    )

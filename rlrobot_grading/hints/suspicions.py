@@ -16,6 +16,8 @@ from rlrobot_grading.answers.source import names_from_outside, unused_arguments
 from rlrobot_grading.answers.values import Unkept, safely, same, show
 from rlrobot_grading.hints.evidence import Evidence, Hint
 
+NAN = "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
+FLOAT32 = 1e-6  # relative difference of a number that had seven digits
 DIGITS = range(5)  # after the point, to which an answer may have been rounded
 
 
@@ -31,10 +33,13 @@ def about_the_values(seen: Evidence) -> str:
     ]
     if returns:
         values = [(right[returns], mine[returns]) for _, right, mine in done]
-        told = safely("", _about_returned, values, seen.got, returns)
-        return told or safely(
-            "", _about_an_argument, values, [case for case, _, _ in done]
-        )
+        told = safely("", _about_each, values, seen.got)
+        if told or len(done) < len(seen.cases):
+            return told  # of cases that stop with an error nothing can be said
+        cases = [case for case, _, _ in done]
+        told = safely("", _about_all, values)
+        told = told or safely("", _about_sums, values, cases)
+        return told or safely("", _about_an_argument, values, cases)
     if done and all(
         same(mine[name], case[name]) for case, _, mine in done for name in mine
     ):
@@ -97,7 +102,7 @@ def _about_changes(name: str, seen: Evidence) -> str:
         for right, mine in changes
         for t in mine[right != 0] / right[right != 0]
     }
-    if len(times) == 1:
+    if len(times) == 1 and len(changes) == len(seen.cases):
         by = times.pop()
         if by == 0:
             return f"{name} does not change."
@@ -126,21 +131,23 @@ def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
     return list(zip(seen.cases, seen.expected, seen.got, strict=False))
 
 
-def unlike(right: Any, mine: Any, name: str = "this") -> str:
+def unlike(right: Any, mine: Any) -> str:
     """In which way a single value differs from the right one, if that can be told."""
     if isinstance(mine, str) and not isinstance(right, str):
         text = mine.strip().strip("\"'")
         if _is_number(text):
-            return f"{name} is text. Leave out the quotation marks, or str(…), so that it is a number."
-        return (
-            f"{name} is text. Numbers, and calculations, stand without quotation marks."
-        )
+            return "this is text. Leave out the quotation marks, or str(…), so that it is a number."
+        return "this is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
     if isinstance(mine, dict | set) and not isinstance(right, dict):
-        return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
+        kind = "dictionary" if isinstance(mine, dict) else "set"
+        asked = "a number" if np.ndim(right) == 0 else "a list, or an array"
+        return f"a {kind} stands here, in curly brackets. What is asked is {asked}."
     if right is None:
         return "here None is asked, and that is nothing: not even an empty list."
+    if isinstance(mine, list | tuple) and _has_none(mine):
+        return "None stands among these. What is asked is a number in each place."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
@@ -155,29 +162,45 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
         if x.ndim == 1 and y.ndim == 1:
             return f"its length is {len(y)}. What is asked has a length of {len(x)}."
-        return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
+        if x.ndim:
+            return ""
+        if np.asarray(mine).dtype.kind == "b":
+            return (
+                "these are several, each True or False. What is asked is one number: argmax(…) finds the first True, "
+                "sum(…) counts them."
+            )
+        return f"these are {y.size} numbers. What is asked is one: which of them, or their largest, their sum?"
     if np.isnan(y).any() and not np.isnan(x).any():
-        return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
+        return NAN
     return ""
+
+
+def _has_none(value: Any) -> bool:
+    return value is None or (
+        isinstance(value, list | tuple) and any(map(_has_none, value))
+    )
 
 
 def _is_number(text: str) -> bool:
     return safely(None, float, text) is not None
 
 
-def _about_returned(
-    values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], returns: str
-) -> str:
-    """What all pairs of an expected and a returned value have in common."""
+def _about_each(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome]) -> str:
+    """What is wrong with the form of each wrong value; the first is told."""
     wrong = [(x, y) for x, y in values if not same(x, y)]
     if wrong and all(y is None for _, y in wrong):
         if any(outcome.printed for outcome in got):
-            return f"print shows a value on the screen; return hands it to whoever called. Return the {returns}."
+            return "print shows a value on the screen; return hands it to whoever called. Write return in its place."
         return "your function returns nothing here. Does every way through it end with return?"
-    told = [safely("", unlike, x, y, f"the {returns}") for x, y in wrong]
-    if told and all(told):  # of the first case, whose values the learner sees
-        return told[0]
-    if not wrong or len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
+    told = [safely("", unlike, x, y) for x, y in wrong]
+    # of the first case, whose values the learner sees
+    return told[0] if told and all(told) else ""
+
+
+def _about_all(values: Sequence[tuple[Any, Any]]) -> str:
+    """What all pairs of an expected and a returned value have in common."""
+    is_wrong = any(not same(x, y) for x, y in values)
+    if not is_wrong or all(same(x, values[0][0]) for x, _ in values):
         return ""
     expected, mine = (
         [np.asarray(value, dtype=float) for value in side]
@@ -190,10 +213,7 @@ def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case])
     """What an argument, a number, does to the right values to make them the learner's, in every case."""
     for name in cases[0]:
         numbers = [case[name] for case in cases]
-        if (
-            any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers)
-            or len(set(numbers)) < 2
-        ):
+        if not _are_numbers(numbers) or len(set(numbers)) < 2:
             continue
         for told, changed in CHANGES.items():
             if all(
@@ -211,6 +231,11 @@ def _relations(
     pairs = list(zip(expected, got, strict=True))
     if all(same(y, got[0]) for y in got):
         yield f"your function always returns {show(got[0])}, whatever its arguments are."
+    if all(same(x, y, FLOAT32) for x, y in pairs):
+        yield (
+            "your numbers are right in their first digits only. Leave rounding and float32 out: Python's own numbers "
+            "have 16 digits."
+        )
     for digits in DIGITS:
         if all(same(np.round(x, digits), y) for x, y in pairs):
             after = (
@@ -242,18 +267,37 @@ def _relations(
         if t == 0:
             yield "your numbers are 0, always."
         yield f"your numbers are {show(t)} times the right ones, always."
-    if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(
-        same(y.sum(), 1.0) for y in got
-    ):
-        # in the case that the learner sees
-        seen = next(y for x, y in pairs if not same(x, y))
-        if np.isnan(seen).any():
-            yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
-        if not same(seen.sum(), 1.0):
-            yield f"probabilities sum to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
-        sums = {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}
-        if sums:
-            yield f"probabilities sum to 1, and in another case yours sum to {show(min(sums))}."
+
+
+def _about_sums(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:
+    """Where all right values sum to 1: what the learner's sum to."""
+    right = [np.asarray(x, dtype=float) for x, _ in values]
+    mine = [np.asarray(y, dtype=float) for _, y in values]
+    sums = [round(float(y.sum()), 9) for y in mine]
+    if not all(x.ndim and same(x.sum(), 1.0) for x in right) or set(sums) == {1.0}:
+        return ""
+    for name in cases[0]:
+        numbers = [case[name] for case in cases]
+        if len(set(map(str, numbers))) < 2 or not _are_numbers(numbers):
+            continue
+        if all(same(y, n) for y, n in zip(sums, numbers, strict=True)):
+            return f"what is asked sums to 1, and yours sum to {name} in every case: the part 1 − {name} is missing."
+        if all(same(y, 1 - n) for y, n in zip(sums, numbers, strict=True)):
+            return f"what is asked sums to 1, and yours sum to 1 − {name} in every case: the part {name} is missing."
+    # in the case that the learner sees
+    seen = next(y for x, y in zip(right, mine, strict=True) if not same(x, y))
+    if np.isnan(seen).any():
+        return NAN
+    if not same(seen.sum(), 1.0):
+        return f"what is asked sums to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
+    others = {round(total, 3) for total in sums if not np.isnan(total)} - {1.0}
+    if others:
+        return f"what is asked sums to 1, and in another case yours sum to {show(min(others))}."
+    return ""
+
+
+def _are_numbers(values: Sequence[Any]) -> bool:
+    return all(isinstance(n, int | float) and not isinstance(n, bool) for n in values)
 
 
 CHANGES: dict[str, Callable[[Any, float], Any]] = {

@@ -14,7 +14,7 @@ WRONG = {
     "stopped at “δ”": 11.4,
     "“γ” were left out of “γ * q”": 6.4,
     "“Q” were added to “r + γ * q”": 4 + 0.2 * (10 + 0.9 * 6 + 4),
-    "“worst” stood in place of “q”": 4 + 0.2 * (10 + 0.9 * -1 - 4),
+    "“-1” stood in place of “q”": 4 + 0.2 * (10 + 0.9 * -1 - 4),
     "“α” and “γ” had changed places": 4 + 0.9 * (10 + 0.2 * 6 - 4),
     "the brackets around “r + γ * q - Q” were missing": 4 + 0.2 * 10 + 0.9 * 6 - 4,
     "a thousand times as much": 6280,

@@ -125,8 +125,8 @@ def test_what_occurs_twice_in_the_code_around_it_is_told_with_the_whole_of_it():
     def right(x):
         return x ** (x + 1) + 1
 
-    told = "0 stood in place of 1: “return x ** (x + 0) + 1”, not “return x ** (x + 1) + 1”"
-    assert dict(mutants(right))[told](2) == 5
+    told = "0 stood in place of 1: “x ** (x + 1) + 0”, not “x ** (x + 1) + 1”"
+    assert dict(mutants(right))[told](2) == 8
 
 
 def test_mutants_differ_in_one_thing_and_say_which():
@@ -139,4 +139,4 @@ def test_mutants_differ_in_one_thing_and_say_which():
     assert len(said) > 20 and said["“x >= 1” were asked, not “x > 1”"](1, 3) == 7
     assert said["“2” were divided by “y”, not multiplied"](4, 2) == 5
     assert said["“x > 1” never held"](9, 3) == 3
-    assert said["“min” stood in place of “max” in “return max(y, 0.5)”"](0, 3) == 0.5
+    assert said["“min” stood in place of “max” in “max(y, 0.5)”"](0, 3) == 0.5
