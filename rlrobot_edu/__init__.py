@@ -14,8 +14,8 @@ models/       recordings and sample models, what they do not know, value iterati
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above; in3d/
 
-Below it, for all: checks.py (arguments and error messages), files.py (written whole or not at all), seeds.py, and
-jit/ (the compiler of the kernels).
+Below it, for all: checks.py (arguments and error messages), keywords.py (misspelt ones), files.py (written whole or not
+at all), seeds.py, and jit/ (the compiler of the kernels).
 
 On top of this core:
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import islice
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 
@@ -58,19 +58,28 @@ def check_transition(
     return s, a, float(r), s_next
 
 
+@overload
+def check_count(name: str, number: object, least: int = 1) -> int: ...
+@overload
 def check_count(
-    name: str, number: object, least: int = 1, or_none: bool = False
-) -> None:
-    """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
-    is_count = (
-        isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
+    name: str, number: object, least: int = 1, *, or_none: Literal[True]
+) -> int | None: ...
+def check_count(
+    name: str, number: object, least: int = 1, *, or_none: bool = False
+) -> int | None:
+    """`number` as Python's int; a small integer of NumPy could not hold what is computed with it.
+
+    Raises ValueError unless it is a whole number, Python's or NumPy's, of at least `least` (or None).
+    """
+    if or_none and number is None:
+        return None
+    if isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least:
+        return int(number)
+    expected = "None or a" if or_none else "a"
+    given = _in_a_line(f"{number!r:.200}")
+    raise ValueError(
+        f"{name} must be {expected} whole number of at least {least}, got {given}"
     )
-    if not (is_count or (or_none and number is None)):
-        expected = "None or a" if or_none else "a"
-        given = _in_a_line(f"{number!r:.200}")
-        raise ValueError(
-            f"{name} must be {expected} whole number of at least {least}, got {given}"
-        )
 
 
 def check_between(

@@ -1,8 +1,9 @@
 """What all views of a robot's scenes share, from above or in 3D: the scenes, the path, a description in words."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env
@@ -16,18 +17,27 @@ def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError if there is none."""
     robot: Robot | None = getattr(getattr(env, "unwrapped", None), "robot", None)
     if robot is None:
+        kind = type(env).__name__
         raise ValueError(
-            "there is no robot to film here: make the environment with rl.make_env(task)"
+            f"there is no robot to look at: give an environment that rl.make_env(task) makes, got {kind}"
         )
     return robot
 
 
-def as_scenes(scenes: Scenes) -> list[Scene]:
-    """One scene or several as a list. Raises ValueError for anything else, or for none."""
-    several = [scenes] if isinstance(scenes, Scene) else list(scenes)
+def as_scenes(given: Scenes | Env) -> list[Scene]:
+    """The given scenes, or the one that an environment shows now.
+
+    Raises ValueError if there is none, and for anything else.
+    """
+    if isinstance(given, gymnasium.Env):
+        return [robot_of(given).scene()]
+    if isinstance(given, Scene):
+        return [given]
+    several = list(given) if isinstance(given, Iterable) else []
     if not several or not all(isinstance(scene, Scene) for scene in several):
+        kind = type(given).__name__
         raise ValueError(
-            "a picture needs one scene or several: give it env.unwrapped.robot.scene()"
+            f"a picture needs an environment with a robot, or one scene or several, got {kind}"
         )
     return several
 

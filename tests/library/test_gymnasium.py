@@ -55,8 +55,10 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(wander_model):
         rl.make_env,
         lambda name, **mode: gymnasium.make(f"rlrobot/{name}-v0", **mode),
     ):
-        with pytest.raises(ValueError, match="must be None or 'rgb_array', got 'ansi'"):
-            make("wander_simple", render_mode="ansi")
+        with pytest.raises(
+            ValueError, match="None, 'rgb_array' or 'ansi', got 'human'"
+        ):
+            make("wander_simple", render_mode="human")
     with pytest.raises(TypeError, match="render_mode"):
         rl.make_env(wander_model, render_mode="rgb_array")
 

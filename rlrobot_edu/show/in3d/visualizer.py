@@ -16,6 +16,7 @@ from meshcat import geometry as g
 from meshcat.animation import Animation
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
@@ -255,6 +256,7 @@ def _jumps(a: Scene, b: Scene) -> bool:
     return distance > JUMP * max(x_max - x_min, y_max - y_min)
 
 
+@suggests_keywords
 def meshcat(thing: Env | Scene) -> Visualizer:
     """A robot's world in a genuine meshcat visualizer, to look at and to add to.
 
