@@ -46,11 +46,12 @@ if sys.platform == "emscripten":
 import gymnasium
 import lazy_loader
 
-from rlrobot_edu.missing_names import no_such_name, without_extra
+from rlrobot_edu.missing_names import MissingModules, no_such_name, without_extra
 from rlrobot_edu.task.task_file import available_tasks as _available_tasks
 from rlrobot_edu.version import __version__ as __version__
 
 _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+sys.meta_path.append(MissingModules(__all__))
 
 
 def __getattr__(name: str) -> object:

@@ -19,7 +19,7 @@ MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each,
 
 def did_you_mean(name: object, names: Iterable[str]) -> str:
     """``did you mean 'x'? `` with the nearest of `names`; empty if none is similar."""
-    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.5)
+    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.6)
     return f"did you mean {near[0]!r}? " if near else ""
 
 

@@ -1,8 +1,11 @@
 """A call that comes naturally works, or one sentence of ours says what to write instead."""
 
+import importlib
 import inspect
+import re
 import traceback
 from pathlib import Path
+from pkgutil import resolve_name
 
 import gymnasium
 import numpy as np
@@ -12,6 +15,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.learning.algorithms.sarsa import SARSA
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.selections.greedy import EG
+from rlrobot_edu.missing_names import ONCE
 
 QUIET = {"progress": False}
 FEW = {**QUIET, "n_jobs": 1, "steps": 10}
@@ -337,3 +341,53 @@ def test_a_method_that_a_comparison_does_not_have_is_answered_with_the_nearest(
     with pytest.raises(KeyError, match=r"did you mean 'Q\+SR'"):
         result["Q+SRR"]
     assert result.get("Q+SRR") is None and "Q+SRR" not in result
+
+
+# Names
+
+
+def imported(name):
+    """What the import of a name says."""
+    with pytest.raises(ImportError) as said:
+        exec(f"from rlrobot_edu import {name}", {})
+    return str(said.value)
+
+
+@pytest.mark.parametrize("name", ["Agnet", "History", "LiveView", "shard", "no_name"])
+def test_an_import_of_a_name_says_what_the_name_itself_would(name):
+    with pytest.raises(AttributeError) as said:
+        getattr(rl, name)
+    assert imported(name) == str(said.value)
+
+
+@pytest.mark.parametrize("name", sorted(ONCE))
+def test_a_name_that_the_library_had_once_is_answered_with_what_does_the_same_today(
+    name,
+):
+    said = imported(name)
+    assert f"no name '{name}' any more; " in said
+    for package, inner in re.findall(r"(rl|rlrobot_\w+|Recording)\.([\w.]+)", said):
+        assert resolve_name(f"{PACKAGES.get(package, package)}.{inner}"), said
+
+
+PACKAGES = {"rl": "rlrobot_edu", "Recording": "rlrobot_edu.Recording"}
+
+
+@pytest.mark.parametrize(
+    ("statement", "says"),
+    [
+        ("import rlrobot_edu.course.lesson_02", "lessons are in rlrobot_course"),
+        ("from rlrobot_edu.ros import recording_from_bag", "are in rlrobot_ros$"),
+        ("import rlrobot_edu.learning.histroy", r"did you mean .*learning\.history\?"),
+        ("from rlrobot_edu.learning import Agent", r"mean .*learning\.agent\?"),
+        ("import rlrobot_edu.show.scenes", "rlrobot_edu/show/__init__.py says what is"),
+    ],
+)
+def test_an_import_of_a_module_that_has_moved_says_where_to_look(statement, says):
+    with pytest.raises(ModuleNotFoundError, match=says):
+        exec(statement, {})
+
+
+def test_of_other_packages_python_says_what_it_always_says():
+    with pytest.raises(ModuleNotFoundError, match=r"^No module named 'rlrobot_educ'$"):
+        importlib.import_module("rlrobot_educ")
