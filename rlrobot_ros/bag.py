@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_edu.checks import describe_error
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
@@ -39,6 +40,7 @@ class BagRecording(Recording):
         self.report = report
 
 
+@suggests_keywords
 def recording_from_bag(
     path: str | Path,
     task: str | Path | Task,

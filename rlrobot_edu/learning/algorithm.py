@@ -51,6 +51,7 @@ class Selection(NamedTuple):
     is_biased: bool = False
 
 
+@suggests_keywords
 class Planner(NamedTuple):
     """A way to learn from imagined steps. The toolkit's own is dyna.py; yours is one more.
 

@@ -26,6 +26,7 @@ PIXELS = 360  # width and height of a film
 COLOURS = 24  # of a film
 
 
+@suggests_keywords
 @dataclass(frozen=True, eq=False)
 class Film(Displayed):
     """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.

@@ -6,12 +6,14 @@ from string import Template
 
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
 # How each file begins, and how it goes on for each robot
 TEMPLATES = Path(__file__).parent / "templates"
 
 
+@suggests_keywords
 def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") -> Path:
     """Write a task file to begin with; an existing one is never overwritten.
 

@@ -7,6 +7,7 @@ from typing import NoReturn
 
 import numpy as np
 
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.robots.chassis import Chassis, laser_beams
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
@@ -20,6 +21,7 @@ from rlrobot_ros.motions import chassis_of
 from rlrobot_ros.scan import Mounting
 
 
+@suggests_keywords
 class RobotLink(Robot):
     """A real robot with ROS 1 or ROS 2 behind rosbridge. `rl.make_env(task, link=…)` makes its environment.
 

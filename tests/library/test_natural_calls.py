@@ -15,7 +15,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.learning.algorithms.sarsa import SARSA
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.selections.greedy import EG
-from rlrobot_edu.missing_names import ONCE
+from rlrobot_edu.missing_names import ELSEWHERE, ONCE
 
 QUIET = {"progress": False}
 FEW = {**QUIET, "n_jobs": 1, "steps": 10}
@@ -45,10 +45,24 @@ def agent():
 # Keywords
 
 
+# Nobody makes these by hand.
+RETURNED = {"RobotEnv", "Runs", "Step"}
+
+
+def public_things():
+    """What `rlrobot_edu` offers, and what it names in other modules of the library, by name."""
+    for name in rl.__all__:
+        yield name, getattr(rl, name)
+    for name, module in ELSEWHERE.items():
+        is_course = module.startswith("rlrobot_course")
+        thing = getattr(importlib.import_module(module), name)
+        if name not in RETURNED and not is_course and has_options(thing):
+            yield name, thing
+
+
 def public_calls():
     """Each public function and class, and each method of theirs that has options, by name."""
-    for name in rl.__all__:
-        thing = getattr(rl, name)
+    for name, thing in public_things():
         yield name, thing
         if inspect.isclass(thing):
             for key, method in inspect.getmembers(thing, inspect.isroutine):

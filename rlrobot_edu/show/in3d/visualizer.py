@@ -293,6 +293,7 @@ def meshcat(thing: Env | Scene) -> Visualizer:
     return _of_robot[robot]
 
 
+@suggests_keywords
 def show_scene(
     scenes: Scene | Sequence[Scene],
     rewards: Sequence[float] | None = None,
