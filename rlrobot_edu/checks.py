@@ -82,6 +82,12 @@ def check_count(
     )
 
 
+def check_text(name: str, text: object) -> None:
+    """Raises ValueError unless `text` is one."""
+    if not isinstance(text, str):
+        raise ValueError(f"{name} must be a text, got {text!r:.200}")
+
+
 def check_between(
     name: str, number: float, low: float, high: float, unit: str = ""
 ) -> None:

@@ -5,7 +5,8 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rlrobot_edu.checks import describe_error
+from rlrobot_edu.checks import check_text, describe_error
+from rlrobot_edu.files import check_path
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
@@ -92,7 +93,7 @@ def recording_from_bag(
     begins.
     """
     task = load_task(task)
-    path = Path(path)
+    path = check_path(path)
     place = Mounting.of(mounting)
     motions = Motions(task, tolerance)
     with _opened(path) as reader:
@@ -138,6 +139,7 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
     """Connections of the bag by the name of the topic. Raises ValueError if one is missing or of another type."""
     found = {}
     for argument, topic in topics.items():
+        check_text(argument, topic)
         name = topic.strip("/")
         connections = [c for c in reader.connections if c.topic.strip("/") == name]
         kinds = {c.msgtype for c in connections}

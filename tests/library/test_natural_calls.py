@@ -16,6 +16,10 @@ from rlrobot_edu.learning.algorithms.sarsa import SARSA
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.selections.greedy import EG
 from rlrobot_edu.missing_names import ELSEWHERE, ONCE
+from rlrobot_edu.tools.drawing import draw_room
+from rlrobot_edu.tools.new_task import new_task
+from rlrobot_edu.widgets.driving.teaching import learn_from
+from rlrobot_ros import RobotLink, recording_from_bag
 
 QUIET = {"progress": False}
 FEW = {**QUIET, "n_jobs": 1, "steps": 10}
@@ -25,6 +29,7 @@ PASSING = {
     "compare": lambda **named: rl.compare("wander_simple", ["Q+SR"], **named),
     "repeat": lambda **named: rl.repeat("wander_simple", "Q+SR", **named),
 }
+OURS = {"rlrobot_edu", "rlrobot_ros"}
 REFUSALS = (
     ValueError,
     FileNotFoundError,
@@ -215,6 +220,18 @@ def calls(tmp_path_factory):
         "OutputVariable": (rl.OutputVariable, {"name": "x", "values": [0, 1]}),
         "playground": (rl.playground, {"path": None, "task": "wander_1k"}),
         "History.load": (History.load, {"path": folder / "no_such_file.npz"}),
+        "new_task": (new_task, {"name": "mine", "folder": folder}),
+        "learn_from": (learn_from, {"agent": agent(), "recording": recording}),
+        "draw_room": (draw_room, {"text": "+--+\n|R |\n+--+", "cell": 0.6}),
+        "RobotLink": (
+            RobotLink,
+            {"address": "ws://robot:9090", "odom": "odom", "chassis": None}
+            | {"max_speed": 0.1, "mounting": (0, 0, 0, False)},
+        ),
+        "recording_from_bag": (
+            recording_from_bag,
+            {"path": folder / "no.bag", "task": "wander_1k", "tolerance": 0.1},
+        ),
     }
 
 
@@ -224,7 +241,7 @@ NAMES = [
     "record", "film", "watch", "Stepper", "Stepper.forward", "Stepper.back", "Stepper.jump", "Stepper.save",
     "read_recording", "Recording", "Recording.save", "Recording.load", "from_recording", "model.save",
     "value_iteration", "Realism", "plot_learning", "plot_scene", "load_task", "InputVariable", "OutputVariable",
-    "playground", "History.load",
+    "playground", "History.load", "new_task", "learn_from", "draw_room", "RobotLink", "recording_from_bag",
 ]  # fmt: skip
 
 
@@ -241,7 +258,7 @@ def test_an_argument_of_a_wrong_kind_is_refused_in_a_sentence_of_ours(
             except REFUSALS as refusal:
                 sentence = str(refusal)
                 last = traceback.extract_tb(refusal.__traceback__)[-1]
-                is_ours = "rlrobot_edu" in Path(last.filename).parts
+                is_ours = OURS.intersection(Path(last.filename).parts)
                 where = f"{argument}={wrong!r:.50}: {sentence}"
                 assert is_ours and sentence and "\n" not in sentence, where
 

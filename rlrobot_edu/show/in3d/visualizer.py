@@ -15,6 +15,7 @@ import numpy as np
 from meshcat import geometry as g
 from meshcat.animation import Animation
 
+from rlrobot_edu.checks import check_between, check_numbers
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
@@ -318,15 +319,19 @@ def show_scene(
     Raises
     ------
     ValueError
-        If there is no scene in `scenes`, or if the rewards are more or fewer than the scenes.
+        If there is no scene in `scenes`, if the rewards are more or fewer than the scenes, or if
+        `seconds_per_frame` is not between 0.001 and 1000.
     ImportError
         If meshcat is not installed.
     """
     scenes = as_scenes(scenes)
-    if rewards is not None and len(rewards) != len(scenes):
-        raise ValueError(
-            f"got {len(rewards)} rewards for {len(scenes)} scenes; give one for each"
-        )
+    check_between("seconds_per_frame", seconds_per_frame, 0.001, 1000)
+    if rewards is not None:
+        rewards = check_numbers("rewards", rewards)
+        if len(rewards) != len(scenes):
+            raise ValueError(
+                f"got {len(rewards)} rewards for {len(scenes)} scenes; give one for each"
+            )
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
         view.play(scenes, [] if rewards is None else rewards, seconds_per_frame)
