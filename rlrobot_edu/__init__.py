@@ -14,8 +14,8 @@ models/       recordings and sample models, what they do not know, value iterati
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above; in3d/
 
-Below it, for all: checks.py (arguments and error messages), files.py (written whole or not at all), seeds.py, and
-jit/ (the compiler of the kernels).
+Below it, for all: checks.py (arguments and error messages), keywords.py (misspelt ones), files.py (written whole or not
+at all), seeds.py, and jit/ (the compiler of the kernels).
 
 On top of this core:
 
@@ -46,11 +46,12 @@ if sys.platform == "emscripten":
 import gymnasium
 import lazy_loader
 
-from rlrobot_edu.missing_names import no_such_name, without_extra
+from rlrobot_edu.missing_names import MissingModules, no_such_name, without_extra
 from rlrobot_edu.task.task_file import available_tasks as _available_tasks
 from rlrobot_edu.version import __version__ as __version__
 
 _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+sys.meta_path.append(MissingModules(__all__))
 
 
 def __getattr__(name: str) -> object:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import islice
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 
@@ -19,7 +19,7 @@ MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each,
 
 def did_you_mean(name: object, names: Iterable[str]) -> str:
     """``did you mean 'x'? `` with the nearest of `names`; empty if none is similar."""
-    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.5)
+    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.6)
     return f"did you mean {near[0]!r}? " if near else ""
 
 
@@ -60,19 +60,34 @@ def check_transition(
     return s, a, float(r), s_next
 
 
+@overload
+def check_count(name: str, number: object, least: int = 1) -> int: ...
+@overload
 def check_count(
-    name: str, number: object, least: int = 1, or_none: bool = False
-) -> None:
-    """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
-    is_count = (
-        isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
+    name: str, number: object, least: int = 1, *, or_none: Literal[True]
+) -> int | None: ...
+def check_count(
+    name: str, number: object, least: int = 1, *, or_none: bool = False
+) -> int | None:
+    """`number` as Python's int; a small integer of NumPy could not hold what is computed with it.
+
+    Raises ValueError unless it is a whole number, Python's or NumPy's, of at least `least` (or None).
+    """
+    if or_none and number is None:
+        return None
+    if isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least:
+        return int(number)
+    expected = "None or a" if or_none else "a"
+    given = _in_a_line(f"{number!r:.200}")
+    raise ValueError(
+        f"{name} must be {expected} whole number of at least {least}, got {given}"
     )
-    if not (is_count or (or_none and number is None)):
-        expected = "None or a" if or_none else "a"
-        given = _in_a_line(f"{number!r:.200}")
-        raise ValueError(
-            f"{name} must be {expected} whole number of at least {least}, got {given}"
-        )
+
+
+def check_text(name: str, text: object) -> None:
+    """Raises ValueError unless `text` is one."""
+    if not isinstance(text, str):
+        raise ValueError(f"{name} must be a text, got {text!r:.200}")
 
 
 def check_between(

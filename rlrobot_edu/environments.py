@@ -17,7 +17,6 @@ from rlrobot_edu.robots.robot_env import RenderMode, RobotEnv
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
 
@@ -33,9 +32,11 @@ def as_world(world: World | str | Path) -> World:
         raise ValueError(
             f"{world} must be a new one each time: give its id, or a function that makes it"
         )
-    if isinstance(world, SampleModel | EnvSpec) or callable(world):
+    if isinstance(world, Task | SampleModel | EnvSpec) or callable(world):
         return world
-    return load_task(world)
+    raise ValueError(
+        f"a world is a task, a sample model, an id of Gymnasium or a function, not {world!r:.200}"
+    )
 
 
 def make_env(
@@ -64,7 +65,8 @@ def make_env(
     realism : Realism, optional
         Imperfections to simulate, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : RenderMode, optional
-        ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`.
+        ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`;
+        ``ansi`` lets it say in words where the robot is and what it reads.
     link : RobotLink, optional
         A link to a real robot that is switched on, a ``rlrobot_ros.RobotLink``; then nothing is simulated.
     **options
@@ -91,6 +93,10 @@ def make_env(
             f"realism must be None or an rl.Realism(...), got {realism!r:.200}"
         )
     world = as_world(task)
+    if "max_episode_steps" in options and isinstance(world, Task | SampleModel):
+        raise ValueError(
+            "a world's time limit is a wrapper: gymnasium.wrappers.TimeLimit(rl.make_env(…), max_episode_steps=…)"
+        )
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
     if (engine, realism, link) != (None, None, None):

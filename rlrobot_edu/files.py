@@ -49,9 +49,18 @@ def shipped(folder: str) -> Path:
     return package / folder if (package / folder).is_dir() else package.parent / folder
 
 
+def check_path(path: object) -> Path:
+    """`path` as a Path. Raises ValueError unless it is one, or a text."""
+    if not isinstance(path, str | os.PathLike):
+        raise ValueError(
+            f"a file or folder is given by its name or Path, got {path!r:.200}"
+        )
+    return Path(path)
+
+
 def write_whole(path: str | Path, data: str | bytes) -> None:
     """Write one file whole or not at all, see `write_together`."""
-    write_together({path: data})
+    write_together({check_path(path): data})
 
 
 def write_together(files: Mapping[str | Path, str | bytes]) -> None:
@@ -198,7 +207,7 @@ def load_arrays(
     Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;
     FileNotFoundError if there is none.
     """
-    path = Path(path)
+    path = check_path(path)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such {kind} file")
     try:

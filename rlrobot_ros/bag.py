@@ -6,7 +6,9 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rlrobot_edu.checks import describe_error
+from rlrobot_edu.checks import check_text, describe_error
+from rlrobot_edu.files import check_path
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
@@ -42,6 +44,7 @@ class BagRecording(Recording):
         self.report = report
 
 
+@suggests_keywords
 def recording_from_bag(
     path: str | Path,
     task: str | Path | Task,
@@ -94,7 +97,7 @@ def recording_from_bag(
     counts, or otherwise the first. After a gap a new episode begins.
     """
     task = load_task(task)
-    path = Path(path)
+    path = check_path(path)
     place = Mounting.of(mounting)
     motions = Motions(task, tolerance)
     with _opened(path) as reader:
@@ -169,6 +172,7 @@ def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any
     """Connections of the bag by the name of the topic. Raises ValueError if one is missing or of another type."""
     found = {}
     for argument, topic in topics.items():
+        check_text(argument, topic)
         name = topic.strip("/")
         connections = [c for c in reader.connections if c.topic.strip("/") == name]
         kinds = {c.msgtype for c in connections}

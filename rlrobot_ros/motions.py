@@ -34,7 +34,9 @@ class Motions:
     def __init__(self, task: Task, tolerance: float) -> None:
         self.chassis = chassis_of(task)
         self._tolerance = tolerance
-        if not 0 <= tolerance < math.inf:
+        if not (
+            isinstance(tolerance, int | float | np.number) and 0 <= tolerance < math.inf
+        ):
             raise ValueError(
                 f"tolerance must be a number of at least 0, got {tolerance!r:.200}"
             )

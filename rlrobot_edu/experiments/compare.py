@@ -9,12 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.checks import check_count
+from rlrobot_edu.checks import WHOLE, check_count, check_name
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repetitions import Key, learner, repetition, run, tried
+from rlrobot_edu.experiments.repetitions import (
+    SETTINGS,
+    Key,
+    learner,
+    repetition,
+    run,
+    tried,
+)
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.keywords import names_of
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import EPISODE_STEPS, MOST_STEPS
@@ -103,12 +111,17 @@ def compare(
     KeyboardInterrupt
         After Ctrl-C, in one line; it says whether the repetitions so far are kept.
     """
-    world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
-    _check_share(share)
     if "method" in settings:
         raise ValueError(
             "name the methods in methods=; method= is not an argument of compare"
         )
+    for name in settings:
+        check_name(name, [*names_of(compare), *SETTINGS], "setting", "compare")
+    seed = check_count("seed", seed, least=0)
+    repetitions = check_count("repetitions", repetitions)
+    _check_jobs(n_jobs)
+    _check_share(share)
+    world, env, robot = tried(world, engine=engine, realism=realism)
     length = {**_length(env, steps, episodes), "keep": keep}
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
@@ -172,6 +185,10 @@ def repeat(
     ValueError
         As `compare`.
     """
+    if not isinstance(method, str | Method):
+        raise ValueError(
+            f"repeat takes one method, got {method!r:.200}; rl.compare takes several"
+        )
     result = compare(world, [method], repetitions, **arguments)
     (runs,) = result.values()
     return runs
@@ -188,12 +205,22 @@ def _facts_of_agents(agents: Mapping[str, Agent]) -> dict[str, Any]:
     return facts
 
 
-def _check_share(share: object) -> None:
+def _check_jobs(n_jobs: object) -> None:
+    """Raises ValueError unless this is a number of cores: 1 and more, or −1 and less for all but some."""
+    is_whole = isinstance(n_jobs, WHOLE) and not isinstance(n_jobs, bool)
+    if n_jobs is not None and not (is_whole and n_jobs != 0):
+        raise ValueError(
+            f"n_jobs must be a number of cores, or -1 for all of them, got {n_jobs!r:.200}"
+        )
+
+
+def _check_share(share: Any) -> None:
     """Raises ValueError unless this is the k-th of n shares."""
-    if isinstance(share, tuple) and [type(part) for part in share] == [int, int]:
-        k, n = share
-        if 1 <= k <= n:
-            return
+    are_whole = isinstance(share, tuple | list) and all(
+        isinstance(part, WHOLE) and not isinstance(part, bool) for part in share
+    )
+    if are_whole and len(share) == 2 and 1 <= share[0] <= share[1]:
+        return
     raise ValueError(
         f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}"
     )
@@ -201,8 +228,8 @@ def _check_share(share: object) -> None:
 
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
     """Steps of each repetition, and episodes if it has any."""
-    check_count("steps", steps, or_none=True)
-    check_count("episodes", episodes, or_none=True)
+    steps = check_count("steps", steps, or_none=True)
+    episodes = check_count("episodes", episodes, or_none=True)
     longest = Size.of(env).episode_steps
     if longest is not None and episodes is None:
         if steps is None:

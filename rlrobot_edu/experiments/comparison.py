@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from rlrobot_edu.checks import check_name
+from rlrobot_edu.checks import check_name, did_you_mean
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.rounding import average, squares, without_rounding
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Anova, Tukey, mean_band
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.value_iteration import best_average_reward
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
 
 
+@suggests_keywords
 class Comparison(Tabled, Mapping[str, Runs]):
     """The repetitions of several methods in one world.
 
@@ -33,13 +35,26 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Where the methods learned, see `compare`.
     runs : mapping of str to Runs
         The repetitions of each method, by its label.
+
+    Raises
+    ------
+    ValueError
+        If `runs` is something else.
     """
 
     def __init__(self, world: World, runs: Mapping[str, Runs]) -> None:
+        is_by_label = isinstance(runs, Mapping)
+        if not is_by_label or not all(isinstance(its, Runs) for its in runs.values()):
+            raise ValueError(
+                "a Comparison is made of Runs by label; rl.compare returns one"
+            )
         self.world = world
         self._runs = dict(runs)
 
     def __getitem__(self, label: str) -> Runs:
+        if label not in self._runs:
+            known = f"{did_you_mean(label, self._runs)}It has: {', '.join(self._runs)}"
+            raise KeyError(f"this comparison has no method {label!r:.200}; {known}")
         return self._runs[label]
 
     def __iter__(self) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from joblib import Parallel, delayed
 
-from rlrobot_edu.checks import check_count, check_name
+from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
@@ -23,6 +23,7 @@ from rlrobot_edu.task.task import Task
 Key = tuple[str, int]  # of a repetition: the label of its method, and its number
 Settings = Mapping[str, Any]  # parameters of an agent, its method included
 Seed = np.random.SeedSequence
+SETTINGS = ("method", "planner", *Parameters.__annotations__)  # of an agent
 
 
 def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
@@ -31,9 +32,8 @@ def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
         raise ValueError(
             "each repetition has a seed of its own; leave seed out of an agent's settings"
         )
-    allowed = ["method", "planner", *Parameters.__annotations__]
     for name in settings:
-        check_name(name, allowed, "setting", "an agent")
+        check_name(name, SETTINGS, "setting", "an agent")
     return Agent(env, **{**settings, "seed": seed})
 
 
@@ -61,16 +61,12 @@ def repetition(
     return history
 
 
-def tried(
-    world: World | str | Path, seed: int, repetitions: int, **robot: Any
-) -> tuple[World, Env, dict[str, Any]]:
+def tried(world: World | str | Path, **robot: Any) -> tuple[World, Env, dict[str, Any]]:
     """The world itself, an environment of it, and the arguments of its robot.
 
     Raises ValueError for what `make_env` refuses: here, and not in another process.
     """
     world = as_world(world)
-    check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions)
     env = make_env(world, **robot)
     env.close()
     engine = None

@@ -12,7 +12,7 @@ from gymnasium.envs.registration import EnvSpec
 
 from rlrobot_edu.checks import first_difference
 from rlrobot_edu.environments import World, as_world
-from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.files import check_path, sha256, write_whole
 from rlrobot_edu.jit.fingerprint import code_of
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
@@ -36,7 +36,7 @@ class Store:
     """
 
     def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
-        self.folder = Path(folder)
+        self.folder = check_path(folder)
         # NumPy's numbers become Python's.
         text = json.dumps(facts, default=np.generic.item)
         self.facts: dict[str, Any] = json.loads(text)
@@ -45,7 +45,7 @@ class Store:
     @classmethod
     def at(cls, folder: str | Path) -> "Store":
         """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
-        path = Path(folder) / DESCRIPTION
+        path = check_path(folder) / DESCRIPTION
         if not path.is_file():
             raise ValueError(
                 f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another"

@@ -18,6 +18,7 @@ from rlrobot_edu.checks import (
 )
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.jit.building import for_python
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
@@ -39,6 +40,7 @@ T = TypeVar("T")
 LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
 
+@suggests_keywords
 class Agent:
     """A tabular learning agent. Its defaults are the paper's (section 3); see `Parameters`.
 

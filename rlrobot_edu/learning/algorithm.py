@@ -3,7 +3,10 @@
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from rlrobot_edu.keywords import suggests_keywords
 
+
+@suggests_keywords
 class Algorithm(NamedTuple):
     """A learning algorithm. The toolkit's own are in methods.py; yours is one more.
 
@@ -27,6 +30,7 @@ class Algorithm(NamedTuple):
     has_traces: bool = False
 
 
+@suggests_keywords
 class Selection(NamedTuple):
     """A rule by which actions are selected.
 
@@ -47,6 +51,7 @@ class Selection(NamedTuple):
     is_biased: bool = False
 
 
+@suggests_keywords
 class Planner(NamedTuple):
     """A way to learn from imagined steps. The toolkit's own is dyna.py; yours is one more.
 

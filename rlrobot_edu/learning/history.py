@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.checks import all_in_range, check_parts
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.resume import ResumePoint
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -46,6 +47,7 @@ class Learned(NamedTuple):
         )
 
 
+@suggests_keywords
 @dataclass(frozen=True, eq=False, repr=False)
 class History:
     """The record of one learning process of n steps, as `learn` returns it.

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.checks import check_count
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import run_slices
 from rlrobot_edu.learning.divergence import DivergenceCheck
@@ -70,6 +71,7 @@ class Step(NamedTuple):
     temperature: float
 
 
+@suggests_keywords
 def steps(
     agent: Agent, env: Env, steps: int, *, resume: bool = False
 ) -> Iterator[Step]:
@@ -101,7 +103,7 @@ def steps(
     KeyboardInterrupt
         After Ctrl-C: at once between two steps, otherwise when the step is done, as in `learn`.
     """
-    check_count("steps", steps, least=0)
+    steps = check_count("steps", steps, least=0)
     _prepare(agent, env, resume)
     return _whole_steps(_walk(agent, env, steps), _delayed_interrupt(env))
 
@@ -185,6 +187,7 @@ def _answer(asked: str, answer: Any, n: int) -> Any:
     return answer
 
 
+@suggests_keywords
 def learn(
     agent: Agent,
     env: Env,
@@ -247,8 +250,8 @@ def learn(
     A copy of the environment (`copy.deepcopy`, `pickle`) can take its place, if it counts the steps of its episode. A
     copy of the agent can resume instead of the agent. When one of them has gone on, the other is refused.
     """
-    check_count("steps", steps, least=0, or_none=True)
-    check_count("episodes", episodes, or_none=True)
+    steps = check_count("steps", steps, least=0, or_none=True)
+    episodes = check_count("episodes", episodes, or_none=True)
     check_pair_of(agent, env)
     if steps is None:
         steps = _longest(env, episodes)
@@ -258,7 +261,7 @@ def learn(
         )
     size = _prepare(agent, env, resume)
     before = _episode_so_far(agent)._replace(place=None)  # of no use in a history
-    log = Transitions.empty(int(steps))
+    log = Transitions.empty(steps)
     values = DivergenceCheck(agent)
     n_done = 0
     start = time.perf_counter()
@@ -302,6 +305,7 @@ def _longest(env: Env, episodes: int | None) -> int:
     return min(episodes * longest, MOST_STEPS)
 
 
+@suggests_keywords
 def evaluate(
     agent: Agent,
     env: Env,

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass, field
 from types import FunctionType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rlrobot_edu.checks import check_name, did_you_mean
 from rlrobot_edu.jit.fingerprint import code_of
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
 from rlrobot_edu.learning.algorithms.q_learning import Q_LEARNING
@@ -30,6 +31,7 @@ NAMES = [
 T = TypeVar("T")
 
 
+@suggests_keywords
 @dataclass(frozen=True, init=False)
 class Method:
     """How an agent learns and how it chooses. `Agent` takes one wherever it takes the name of one.
@@ -92,9 +94,22 @@ def check_function(what: str, kernel: object) -> None:
         )
 
 
+def _check_facts(part: Any) -> None:
+    """Raises ValueError unless the name of a part is a text, and what may be True or False is one of them."""
+    words = {str: "a text", bool: "True or False"}
+    for fact, kind in part.__annotations__.items():
+        value = getattr(part, fact)
+        if kind in words and not isinstance(value, kind):
+            owner = type(part).__name__
+            raise ValueError(
+                f"{fact} of {owner} must be {words[kind]}, got {value!r:.200}"
+            )
+
+
 def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
     """The given part, or the toolkit's part of this name."""
     if isinstance(given, kind):
+        _check_facts(given)
         return given
     return toolkits[check_name(given, toolkits, kind.__name__.lower(), "the toolkit")]
 

@@ -13,13 +13,18 @@ def resolve(world: Any) -> Any:
     """The task of a name or path, the spec of a Gymnasium id; anything else as it is.
 
     Raises FileNotFoundError if there is no such task file; ValueError if it is no sound
-    task; gymnasium.error.Error if Gymnasium has no such id.
+    task, or an id without its version; gymnasium.error.Error if Gymnasium has no such id.
     """
     if not isinstance(world, str | Path):
         return world
     # No name of a task has a hyphen.
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():
         return gymnasium.spec(world)
+    ids = [each for each in gymnasium.registry if each.rpartition("-v")[0] == world]
+    if ids:
+        raise ValueError(
+            f"an id of Gymnasium ends in its version; did you mean {ids[-1]!r}?"
+        )
     return load_task(world)
 
 

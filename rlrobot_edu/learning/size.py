@@ -82,9 +82,11 @@ class Size(NamedTuple):
             )
             limit = getattr(world, "time_limit", None)
         else:
-            kind = f"a {type(world).__name__}; {OLD_GYM}"
+            given = f"got {type(world).__name__}"
+            if hasattr(world, "step"):
+                given += f"; {OLD_GYM}"
             raise ValueError(
-                f"a world is a Task, SampleModel or Gymnasium environment, not {kind}"
+                f"a world is a Task, SampleModel or Gymnasium environment, {given}"
             )
         for n in (*size.shape, size.n_actions):
             check_count("the number of bins of an input, or of actions,", n)

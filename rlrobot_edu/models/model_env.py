@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.checks import check_index
 from rlrobot_edu.jit.building import for_python
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.kernel_world import NEVER, KernelWorld
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, begin, draw_outcome, draw_start, outcome
@@ -17,6 +18,7 @@ from rlrobot_edu.seeds import ENVIRONMENT, generator
 Info = dict[str, Any]
 
 
+@suggests_keywords
 class SampleModelEnv(gymnasium.Env[Any, Any]):
     """The world that a SampleModel remembers, as a Gymnasium environment.
 

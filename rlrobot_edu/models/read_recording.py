@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import shipped
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME
 from rlrobot_edu.models.own_rows import transitions_of
@@ -26,6 +27,7 @@ def available_recordings() -> list[str]:
     )
 
 
+@suggests_keywords
 def read_recording(
     path: str | Path,
     legacy: bool = False,

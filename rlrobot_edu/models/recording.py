@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.checks import check_count
-from rlrobot_edu.files import BEGINNINGS, write_together
+from rlrobot_edu.files import BEGINNINGS, check_path, write_together
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env, task_of, time_limit
@@ -31,6 +32,7 @@ DTYPES = {
 }  # all other columns are np.int64
 
 
+@suggests_keywords
 class Recording:
     """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is their number, n.
 
@@ -64,6 +66,11 @@ class Recording:
     def __init__(
         self, transitions: Transitions, source: Source, task: Task | None = None
     ) -> None:
+        if not isinstance(transitions, Transitions) or not isinstance(source, Source):
+            raise ValueError(
+                "a Recording is made of Transitions and a Source; "
+                "rl.Recording.from_rows makes one of your own rows"
+            )
         given = {
             name: np.asarray(column) for name, column in transitions._asdict().items()
         }
@@ -167,15 +174,14 @@ class Recording:
         OSError
             If a file cannot be written.
         """
-        if Path(folder).suffix in BEGINNINGS:
+        folder = check_path(folder)
+        if folder.suffix in BEGINNINGS:
             raise ValueError(
                 f"{folder}: a recording is a folder, whose name does not end like this"
             )
         csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
-        write_together(
-            {Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package}
-        )
+        write_together({folder / CSV_NAME: csv, folder / PACKAGE_NAME: package})
 
     @classmethod
     def load(
@@ -202,11 +208,12 @@ class Recording:
         FileNotFoundError
             If one of its two files is missing.
         """
-        path = Path(path)
+        path = check_path(path)
         folder = path.parent if path.name in (CSV_NAME, PACKAGE_NAME) else path
         return cls(*read_folder(folder, None if task is None else load_task(task)))
 
 
+@suggests_keywords
 def record(
     agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None
 ) -> Recording:

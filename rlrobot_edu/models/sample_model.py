@@ -17,6 +17,7 @@ from rlrobot_edu.checks import (
     check_table,
 )
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.models.diagnosis import Diagnosis, Suspects, find_loops
 from rlrobot_edu.models.held_back import HeldBack, hold_back
 from rlrobot_edu.models.recording import Recording
@@ -37,6 +38,7 @@ DTYPES: dict[str, Any] = {
 }
 
 
+@suggests_keywords
 @dataclass(frozen=True, eq=False)
 class SampleModel:
     """The outcomes seen after each pair (s, a), in compressed rows: memory grows with what was seen.

@@ -11,6 +11,7 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 from rlrobot_edu.checks import check_between
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 
@@ -94,6 +95,7 @@ def _pool_of_siblings(model: SampleModel, seen: Numbers) -> sparse.csr_array:
     return sparse.csr_array(sparse.diags_array(is_unseen) @ pool)
 
 
+@suggests_keywords
 def value_iteration(
     model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9
 ) -> Plan:

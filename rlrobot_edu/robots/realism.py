@@ -8,11 +8,13 @@ from typing import Self
 import numpy as np
 
 from rlrobot_edu.checks import LARGEST_NUMBER, check_between, check_count
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
 
+@suggests_keywords
 @dataclass(frozen=True)
 class Realism:
     """Imperfections of a robot; all 0 is the ideal robot.

@@ -18,7 +18,7 @@ from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
 
-RenderMode = Literal["rgb_array"]
+RenderMode = Literal["rgb_array", "ansi"]
 Info = dict[str, Any]
 WORTH_COMPILING = 1000  # steps; fewer are done before the loop's kernels are loaded
 
@@ -37,7 +37,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     realism : Realism, optional
         Imperfections to simulate; by default the robot is ideal.
     render_mode : RenderMode, optional
-        With ``rgb_array``, `render` draws pictures; by default it draws none.
+        With ``rgb_array``, `render` draws pictures, with ``ansi`` it writes a text; by default it does neither.
     link : LinkedRobot, optional
         A robot that exists already, such as a real one; then nothing is simulated.
     **options
@@ -64,7 +64,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in its own world
     """
 
-    metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
+    metadata = {"render_modes": ["rgb_array", "ansi"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
 
     def __init__(
         self,
@@ -76,10 +76,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
+        if render_mode not in (None, "rgb_array", "ansi"):
             advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.meshcat"
             raise ValueError(
-                f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}"
+                f"render_mode must be None, 'rgb_array' or 'ansi', got {render_mode!r:.200}; {advice}"
             )
         self.task = task
         self.render_mode = render_mode
@@ -91,6 +91,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             for name, value in simulated.items():
                 if value is not None:
                     raise ValueError(f"a linked robot takes no {name}: leave it out")
+            if not hasattr(link, "prepare"):
+                raise ValueError(
+                    f"link must be a linked robot, such as rlrobot_ros.RobotLink('ws://ROBOT:9090'), got {link!r:.200}"
+                )
             link.prepare(task)
         else:
             if engine is None:
@@ -247,12 +251,13 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self._readings = robot.look()
 
     def render(self) -> Any:
-        """Draw the world from above, as it is now.
+        """Show the world as it is now: draw it from above, or say in words where the robot is and what it reads.
 
         Returns
         -------
-        numpy.ndarray or None
-            A picture, array (height, width, 3) of uint8; None (and a warning) if `render_mode` is None.
+        numpy.ndarray, str or None
+            A picture, array (height, width, 3) of uint8; a text of two lines; None (and a warning) if `render_mode` is
+            None.
 
         Raises
         ------
@@ -261,12 +266,26 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         if self.render_mode is None:
             gymnasium.logger.warn(
-                "nothing is drawn: make the environment with render_mode='rgb_array'"
+                "nothing is shown: make the environment with render_mode='rgb_array' or 'ansi'"
             )
             return None
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
+        if self.render_mode == "ansi":
+            return self._in_words()
         return self._camera.frame(self.robot.scene(), f"step {self.episode_step}")
+
+    def _in_words(self) -> str:
+        """Where the robot is, and what it reads."""
+        # Imported here, as the camera is.
+        from rlrobot_edu.show.describe import describe
+
+        sensors = ROBOTS[self.task.robot].sensors
+        readings = []
+        for name, reading in self._readings.items():
+            readings.append(f"{name} = {reading:.4g} {sensors[name].unit}".strip())
+        place = describe(self.robot.scene())
+        return f"Step {self.episode_step}. {place}\n{', '.join(readings)}"
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, Info]:
         """Observation and info of these readings."""
@@ -316,7 +335,7 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
         )
     module, class_name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), class_name)
-    settings = ["engine", "realism", "render_mode", "link"]
+    settings = ["task", "seed", "engine", "realism", "render_mode", "link"]
     for parameter in signature(robot_class).parameters:
         if parameter not in ("scene", "step_time", "realism"):
             settings.append(parameter)

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 
 from rlrobot_edu.experiments.runs import Runs, padded
 from rlrobot_edu.experiments.statistics import mean_band
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES, Dashes
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
@@ -36,6 +37,7 @@ def plot_learning(
 def plot_learning(
     *histories: Group, labels: Names = ..., ax: Axes, title: Title = ...
 ) -> Axes: ...
+@suggests_keywords
 def plot_learning(
     *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
 ) -> Picture | Axes:
@@ -69,6 +71,9 @@ def plot_learning(
         raise ValueError(NO_STEPS)
     if labels is None:
         labels = [group[0].method for group in groups]
+    if isinstance(labels, str) or not isinstance(labels, Iterable):
+        raise ValueError(f"labels must be a list of names, got {labels!r:.200}")
+    labels = [str(label) for label in labels]
     if len(labels) != len(groups):
         raise ValueError(
             f"plot_learning got {len(labels)} labels for {len(groups)} curves"
@@ -87,12 +92,12 @@ def _group(given: Group) -> Sequence[History]:
         raise ValueError(
             "a comparison draws itself: result.plot(); or give plot_learning the runs of its methods"
         )
-    group: Sequence[History]
+    group: Sequence[History] = []
     if isinstance(given, History):
         group = [given]
     elif isinstance(given, Runs):
         group = given
-    else:
+    elif isinstance(given, Iterable):
         group = list(given)
     have_steps = all(isinstance(one, History) and len(one) for one in group)
     if not group or not have_steps:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 
+import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env
@@ -16,22 +17,29 @@ def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError if there is none."""
     robot: Robot | None = getattr(getattr(env, "unwrapped", None), "robot", None)
     if robot is None:
+        kind = type(env).__name__
         raise ValueError(
-            "there is no robot to film here: make the environment with rl.make_env(task)"
+            f"there is no robot to look at: give an environment that rl.make_env(task) makes, got {kind}"
         )
     return robot
 
 
-def as_scenes(scenes: Scenes) -> list[Scene]:
-    """One scene or several as a list. Raises ValueError for anything else, or for none."""
+def as_scenes(given: Scenes | Env) -> list[Scene]:
+    """The given scenes, or the one that an environment shows now.
+
+    Raises ValueError if there is none, and for anything else.
+    """
     several = []
-    if isinstance(scenes, Scene):
-        several = [scenes]
-    elif isinstance(scenes, Iterable):
-        several = list(scenes)
+    if isinstance(given, gymnasium.Env):
+        several = [robot_of(given).scene()]
+    elif isinstance(given, Scene):
+        several = [given]
+    elif isinstance(given, Iterable):
+        several = list(given)
     if not several or not all(isinstance(scene, Scene) for scene in several):
+        kind = type(given).__name__
         raise ValueError(
-            "a picture needs one scene or several: give it env.unwrapped.robot.scene()"
+            f"a picture needs an environment with a robot, or one scene or several, got {kind}"
         )
     return several
 

@@ -9,6 +9,7 @@ from PIL import Image
 
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
@@ -25,6 +26,7 @@ PIXELS = 360  # width and height of a film
 COLOURS = 24  # of a film
 
 
+@suggests_keywords
 @dataclass(frozen=True, eq=False)
 class Film(Displayed):
     """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.
@@ -165,6 +167,7 @@ class Film(Displayed):
         return Still(alt, self.gif(), PIXELS, "image/gif")
 
 
+@suggests_keywords
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     """Film the agent from the start of an episode while it acts and learns.
 
@@ -189,7 +192,7 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     """
     loop.check_pair_of(agent, env)
     robot_of(env)  # refused now, before the agent has learned a step
-    check_count("steps", steps)
+    steps = check_count("steps", steps)
     shots = []
     for step in loop.steps(agent, env, steps=steps):
         shots.append((robot_of(env).scene(), step.r))

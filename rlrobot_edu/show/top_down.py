@@ -13,6 +13,8 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from scipy.spatial import ConvexHull
 
+from rlrobot_edu.keywords import suggests_keywords
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
@@ -196,19 +198,21 @@ class Camera:
 
 @overload
 def plot_scene(
-    scenes: Scenes, ax: None = None, title: str | None = None
+    scenes: Scenes | Env, ax: None = None, title: str | None = None
 ) -> Picture: ...
 @overload
-def plot_scene(scenes: Scenes, ax: Axes, title: str | None = None) -> Axes: ...
+def plot_scene(scenes: Scenes | Env, ax: Axes, title: str | None = None) -> Axes: ...
+@suggests_keywords
 def plot_scene(
-    scenes: Scenes, ax: Axes | None = None, title: str | None = None
+    scenes: Scenes | Env, ax: Axes | None = None, title: str | None = None
 ) -> Picture | Axes:
     """Picture of a scene from above, axes in metres.
 
     Parameters
     ----------
-    scenes : Scene or sequence of Scene
-        One scene, or several in the order of time: the last is drawn in full, with the path through all.
+    scenes : Scene, sequence of Scene or gymnasium.Env
+        One scene, or several in the order of time: the last is drawn in full, with the path through all. Of an
+        environment with a robot, what can be seen there now.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; by default those of a new figure.
     title : str, optional
@@ -222,12 +226,12 @@ def plot_scene(
     Raises
     ------
     ValueError
-        If there is no scene in `scenes`.
+        If there is no scene in `scenes`, or no robot in the environment.
     """
-    scenes = as_scenes(scenes)
-    last = scenes[-1]
+    way = as_scenes(scenes)
+    last = way[-1]
     ax, drawn = axes_or_new(ax, describe(last), (4.5, 4.5))
     view = TopDown(ax, last)
-    view.update(last, path_of(scenes))
+    view.update(last, path_of(way))
     ax.set_title(plain(title or "The robot's world from above"))
     return drawn

@@ -17,6 +17,7 @@ from rlrobot_edu.checks import (
     describe_error,
     file_and_line,
 )
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.room import Room
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
@@ -28,6 +29,7 @@ STEP_TIME = (1e-6, 600.0)
 Readings = Mapping[str, float]
 
 
+@suggests_keywords
 @dataclass(frozen=True)
 class Task:
     """Everything that defines a learning problem; the learning method needs nothing more.

@@ -8,6 +8,7 @@ from types import ModuleType
 
 from rlrobot_edu.checks import check_name, describe_error, file_and_line
 from rlrobot_edu.files import sha256, shipped
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.task import Task
 
 
@@ -24,6 +25,7 @@ def available_tasks() -> list[str]:
     return sorted(name for name in names if name.isidentifier())
 
 
+@suggests_keywords
 def load_task(task: str | Path | Task) -> Task:
     """The task of this name, or the one in this file.
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from rlrobot_edu.checks import MOST_BINS, check_index, check_numbers
+from rlrobot_edu.keywords import suggests_keywords
 
 
 def _different(what: str, given: Sequence[float]) -> tuple[float, ...]:
@@ -48,6 +49,7 @@ class Bin:
         return f"{span} {self.unit}" if self.unit else span
 
 
+@suggests_keywords
 @dataclass(frozen=True)
 class InputVariable:
     """A reading of the robot and how it is cut into bins. Give exactly one of `cuts`, `sectors` and `values`.
@@ -202,6 +204,7 @@ class InputVariable:
         return Bin(index, low, high, self.unit, reading)
 
 
+@suggests_keywords
 @dataclass(frozen=True)
 class OutputVariable:
     """A command to the robot, and the values that it may take.

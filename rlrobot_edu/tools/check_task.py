@@ -15,6 +15,7 @@ from rlrobot_edu.experiments.repetitions import repetition, run
 from rlrobot_edu.experiments.rounding import without_rounding
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.plain import NotPlainError, task_text
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
@@ -101,6 +102,7 @@ class TaskCheck:
         )
 
 
+@suggests_keywords
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
     """Let a task's robot act at random and agents learn on it, and report what is odd.
 

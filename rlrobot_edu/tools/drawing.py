@@ -10,6 +10,7 @@ import numpy as np
 from scipy import ndimage
 
 from rlrobot_edu.checks import check_between
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.room import Box, Room
 
 WALL = "#"
@@ -36,6 +37,7 @@ class Block(NamedTuple):
         return Block(self.left, self.top, self.right, self.bottom)
 
 
+@suggests_keywords
 def draw_room(text: str, cell: float = 0.6) -> Room:
     '''A room seen from above, drawn with one character for each square cell of its floor.
 

@@ -5,13 +5,15 @@ from pathlib import Path
 from string import Template
 
 from rlrobot_edu.checks import check_name
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import check_path, write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
 # How each file begins, and how it goes on for each robot
 TEMPLATES = Path(__file__).parent / "templates"
 
 
+@suggests_keywords
 def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") -> Path:
     """Write a task file to begin with; an existing one is never overwritten.
 
@@ -42,7 +44,7 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
             f"got {name!r:.200}"
         )
     card = ROBOTS[check_name(robot, ROBOTS, "robot", "a task")]
-    path = Path(folder, f"{name}.py")
+    path = check_path(folder) / f"{name}.py"
     if path.exists():
         raise FileExistsError(
             f"{path} is there already; choose another name, or move it away"

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import ipywidgets
 
 from rlrobot_edu.experiments.compare import repeat
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
@@ -38,6 +39,7 @@ _SLIDERS = {
 }
 
 
+@suggests_keywords
 class ParameterSliders(Displayed):
     """Learning curves for parameters that the reader sets, compared with the defaults.
 

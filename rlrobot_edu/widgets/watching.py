@@ -5,11 +5,13 @@ from __future__ import annotations
 import sys
 import time
 from collections import deque
+from numbers import Real
 from typing import cast
 
 from IPython.display import display
 
 from rlrobot_edu.checks import check_count
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import watched
@@ -23,6 +25,7 @@ from rlrobot_edu.show.in3d.visualizer import meshcat
 LAST = 100  # steps that a saved notebook keeps
 
 
+@suggests_keywords
 def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
     """Watch an agent learn in 3D, below the cell that runs this.
 
@@ -60,12 +63,12 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         whole = film(agent, env, steps)
         display(whole.show3d())
         return whole
-    if not speed > 0:
+    if not (isinstance(speed, Real) and speed > 0):
         raise ValueError(
-            f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}"
+            f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed!r:.200}"
         )
     loop.check_pair_of(agent, env)
-    check_count("steps", steps)
+    steps = check_count("steps", steps)
     robot = robot_of(env)
     view = meshcat(env)
     seen = deque[tuple[Scene, float]](maxlen=LAST)

@@ -121,16 +121,21 @@ def _asks_hint(function: ast.AST, exercise: str) -> bool:
     return is_hint and _exercise(function.value) == exercise
 
 
-def lessons_imported(source: str, package: str) -> list[str]:
-    """The lessons of a course whose checks a cell imports, as lesson_03 or assignment_1."""
-    imported = []
+def imported(source: str) -> list[str]:
+    """The full names of what a cell imports."""
+    names = []
     for node in _all(source):
         if isinstance(node, ast.ImportFrom):
-            imported += [f"{node.module}.{one.name}" for one in node.names]
+            names += [f"{node.module}.{one.name}" for one in node.names]
         elif isinstance(node, ast.Import):
-            imported += [one.name for one in node.names]
+            names += [one.name for one in node.names]
+    return names
+
+
+def lessons_imported(source: str, package: str) -> list[str]:
+    """The lessons of a course whose checks a cell imports, as lesson_03 or assignment_1."""
     lessons = []
-    for name in imported:
+    for name in imported(source):
         match name.split("."):
             case [course, lesson, attribute, *_]:
                 if course == package and attribute == CHECK:

@@ -13,9 +13,11 @@ from typing import NamedTuple
 
 from rlrobot_grading.answers.values import one_line
 from rlrobot_grading.marking.cell import (
+    CHECK,
     bound,
     calls_in,
     handed_in,
+    imported,
     lessons_imported,
     made_for,
     tree,
@@ -107,8 +109,7 @@ def read_submission(course: Course, path: Path, lesson: str = "") -> Submission:
         problem = NO_CELLS
     lesson = lesson or _lesson_of(course, path, cells)
     if not lesson:
-        unknown = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
-        return Submission(name, problem=problem or unknown)
+        return Submission(name, problem=problem or _no_lesson(course, cells))
     defined = {}
     answered = {}
     for exercise in course.exercises_of(lesson):
@@ -177,6 +178,27 @@ def cells_of(path: Path) -> list[Cell]:
     return cells
 
 
+def _of_another_course(course: Course, cells: Sequence[str]) -> str:
+    """Return the check of a lesson of another package that a notebook imports; empty if there is none."""
+    for source in cells:
+        for name in imported(source):
+            package, _, inner = name.rpartition(f".{LESSON}")
+            if package not in ("", course.package) and inner.endswith(f".{CHECK}"):
+                return name
+    return ""
+
+
+def _no_lesson(course: Course, cells: Sequence[str]) -> str:
+    """Return why it cannot be told which lesson a notebook belongs to."""
+    theirs = _of_another_course(course, cells)
+    if theirs:
+        return (
+            f"It imports {one_line(theirs, 80)}, which is not of {course.package}: "
+            "a notebook of another year? Hand in the answers in a notebook of this course."
+        )
+    return "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
+
+
 def _lesson_of(course: Course, path: Path, cells: Sequence[str]) -> str:
     """Return the lesson whose check the notebook imports; else that in front of its file's name.
 
@@ -186,6 +208,8 @@ def _lesson_of(course: Course, path: Path, cells: Sequence[str]) -> str:
     for source in cells:
         for folder in lessons_imported(source, course.package):
             candidates.append(folder.removeprefix(LESSON))
+    if not candidates and _of_another_course(course, cells):
+        return ""  # there, the numbers in front of files' names may be others
     number = path.name.partition("_")[0]
     candidates += [number, f"assignment_{number}"]
     known = course.lessons

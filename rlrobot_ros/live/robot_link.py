@@ -7,6 +7,8 @@ from typing import NoReturn
 
 import numpy as np
 
+from rlrobot_edu.checks import check_text
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.robots.chassis import Chassis, laser_beams
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
@@ -20,6 +22,7 @@ from rlrobot_ros.motions import chassis_of
 from rlrobot_ros.scan import Mounting
 
 
+@suggests_keywords
 class RobotLink(Robot):
     """A real robot with ROS 1 or ROS 2 behind rosbridge. `rl.make_env(task, link=…)` makes its environment.
 
@@ -84,6 +87,13 @@ class RobotLink(Robot):
         dry_run: bool = False,
         simulated_time: bool = False,
     ) -> None:
+        texts = {"address": address, "odom": odom, "scan": scan, "cmd_vel": cmd_vel}
+        for name, text in texts.items():
+            check_text(name, text)
+        if chassis is not None and not isinstance(chassis, Chassis):
+            raise ValueError(
+                f"chassis must be None or an rlrobot_edu.robots.chassis.Chassis, got {chassis!r:.200}"
+            )
         limits = Limits(max_speed, max_turn, safety_distance)
         for name, limit in limits._asdict().items():
             is_number = isinstance(limit, int | float | np.number)

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.task import Task
 from rlrobot_ros import messages
@@ -19,6 +20,7 @@ WATCHDOG = 0.5  # a robot without a command for so long stops [s]
 REPEAT = 0.2  # in simulated time, its messages are repeated after so long [s]
 
 
+@suggests_keywords
 class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     """The robot of a task, simulated by pymunk, behind rosbridge. It runs until `close`.
 

@@ -131,7 +131,7 @@ def test_a_film_shows_itself_as_a_gif_with_a_description():
 
 def test_a_world_without_a_robot_cannot_be_filmed():
     env = gymnasium.make("FrozenLake-v1")
-    with pytest.raises(ValueError, match="no robot to film"):
+    with pytest.raises(ValueError, match="no robot to look at"):
         film(rl.Agent(env), env)
 
 

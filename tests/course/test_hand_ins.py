@@ -532,3 +532,16 @@ def test_points_for_an_exercise_that_is_not_there_are_named(tmp_path, capsys):
     )
     grade(COURSE, ["s1.ipynb"], rules="rules.toml", seed=1)
     assert "rules.toml: no exercise here is called traget." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["mine.ipynb", "02_mine.ipynb"])
+def test_a_notebook_of_another_year_is_told_so_whatever_its_name(tmp_path, name):
+    theirs = nbformat.v4.new_code_cell("from rlrobot_edu.course.lesson_02 import check")
+    ours = nbformat.v4.new_code_cell(HEAD)
+    path = tmp_path / name
+    nbformat.write(nbformat.v4.new_notebook(cells=[theirs]), path)
+    old = read_submission(COURSE, path)
+    assert old.lesson == "" and "a notebook of another year" in old.problem
+    assert "rlrobot_edu.course.lesson_02.check" in old.problem
+    nbformat.write(nbformat.v4.new_notebook(cells=[theirs, ours]), path)
+    assert read_submission(COURSE, path).lesson == "03"

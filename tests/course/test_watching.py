@@ -63,7 +63,7 @@ def test_it_refuses_what_cannot_be_watched():
     ):
         with pytest.raises(ValueError, match=r"steps must|speed must be above 0"):
             rl.watch(*learner(), **wrong)
-    with pytest.raises(ValueError, match="no robot to film"):
+    with pytest.raises(ValueError, match="no robot to look at"):
         rl.watch(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
 
 

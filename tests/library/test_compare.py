@@ -713,8 +713,8 @@ def test_sums_that_differ_by_rounding_alone_prove_nothing():
     "arguments, match",
     [({"methods": 3}, "unknown method 3"), ({"methods": None}, "unknown method None"),
      ({"methods": {"a": 3}}, "needs parameters by name"),
-     ({"n_jobs": 0}, "n_jobs == 0"), ({"seed": "x"}, "seed must be"), ({"realism": 3}, "realism must be"),
-     ({"repetitions": 2.5}, "repetitions must be"), ({"no": 1}, "an agent has no setting 'no'")],
+     ({"n_jobs": 0}, "n_jobs must be"), ({"seed": "x"}, "seed must be"), ({"realism": 3}, "realism must be"),
+     ({"repetitions": 2.5}, "repetitions must be"), ({"no": 1}, "compare has no setting 'no'")],
 )  # fmt: skip
 def test_an_argument_of_another_kind_is_refused_in_a_sentence(
     wander_model, arguments, match

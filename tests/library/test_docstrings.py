@@ -57,6 +57,8 @@ def function_of(thing: Any) -> Any:
         thing = getattr(thing, "__post_init__", thing.__init__)
     for behind in ("__func__", "fget", "func", "py_func"):
         thing = getattr(thing, behind, thing)
+    if inspect.isfunction(thing):
+        thing = inspect.unwrap(thing)  # as it was before it suggested keywords
     is_ours = inspect.isfunction(thing) and thing.__code__.co_filename.startswith(
         rl.__path__[0]
     )

@@ -11,6 +11,7 @@ from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import RecordVideo, RenderCollection
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.task_file import available_tasks
 
 
 @pytest.fixture
@@ -55,8 +56,10 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(wander_model):
         rl.make_env,
         lambda name, **mode: gymnasium.make(f"rlrobot/{name}-v0", **mode),
     ):
-        with pytest.raises(ValueError, match="must be None or 'rgb_array', got 'ansi'"):
-            make("wander_simple", render_mode="ansi")
+        with pytest.raises(
+            ValueError, match="None, 'rgb_array' or 'ansi', got 'human'"
+        ):
+            make("wander_simple", render_mode="human")
     with pytest.raises(TypeError, match="render_mode"):
         rl.make_env(wander_model, render_mode="rgb_array")
 
@@ -88,3 +91,35 @@ def test_a_copy_of_an_environment_that_has_drawn_draws_its_own_world(env):
     assert np.array_equal(twin.render(), first)
     twin.step(0)
     assert np.array_equal(twin.render(), env.render())
+
+
+LIBRARY = Path(__file__).parents[2] / "docs" / "library.md"
+
+
+def test_the_loop_of_ones_own_on_the_page_of_the_library_counts_episodes_and_learns(
+    capsys,
+):
+    section = LIBRARY.read_text(encoding="utf-8").split("\n## Gymnasium\n")[1]
+    program = section.split("```python\n")[1].split("```")[0]
+    names = {}
+    exec(program, names)
+    assert [line.split()[-1] for line in capsys.readouterr().out.splitlines()] == [
+        "500"
+    ] * 5
+    q, env = names["q"], names["env"]
+    rows = q.reshape(-1, env.action_space.n)
+    assert q.any() and len(rows) == names["bins"].prod() == 1024
+    assert (rows[names["info"]["state"]] == q[tuple(names["s"])]).all()
+
+
+def test_a_world_says_in_words_where_the_robot_is_and_what_it_reads():
+    for task in available_tasks():
+        env = gymnasium.make(f"rlrobot/{task}-v0", render_mode="ansi")
+        env.reset(seed=0)
+        first, second = env.render().splitlines()
+        assert first.startswith("Step 0. A ")
+        for name in env.unwrapped.task.inputs:
+            assert f"{name.name} = " in second
+    cells = rl.make_env("worked_example", seed=0, render_mode="ansi")
+    cells.reset()
+    assert cells.render().endswith("X = 0, Y = 0, theta = 0 deg, d = 0, bumped = 0")

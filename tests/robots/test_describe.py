@@ -40,5 +40,5 @@ def test_the_sentence_says_what_the_robot_senses(task, place, mover, engine):
 
 @pytest.mark.parametrize("wrong", [3, None, "room", [], [3], {}])
 def test_what_is_no_scene_is_refused_in_one_sentence(wrong):
-    with pytest.raises(ValueError, match="a picture needs one scene or several"):
+    with pytest.raises(ValueError, match="a picture needs an environment with a robot"):
         as_scenes(wrong)

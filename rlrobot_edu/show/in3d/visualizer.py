@@ -15,7 +15,9 @@ import numpy as np
 from meshcat import geometry as g
 from meshcat.animation import Animation
 
+from rlrobot_edu.checks import check_between, check_numbers
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
@@ -255,6 +257,7 @@ def _jumps(a: Scene, b: Scene) -> bool:
     return distance > JUMP * max(x_max - x_min, y_max - y_min)
 
 
+@suggests_keywords
 def meshcat(thing: Env | Scene) -> Visualizer:
     """A robot's world in a genuine meshcat visualizer, to look at and to add to.
 
@@ -291,6 +294,7 @@ def meshcat(thing: Env | Scene) -> Visualizer:
     return _of_robot[robot]
 
 
+@suggests_keywords
 def show_scene(
     scenes: Scene | Sequence[Scene],
     rewards: Sequence[float] | None = None,
@@ -315,15 +319,19 @@ def show_scene(
     Raises
     ------
     ValueError
-        If there is no scene in `scenes`, or if the rewards are more or fewer than the scenes.
+        If there is no scene in `scenes`, if the rewards are more or fewer than the scenes, or if
+        `seconds_per_frame` is not between 0.001 and 1000.
     ImportError
         If meshcat is not installed.
     """
     scenes = as_scenes(scenes)
-    if rewards is not None and len(rewards) != len(scenes):
-        raise ValueError(
-            f"got {len(rewards)} rewards for {len(scenes)} scenes; give one for each"
-        )
+    check_between("seconds_per_frame", seconds_per_frame, 0.001, 1000)
+    if rewards is not None:
+        rewards = check_numbers("rewards", rewards)
+        if len(rewards) != len(scenes):
+            raise ValueError(
+                f"got {len(rewards)} rewards for {len(scenes)} scenes; give one for each"
+            )
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
         view.play(scenes, [] if rewards is None else rewards, seconds_per_frame)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.show.display import Displayed, Still
@@ -27,6 +28,7 @@ from rlrobot_edu.widgets.bias_explorer.words import state_words, vector
 from rlrobot_edu.widgets.page_file import page_html
 
 
+@suggests_keywords
 class BiasExplorer(Displayed):
     """One state of a small task in four columns: values, means of the sets, bias and probabilities; choose and edit.
 

@@ -3,11 +3,13 @@
 import numpy as np
 
 from rlrobot_edu.checks import check_count
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.step import make_step
 from rlrobot_edu.models.recording import Recording
 
 
+@suggests_keywords
 def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     """Teach `agent` the transitions of a recording in their order, as if it had acted so itself.
 

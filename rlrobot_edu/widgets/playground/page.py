@@ -16,6 +16,7 @@ import numpy as np
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.memory import SETTINGS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.seeds import ENVIRONMENT, generator
@@ -138,6 +139,7 @@ class Playground(Displayed):
         return PageFrame(page=self.html, title=TITLE)
 
 
+@suggests_keywords
 def playground(
     path: str | Path | None = None,
     *,

@@ -12,7 +12,9 @@ import anywidget
 import gymnasium
 import traitlets
 
+from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import check_pair_of
 from rlrobot_edu.show.display import Displayed, Still
@@ -56,6 +58,7 @@ export default {
 """
 
 
+@suggests_keywords
 class Stepper(Displayed):
     """Any agent in any environment, step by step: a view of it, the choice, the update with its numbers, Q and traces.
 
@@ -90,8 +93,8 @@ class Stepper(Displayed):
         keep: int = 2000,
     ) -> None:
         check_pair_of(agent, env)
-        if keep < 1:
-            raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
+        at = check_count("at", at, least=0)
+        keep = check_count("keep", keep)
         self._names = Names(agent, env)
         self._replay_start = ReplayStart(agent, env)
         self._tape = Tape(agent, env, view_of(env, self._names), keep)
@@ -118,10 +121,12 @@ class Stepper(Displayed):
 
         Raises
         ------
+        ValueError
+            If `n` is not a whole number of at least 0.
         RuntimeError
             As `jump`.
         """
-        self.jump(self.t + n)
+        self.jump(self.t + check_count("n", n, least=0))
 
     def back(self, n: int = 1) -> None:
         """Show the step `n` steps before, or the earliest that is kept.
@@ -130,8 +135,13 @@ class Stepper(Displayed):
         ----------
         n : int
             How many steps.
+
+        Raises
+        ------
+        ValueError
+            If `n` is not a whole number of at least 0.
         """
-        self.jump(max(self.t - n, self._tape.first))
+        self.jump(max(self.t - check_count("n", n, least=0), self._tape.first))
 
     def jump(self, t: int) -> None:
         """Show step `t`.
@@ -144,12 +154,12 @@ class Stepper(Displayed):
         Raises
         ------
         ValueError
-            If that step is no longer kept.
+            If that step is no longer kept, or `t` is not a whole number of at least 0.
         RuntimeError
             If agent or world has taken a step elsewhere in between, so that no new step can be taken.
         """
         end = self._tape.end
-        self._tape.go(t)
+        self._tape.go(check_count("t", t, least=0))
         self._tell(end, at=self.t)
 
     def save(self, path: str | Path, steps: int | None = None) -> None:
@@ -167,14 +177,15 @@ class Stepper(Displayed):
         Raises
         ------
         ValueError
-            If that step is no longer kept, or the file's name ends like that of another kind of file.
+            If that step is no longer kept, if `steps` is not a whole number, or if the file's name ends like that of
+            another kind of file.
         RuntimeError
             As `jump`.
         OSError
             If the file cannot be written.
         """
         shown, end = self.t, self._tape.end
-        last = end if steps is None else steps
+        last = check_count("steps", end if steps is None else steps, least=0)
         try:
             self._tape.go(last)
             write_whole(path, self._page(min(shown, last), last))
