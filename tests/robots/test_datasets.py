@@ -28,10 +28,10 @@ WHOLE = (
 if os.environ.get("RLROBOT_EDU_LONG"):
     WHOLE = tuple(DATASETS)
 ROWS = {
-    "arm_1k": 500,
-    "arm_4k": 500,
-    "mobile_arm_2k": 500,
-}  # of the others; PyBullet takes its time
+    "arm_1k": 480,
+    "arm_4k": 480,
+    "mobile_arm_2k": 480,
+}  # of the others, whole episodes; PyBullet takes its time
 MOST_ROWS = 6000
 
 
