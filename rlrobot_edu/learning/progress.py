@@ -47,7 +47,7 @@ class NotebookBar(tqdm):  # type: ignore[misc]  # tqdm has no types
         from IPython.display import display
 
         if self._output is None:
-            self._output = display(content, raw=True, display_id=True)
+            self._output = display(content, raw=True, display_id=True)  # type: ignore[no-untyped-call]
         else:
             self._output.update(content, raw=True)
 
