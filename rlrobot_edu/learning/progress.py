@@ -69,7 +69,7 @@ def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any
 
 def _in_a_notebook() -> bool:
     """Whether this Python is the kernel of a notebook, in a browser, too."""
-    if "IPython" not in sys.modules:
+    if sys.modules.get("IPython") is None:
         return False
     from IPython import get_ipython
 

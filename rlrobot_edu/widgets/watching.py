@@ -7,9 +7,8 @@ import time
 from collections import deque
 from typing import cast
 
-from IPython.display import display
-
 from rlrobot_edu.checks import check_count
+from rlrobot_edu.jupyter import display
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import watched

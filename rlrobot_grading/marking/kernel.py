@@ -302,7 +302,7 @@ def end_with_parent() -> None:
 
 def _children(pid: int) -> list[Any]:
     """The processes that a process has started, and those that these have left behind: on Linux they become its own."""
-    import psutil  # comes with ipykernel
+    import psutil
 
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(ADOPT, 1)

@@ -8,11 +8,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import gymnasium
-import traitlets
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.jupyter import anywidget, traitlets
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import check_pair_of
 from rlrobot_edu.show.display import Displayed, Still
