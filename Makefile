@@ -5,6 +5,8 @@
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
 # make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
+# make test-lowest   the library's tests with the lowest versions that pyproject.toml allows, in .venv-lowest
+# make test-newest   the library's tests with the newest versions of everything, in .venv-newest
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
 # make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes studies/benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
@@ -20,7 +22,7 @@
 # make size   how large the packages are; writes docs/howto/size.md
 # make platforms   ask what can be installed where; writes the table of docs/howto/install.md
 # make pin    take the newest versions of all packages into constraints.txt
-# Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
+# Each makes what it needs first. Only Python 3.11 or later must be there.
 
 # a pipe fails when any part of it does
 SHELL := bash
@@ -53,12 +55,14 @@ VERSIONS ?= 3.11 3.12 3.13 3.14
 # make coverage runs the tests of the library and its robots, and leaves out what is not about its lines
 COVERING := tests/library tests/robots tests/ros tests/browser/test_show.py tests/browser/test_pages.py tests/course/test_grade.py
 NOT_COVERING := datasets fuzz size typing docstrings
+# These are about the code, and about the tools that look at it
+NOT_OF_VERSIONS := size typing docstrings circles
 # in these, processes may write only so much; what coverage writes is too much
 CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs lite release tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons test-lowest test-newest coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
@@ -94,6 +98,18 @@ test-pythons:
 	done; \
 	echo "Python: passed$${passed:- none}; failed$${failed:- none}; not found$${absent:- none}"; \
 	test -z "$$failed" -a -n "$$passed"
+
+# Neither constraints.txt nor [tool.uv], which uv would read in this folder, holds here
+test-lowest: RESOLUTION = lowest-direct
+test-newest: RESOLUTION = highest
+test-lowest test-newest: test-%: $(TOOLS)/tools.done
+	rm -rf .venv-$*
+	$(DEV) -m uv venv --quiet --python $(DEV) .venv-$*
+	cd / && $(abspath $(DEV)) -m uv pip install --quiet --upgrade --python $(CURDIR)/.venv-$* --resolution $(RESOLUTION) \
+		--only-binary :all: --no-binary rlrobot-edu -e '$(CURDIR)[all]' --group $(CURDIR)/pyproject.toml:test
+	.venv-$*/bin/python -m rlrobot_edu doctor
+	.venv-$*/bin/python -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder -m "not long" \
+		$(NOT_OF_VERSIONS:%=--ignore-glob='tests/*/test_%.py') tests/library
 
 coverage: $(TOOLS)/tools.done
 	$(DEV) -m rlrobot_edu compile
@@ -163,11 +179,11 @@ clean:
 %/bin/python:
 	@echo "Making a virtual environment in $* …"
 	@for python in $(PYTHON); do \
-		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null || continue; \
+		$$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || continue; \
 		$$python -m venv --clear $* && exit; \
 		rm -rf $*; \
 	done; \
-	echo "None of '$(PYTHON)' is Python 3.11, 3.12, 3.13 or 3.14 and can make a virtual environment."; \
+	echo "None of '$(PYTHON)' is Python 3.11 or later and can make a virtual environment."; \
 	echo "Install one: sudo apt install python3 python3-venv (Ubuntu 22.04: python3.11 python3.11-venv)"; \
 	exit 1
 

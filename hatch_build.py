@@ -29,7 +29,10 @@ class Readme(MetadataHookInterface):
 
 
 class Blank(BuildHookInterface):
-    """Put blank notebooks into what is built, but into no editable install: that one reads those of the checkout."""
+    """Put blank notebooks and the tested versions into what is built.
+
+    No editable install has copies of them: it reads those of the checkout.
+    """
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Write them to a temporary folder, and have them included."""
@@ -41,6 +44,9 @@ class Blank(BuildHookInterface):
             if source
             else r"\1 (in the repository: \2)"
         )
+        if is_wheel and version != "editable":
+            pins = str(Path(self.root, "constraints.txt"))
+            build_data["force_include"][pins] = "rlrobot_edu/constraints.txt"
         for name in () if version == "editable" else FOLDERS:
             for path in Path(self.root, name).glob("*.ipynb"):
                 mine = self.folder / name.replace("/", "_") / path.name

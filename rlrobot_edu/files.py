@@ -43,10 +43,10 @@ SHORT = 40  # characters of a file's name in that of its temporary one, which mu
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
 
-def shipped(folder: str) -> Path:
-    """Where the course's `folder` of tasks or datasets is: inside an installed package, or beside it in a checkout."""
+def shipped(name: str) -> Path:
+    """Where a folder or file of the repository's root is: inside an installed package, or beside it in a checkout."""
     package = Path(__file__).parent
-    return package / folder if (package / folder).is_dir() else package.parent / folder
+    return package / name if (package / name).exists() else package.parent / name
 
 
 def check_path(path: object) -> Path:

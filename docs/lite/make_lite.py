@@ -22,7 +22,7 @@ ROOT = HERE.parents[1]
 # What Pyodide lacks, in the versions that the course is tested with; `pymunk` is compiled for Pyodide by its authors.
 BROUGHT = [
     "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "pymunk", "meshcat",
-    "anywidget", "psygnal",
+    "anywidget", "psygnal", "u-msgpack-python",
 ]  # fmt: skip
 PYODIDE = "314.0.6"  # the one that JupyterLite's kernel is made for; its Python, its platform, and where it is public:
 PYTHON, PLATFORM = "3.14", "pyemscripten_2026_0_wasm32"
@@ -37,7 +37,7 @@ INSTALL = """# In the browser the toolkit is installed each time a lesson is ope
 # numbers, each with a comment, are smaller than those with which the results in the text were found.
 import piplite
 
-await piplite.install("rlrobot-edu")
+await piplite.install("rlrobot-edu[notebook]")
 await piplite.install("meshcat", deps=False)  # for 3D films; what it needs beside is for its server"""
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 

@@ -20,7 +20,7 @@ GITHUB, COLAB = "https://github.com/", "https://colab.research.google.com/github
 LINK = re.compile(r"\]\((?!https?:|#|attachment:)([^)]+)\)")
 FIRST_CELL = f"""\
 # Run this cell first. What you write is kept in your Google Drive, in the folder my_course.
-%pip install --quiet "rlrobot-edu[lab,arm]=={rl.__version__}"
+%pip install --quiet "rlrobot-edu[notebook,arm]=={rl.__version__}"
 from google.colab import drive, output
 output.enable_custom_widget_manager()
 drive.mount("/content/drive")  # without it and the two lines below, my_functions.py is lost when Colab stops

@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs/howto/install.md"
-PYTHONS = ["3.11", "3.12", "3.13", "3.14"]
+PYTHONS = ["3.11", "3.12", "3.13", "3.14", "3.15"]
 # The oldest macOS, and below the oldest glibc, for which all of these packages have wheels
 MACOS = "14.0"
 PLATFORMS = {
@@ -25,6 +25,7 @@ PLATFORMS = {
 CAN_BE_MISSING = {
     "numba": {"numba"},
     "PyBullet": {"pybullet", "pybullet-arm64"},
+    "bags of ROS": {"rosbags"},
 }
 CHOOSE = [
     *(

@@ -6,13 +6,13 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, TypeVar
 
-import ipywidgets
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from PIL import Image
 
+from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, PIXELS, Film

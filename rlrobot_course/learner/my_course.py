@@ -11,6 +11,7 @@ from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
+from rlrobot_course.learner.saving import ASKED_FOR
 from rlrobot_edu.files import shipped, write_whole
 from rlrobot_grading.answers.values import safely
 
@@ -57,7 +58,7 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
     command = [
         sys.executable, "-m", "jupyterlab", *options, "-y",  # -y: one Ctrl-C is enough
         f"--ServerApp.root_dir={folder.parent}", f"--LabApp.app_settings_dir={settings}",
-        f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
+        ASKED_FOR, f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
     ]  # fmt: skip
     lab = subprocess.Popen(command, cwd=folder)
     is_wanted = False

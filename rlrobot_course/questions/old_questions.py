@@ -9,10 +9,10 @@ from html import escape
 from pathlib import Path
 from typing import NamedTuple
 
-import ipywidgets
 import numpy as np
 
 from rlrobot_course.questions.prediction import ASKED, Prediction, kept
+from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.display import Displayed
 
 DISTANCES = (1, 3, 6, 2, 4, 5)  # lessons back; the first three that there are

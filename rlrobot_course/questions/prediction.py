@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-import ipywidgets
-
 from rlrobot_course.learner.learners_files import enter, entries
+from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.display import Displayed
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_grading.answers.notebook import is_notebook

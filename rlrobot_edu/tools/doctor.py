@@ -10,14 +10,17 @@ import sys
 import tempfile
 import textwrap
 from collections.abc import Iterator
+from contextlib import suppress
 from importlib import metadata
 from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
 from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 import rlrobot_edu
+from rlrobot_edu.files import shipped
 from rlrobot_edu.jit import dispatcher
 
 NAME = "rlrobot-edu"
@@ -27,10 +30,14 @@ INDENT = 15  # of the text beside a name
 PIP = "python -m pip" if importlib.util.find_spec("pip") else "uv pip"
 ANEW = f"Install the toolkit anew, in its folder: {PIP} install -e ."
 
+MODULES = {"pillow": "PIL"}  # of packages that are not named like their module
+TESTED = shipped("constraints.txt")
+FORK = "pybullet-arm64"  # what the extra arm brings where PyBullet has no wheel
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing; engine='pybullet' does not work",
-    "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
+    "notebook": "there are no widgets and no 3D: no rl.Stepper, rl.meshcat, .show3d() or rl.watch",
+    "lab": "the command lab does not open the course, and grade marks no notebook",
     "ros": "no bag of ROS can be read, or no robot driven or served over rosbridge",
     "all": "Dask's clusters are missing",
 }
@@ -88,7 +95,14 @@ def examine() -> Diagnosis:
     extras = [] if package.is_broken else list(WITHOUT)
     return Diagnosis(
         {
-            "This computer": [_python(), package, _kernels(), _arms(), _folder()],
+            "This computer": [
+                _python(),
+                package,
+                _versions(),
+                _kernels(),
+                _arms(),
+                _folder(),
+            ],
             "Needed by everything": list(_core()),
             "Extras": [_extra(name) for name in extras],
         }
@@ -129,6 +143,32 @@ def _package() -> Finding:
     return Finding(NAME, says)
 
 
+def _versions() -> Finding:
+    """Whether what is installed is what the toolkit is tested with, as constraints.txt says."""
+    tested = _tested()
+    others = []
+    for requirement in chain(_needed(), *map(_needed, WITHOUT)):
+        name = canonicalize_name(requirement.name)
+        with suppress(metadata.PackageNotFoundError):
+            version = metadata.version(name)
+            if name in tested and version != tested[name]:
+                others.append(f"{name} {version} (tested: {tested[name]})")
+    if not others:
+        return Finding("versions", "those with which the toolkit is tested")
+    to_do = f"If something fails, install the tested versions: add -c {TESTED} to the line that installs."
+    return Finding("versions", ", ".join(dict.fromkeys(others)) + f".\n{to_do}")
+
+
+def _tested() -> dict[str, str]:
+    """The tested version of each package on this computer, by its name."""
+    pins = map(Requirement, TESTED.read_text(encoding="utf-8").splitlines())
+    return {
+        canonicalize_name(pin.name): str(pin.specifier).removeprefix("==")
+        for pin in pins
+        if pin.marker is None or pin.marker.evaluate()
+    }
+
+
 def _kernels() -> Finding:
     if dispatcher.numba is None or dispatcher.IS_PLAIN:
         why = "as NUMBA_DISABLE_JIT says"
@@ -158,6 +198,10 @@ def _arms() -> Finding:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
         return Finding("arms", f"geometry alone (engine='kinematic'): {error}")
+    for name, remark in (("pybullet", ""), (FORK, ", a fork of it")):
+        with suppress(metadata.PackageNotFoundError):
+            version = metadata.version(name)
+            return Finding("arms", f"simulated by PyBullet ({name} {version}{remark})")
     return Finding("arms", "simulated by PyBullet")
 
 
@@ -192,7 +236,7 @@ def _core() -> Iterator[Finding]:
     """What the toolkit itself needs: each is imported, because one that is damaged is no better than none."""
     for requirement in _needed():
         fault = _fault(requirement)
-        module = requirement.name.replace("-", "_")  # each is named like its module
+        module = MODULES.get(requirement.name, requirement.name.replace("-", "_"))
         try:
             if not fault:
                 importlib.import_module(module)

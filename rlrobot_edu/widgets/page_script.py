@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import anywidget
+from rlrobot_edu.jupyter import anywidget
 
 
 class NamedHandles(anywidget.AnyWidget):

@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-import ipywidgets
-
 from rlrobot_edu.experiments.compare import repeat
+from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel

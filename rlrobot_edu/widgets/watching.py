@@ -8,9 +8,8 @@ from collections import deque
 from numbers import Real
 from typing import cast
 
-from IPython.display import display
-
 from rlrobot_edu.checks import check_count
+from rlrobot_edu.jupyter import display
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent

@@ -33,7 +33,7 @@ def processes() -> list[Any]:
 
     The dead are among them, until somebody waits for them.
     """
-    import psutil  # comes with ipykernel
+    import psutil
 
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(ADOPT, 1)

@@ -25,6 +25,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_course.learner.my_course import PREFERENCES
+from rlrobot_course.learner.saving import ASKED_FOR
 from rlrobot_course.questions.old_questions import due
 from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 from rlrobot_edu.widgets.driving.page import Keyboard
@@ -138,7 +139,7 @@ def lab(tmp_path_factory):
     )
     command = [
         sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", "--port=0", "--allow-root",
-        "--IdentityProvider.token=", f"--ServerApp.root_dir={home}", f"--LabApp.app_settings_dir={home}",
+        "--IdentityProvider.token=", f"--ServerApp.root_dir={home}", f"--LabApp.app_settings_dir={home}", ASKED_FOR,
     ]  # fmt: skip
     (home / "overrides.json").write_text(json.dumps(PREFERENCES | ALL_CELLS))
     with open(home / "log", "w") as log:
@@ -215,7 +216,9 @@ def lesson(browser, lab, name, before=lambda page: None):
         page.goto(f"{lab}/lab/tree/notebooks/{name}?reset")
         n_cells = sum(
             cell.cell_type == "code"
-            for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells
+            for cell in nbformat.read(
+                Path(lab.folder, "notebooks", name), as_version=4
+            ).cells
         )
         soon(
             lambda: has_run_all(page, n_cells, dialogs, errors),
@@ -565,3 +568,55 @@ def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(brows
     page.keyboard.press("x")
     assert page.evaluate("n") == 2
     page.close()
+
+
+WIDGETS = [
+    """
+import rlrobot_edu as rl
+from rlrobot_edu.learning.progress import progress_bar
+from rlrobot_edu.widgets.sliders import ParameterSliders
+
+with progress_bar(3, shown=True, delay=0, desc="a bar") as bar:
+    bar.update(3)
+""",
+    """
+model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+ParameterSliders(model, steps=300, repetitions=2)
+""",
+    "rl.Stepper(rl.Agent('worked_example', seed=0), rl.make_env('worked_example'), at=5)",
+]
+
+
+@pytest.mark.parametrize("restarts", [False, True])
+def test_a_notebook_that_was_saved_comes_back_whole(browser, lab, tmp_path, restarts):
+    name = f"whole_{restarts}.ipynb"
+    file = Path(lab.folder, "notebooks", name)
+    cells = [nbformat.v4.new_code_cell(source) for source in WIDGETS]
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    metadata = {"kernelspec": kernel}
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), file)
+    with lesson(browser, lab, name) as (page, _):
+        page.locator(".rl-stepper").wait_for()
+        if restarts:
+            page.click("text=Kernel >> nth=0")
+            page.click("text=Restart Kernel…")
+            page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()
+        save(page, file)
+        page.evaluate(STOP_KERNELS)
+        page.reload()
+        page.locator(".jp-OutputArea img, .rl-stepper").first.wait_for()
+        page.wait_for_timeout(3000)  # widgets come after all else
+        page.screenshot(path=tmp_path / "again.png")
+        assert "Error displaying widget" not in page.inner_text(".jp-Notebook")
+        shown = page.locator(".rl-stepper" if not restarts else ".jp-OutputArea img")
+        assert shown.count()
+
+
+def save(page, notebook):
+    """Save the notebook, and wait until its file is new."""
+    earlier = notebook.stat().st_mtime_ns
+    page.keyboard.press("Control+s")
+    soon(
+        lambda: notebook.stat().st_mtime_ns > earlier,
+        rest=lambda: page.wait_for_timeout(500),
+    )

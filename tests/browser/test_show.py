@@ -479,7 +479,7 @@ def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
     )
     assert run.returncode == 0, run.stderr
     assert run.stdout.splitlines() == 3 * [
-        "3D views need meshcat: run pip install meshcat; everything else works without it"
+        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'; everything else works without it"
     ]
 
 

@@ -135,7 +135,7 @@ def test_a_damaged_package_of_the_core_is_broken_and_the_command_fails(
         main(["doctor"])
     assert end.value.code == 1
     assert re.search(
-        r'What to do:\n1\. .*pip install\s+--force-reinstall\s+"pymunk>=7.0"',
+        r'What to do:\n1\. .*pip install\s+--force-reinstall\s+"pymunk<8,>=7.0"',
         capsys.readouterr().out,
     )
 
@@ -193,6 +193,44 @@ def test_arms_without_pybullet_are_said_to_be_geometry(monkeypatch):
         sys.modules, "rlrobot_edu.robots.engines.bullet.simulation", None
     )
     assert said("arms").says.startswith("geometry alone (engine='kinematic')")
+
+
+def test_the_package_that_simulates_arms_is_named():
+    pytest.importorskip("pybullet")
+    (name,) = (n for n in ("pybullet", doctor.FORK) if is_installed(n))
+    assert f"({name} {metadata.version(name)}" in said("arms").says
+    assert ("a fork" in said("arms").says) == (name == doctor.FORK)
+
+
+def is_installed(name):
+    return any(d.name == name for d in metadata.distributions())
+
+
+def test_a_fork_that_simulates_arms_is_said_to_be_one(monkeypatch):
+    pytest.importorskip("pybullet")
+    known = {doctor.FORK: "3.2.8"}
+
+    def look_up(name):
+        if name not in known:
+            raise metadata.PackageNotFoundError(name)
+        return known[name]
+
+    monkeypatch.setattr(metadata, "version", look_up)
+    assert doctor._arms().says == (
+        "simulated by PyBullet (pybullet-arm64 3.2.8, a fork of it)"
+    )
+
+
+def test_versions_that_are_not_the_tested_ones_are_named(monkeypatch, tmp_path):
+    pins = tmp_path / "constraints.txt"
+    monkeypatch.setattr(doctor, "TESTED", pins)
+    numpy = metadata.version("numpy")
+    pins.write_text(f"numpy=={numpy}\nscipy==0.1 ; sys_platform == 'nowhere'\n")
+    assert said("versions").says == "those with which the toolkit is tested"
+    pins.write_text("numpy==0.1\n")
+    finding = said("versions")
+    assert finding.says.startswith(f"numpy {numpy} (tested: 0.1).\n")
+    assert f"-c {pins}" in finding.says and not finding.is_broken
 
 
 def test_a_folder_that_nobody_may_write_to_is_something_to_do(monkeypatch):

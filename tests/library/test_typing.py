@@ -132,7 +132,9 @@ def test_all_names_can_be_walked_where_an_extra_is_missing():
         [sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
-    assert "3D views need meshcat: run pip install meshcat" in done.stdout
+    assert (
+        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'" in done.stdout
+    )
 
 
 def test_the_engines_have_the_names_that_the_robots_cards_have():

@@ -123,7 +123,8 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
     for package in ("edu", "ros", "grading", "course"):
         packages |= files_in(f"rlrobot_{package}")
     assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {
-        "rlrobot_course/averages.csv"
+        "rlrobot_course/averages.csv",
+        "rlrobot_edu/constraints.txt",
     }
     assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/LICENSE" in about
     for name in [
@@ -132,6 +133,12 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
         *(f"datasets/wander_1k/{n}" for n in ("transitions.csv", "datapackage.json")),
     ]:
         assert f"rlrobot_edu/{name}" in names
+
+
+def test_the_wheel_carries_the_tested_versions_and_doctor_compares_them(wheel, alone):
+    carried = zipfile.ZipFile(wheel).read("rlrobot_edu/constraints.txt")
+    assert carried == (ROOT / "constraints.txt").read_bytes()
+    assert "those with which the toolkit is tested" in alone("rlrobot-edu", "doctor")
 
 
 def test_a_release_is_tried_and_what_is_left_to_do_is_said(released):
@@ -203,9 +210,10 @@ def colab(released):
     settings |= {"PIP_CONFIG_FILE": str(theirs)} if theirs.exists() else {}
     settings["PIP_FIND_LINKS"] = f"{copy / 'dist'} {settings.get('PIP_FIND_LINKS', '')}"
     settings |= {"PIP_CONSTRAINT": str(ROOT / "constraints.txt"), "PIP_NO_COMPILE": "1"}
-    run_alone(
-        home, "ipython", "first.ipy", **settings
-    )  # Colab has no JupyterLab before
+    pip = ("python", "-m", "pip", "install", "--quiet")
+    run_alone(home, *pip, "ipykernel", "nbconvert", **settings)  # Colab has its own
+    run_alone(home, "ipython", "first.ipy", **settings)
+    assert "jupyterlab " not in run_alone(home, "python", "-m", "pip", "list")
     run_alone(
         home,
         "jupyter",
@@ -283,6 +291,7 @@ def lab(request, released, wheel, tmp_path):
     if request.param == "uvx":
         if not shutil.which("uvx", path=PATH):
             pytest.skip("needs uv")
+        shutil.copy(ROOT / "constraints.txt", tmp_path)
         command, folder = (
             [*shlex.split(line.replace("rlrobot-edu[lab]", f"{wheel}[lab]")), *options],
             tmp_path,

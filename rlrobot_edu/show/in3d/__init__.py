@@ -17,7 +17,7 @@ from types import SimpleNamespace
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
     raise ImportError(
-        "3D views need meshcat: run pip install meshcat; everything else works without it"
+        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'; everything else works without it"
     )
 MESHCAT = Path(_spec.origin).parent
 # In a browser there is no place for meshcat's server, which it imports; we never start it.

@@ -7,9 +7,7 @@ import time
 from importlib.resources import files
 from typing import Any
 
-import anywidget
-import traitlets
-
+from rlrobot_edu.jupyter import anywidget, traitlets
 from rlrobot_edu.show.in3d.window import Key, Window
 
 PAUSE = 0.05  # between two messages [s]; what is new in between goes with the second

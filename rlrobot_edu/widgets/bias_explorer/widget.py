@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-import anywidget
 import numpy as np
-import traitlets
 
+from rlrobot_edu.jupyter import anywidget, traitlets
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
 from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.task.task import Task

@@ -8,10 +8,10 @@ from collections import deque
 from functools import cached_property, partial
 from typing import Any, cast
 
-import ipywidgets
 import numpy as np
 from PIL import Image
 
+from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions

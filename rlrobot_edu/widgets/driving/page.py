@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import anywidget
-import traitlets
+from rlrobot_edu.jupyter import anywidget, traitlets
 
 # `busy` is on from a press until the kernel has answered, so a held key asks for one step at a time. Keys count
 # wherever the focus is in the pad, also on a button just clicked; lm-suppress keeps JupyterLab's own shortcuts away,

@@ -9,7 +9,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,13 +26,15 @@ from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.playground.kernels import kernels
-from rlrobot_edu.widgets.playground.page_frame import PageFrame
 from rlrobot_edu.widgets.playground.worlds import (
     World,
     base_world,
     cells_world,
     cliff_world,
 )
+
+if TYPE_CHECKING:
+    from rlrobot_edu.widgets.playground.page_frame import PageFrame
 
 TASKS = {  # of the base, as they are called on the page
     "wander_1k": "wander in a maze (1,024 states)",
@@ -136,6 +138,9 @@ class Playground(Displayed):
     @cached_property
     def widget(self) -> PageFrame:
         """The page in a frame; no script of it reaches the notebook around it."""
+        # here, because a page in a file needs no package of Jupyter's
+        from rlrobot_edu.widgets.playground.page_frame import PageFrame
+
         return PageFrame(page=self.html, title=TITLE)
 
 

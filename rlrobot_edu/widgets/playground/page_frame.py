@@ -5,8 +5,7 @@ from __future__ import annotations
 from importlib.resources import files
 from typing import Any
 
-import anywidget
-import traitlets
+from rlrobot_edu.jupyter import anywidget, traitlets
 
 _SHOW = """
 export default {

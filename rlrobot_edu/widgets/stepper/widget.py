@@ -8,12 +8,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import gymnasium
-import traitlets
 
 from rlrobot_edu.checks import check_count
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.jupyter import anywidget, traitlets
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import check_pair_of
