@@ -5,6 +5,8 @@ Read `evidence` first, which says what a detector is given, then `detectors`, th
 - `as_if`: the hint for an answer that does the same as the right function with one thing in it changed. `changed`
   makes such functions; `simple_changes` and `further_changes` say what may be changed. `formula`: the same for a
   question in numbers.
+- `pieces`: which pieces of code such a hint may show.
+- `mistakes`: the exercise's own mistakes, alone and two at a time. `in_place`: a table that is made anew.
 - `events`: the calls that a loop makes, beside those of the right loop.
 - `suspicions`: what the values of an answer have in common that shows no known mistake.
 - `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames.

@@ -32,6 +32,7 @@ from rlrobot_grading.hints.further_changes import (
     handed_over,
     put_around,
 )
+from rlrobot_grading.hints.pieces import WORD, code_of, may_be_told
 from rlrobot_grading.hints.simple_changes import CALLED, simple_changes
 
 SECONDS = 4.0  # of computing, after which a learner is told that no hint is known
@@ -46,9 +47,6 @@ KINDS = (
 )
 FAR_FETCHED = 4  # the rank of changes that need two wrong cases as evidence
 NEVER = 99  # the rank of a change that nobody makes
-LONGEST = 90  # characters of a piece of code that is told
-SHORT = 25  # of one that the learner has not written
-WORD = re.compile(r"(\w+=)([^ =].*)")  # of a call, as in axis=0
 AROUND = re.compile(r"(?: in| of|:) “[^”]*”(?:, not “[^”]*”)?$")
 QUOTED = re.compile(r"“([^”]*)”")
 ALWAYS = re.compile(r"“(\w+)” were always (.+)")
@@ -223,38 +221,15 @@ def _in_its_words(said: str, seen: Evidence) -> str:
     if number and _types(number[1], seen) == {"bool"}:
         said = f"“{number[1]}” were always {number[2] == '1'}"
     pieces = {piece: _put(piece, terms, known) for piece in QUOTED.findall(said)}
-    code = safely("", _code_of, answer)
+    code = safely("", code_of, answer)
     # without the code around it where that is the solution's
     for words in (said, AROUND.sub("", said)):
         quotes = [pieces[piece] for piece in QUOTED.findall(words)]
         if quotes and all(
-            _may_be_told(piece, code, {*called.values()}) for piece in quotes
+            may_be_told(piece, code, {*called.values()}) for piece in quotes
         ):
             return QUOTED.sub(lambda piece: f"“{pieces[piece[1]]}”", words)
     return ""
-
-
-def _code_of(answer: Function) -> str:
-    """The code of an answer in Python's own writing, as pieces of code are told."""
-    return ast.unparse(tree_of(answer))
-
-
-def _may_be_told(piece: str, code: str, arguments: set[str]) -> bool:
-    """Whether a piece of code is the learner's own, or short and made of the learner's names; no other line is told."""
-    if not piece:
-        return False
-    if re.search(rf"(?<!\w){re.escape(piece)}(?!\w)", code):
-        return len(piece) <= LONGEST
-    if piece in ("and", "or", "break", "continue") or piece in {*CALLED, *REDUCED}:
-        return True
-    if len(piece) > SHORT:
-        return False
-    tree = ast.parse(piece.partition("=")[2] if WORD.fullmatch(piece) else piece)
-    if not isinstance(tree.body[0], ast.Expr):
-        return False
-    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    names |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    return names <= arguments | set(re.findall(r"\w+", code))
 
 
 def _put(piece: str, terms: Mapping[str, str], known: set[str]) -> str:

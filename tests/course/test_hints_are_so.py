@@ -17,8 +17,9 @@ from rlrobot_grading.answers import notebook
 from rlrobot_grading.answers.source import uses_chance
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.question import Question
-from rlrobot_grading.hints.as_if import SHORT, one_change_of
+from rlrobot_grading.hints.as_if import one_change_of
 from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.pieces import SHORT
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 FUNCTIONS = [one for one in EVERY if isinstance(exercises(one[0])[one[1]], Exercise)]
