@@ -2,7 +2,7 @@
 
 import dataclasses
 from collections.abc import Callable
-from copy import deepcopy
+from copy import copy, deepcopy
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -37,6 +37,7 @@ from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 
 T = TypeVar("T")
+FIXED = {"world", "method", "planner", "seed", "gamma", "lam", "traces"}
 LARGEST_KEPT = 1e300  # of action values in a file: beyond, sums soon are infinite
 
 
@@ -242,7 +243,10 @@ class Agent:
         Raises
         ------
         ValueError
-            If there is no such state or action, or if the reward is not finite.
+            If there is no such state or action, if the reward is not from −1e100 to 1e100, or if the planner has met
+            all the outcomes that it can keep.
+        Exception
+            Whatever a part of your own raises.
         """
         s, a, r, s_next = check_transition(self.memory.q.shape, s, a, r, s_next)
         x = self._make_room()
@@ -305,18 +309,19 @@ class Agent:
     def frozen(self) -> "Agent":
         """A copy that acts as this agent does and learns no more: its Q stays.
 
-        It works wherever an agent does. It draws the random numbers that the agent would draw next; from then on the
-        two share nothing.
+        It still counts visits; its TD errors are NaN. It draws the random numbers that the agent would draw next (an
+        agent with a planner draws others, to imagine steps). It shares nothing with the agent, and cannot be saved.
 
         Returns
         -------
         Agent
             The copy.
         """
-        still = deepcopy(self)
+        without_planner = copy(self)
+        without_planner.experience = None  # it may be large
+        still = deepcopy(without_planner)
         algorithm = self.method.algorithm._replace(update=no_update)
         still.method = Method(algorithm, self.method.selection)
-        still.experience = None
         return still
 
     def change(self, **parameters: Any) -> None:
@@ -325,14 +330,14 @@ class Agent:
         Parameters
         ----------
         **parameters
-            Any of the agent's except planner, gamma, lam and traces, which set the size of its memory.
+            Any of `Parameters` except gamma, lam and traces, which set the size of the agent's memory.
 
         Raises
         ------
         ValueError
             For another parameter, or a value out of its domain.
         """
-        fixed = {"planner", "gamma", "lam", "traces"}.intersection(parameters)
+        fixed = FIXED.intersection(parameters)
         if fixed:
             raise ValueError(
                 f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent"
@@ -361,7 +366,8 @@ class Agent:
         """Write what the agent has learned to one ``.npz`` file, whole or not at all.
 
         The file holds action values, visits, parameters and the state of the random numbers, so a loaded agent learns
-        from its next episode on what this one would learn. It holds neither traces nor what a planner has observed.
+        from its next episode on what this one would learn. What a planner has met is not in the file: there, an agent
+        with a planner begins anew.
 
         Parameters
         ----------
@@ -371,11 +377,15 @@ class Agent:
         Raises
         ------
         ValueError
-            If an action value is not finite or exceeds 1e300, or if the file's name ends like that of another kind
-            of file.
+            If an action value is not finite or exceeds 1e300, if the agent is a frozen copy, or if the file's name ends
+            like that of another kind of file.
         OSError
             If the file cannot be written.
         """
+        if self.method.algorithm.update is no_update:
+            raise ValueError(
+                f"{path}: a frozen copy is not saved; save the agent itself"
+            )
         if not self._is_sound():
             raise ValueError(
                 f"{path}: an action value is not finite or exceeds 1e300 (learning has diverged); nothing was saved"
@@ -390,21 +400,21 @@ class Agent:
         save_arrays(path, "agent", about, {"q": self.q, "visits": self.visits})
 
     @classmethod
-    def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
+    def load(cls, path: str | Path, method: str | Method | None = None) -> "Agent":
         """The agent that `save` wrote.
 
         Parameters
         ----------
         path : str or Path
             The file.
-        method : Method, optional
+        method : str or Method, optional
             The agent's method, if it has parts that are not the toolkit's. The file does not hold their code, only a
             short name of it, to compare.
 
         Returns
         -------
         Agent
-            The same agent, before its next episode.
+            The same agent, before its next episode; its `task` is None.
 
         Raises
         ------
@@ -413,14 +423,15 @@ class Agent:
         FileNotFoundError
             If there is none.
         """
+        given_method = None if method is None else parse_method(method)
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
-            name, planner, *own = about["method"].values()
-            if own and method is None:
-                return (
-                    "this agent has a method of its own; give it as method=rl.Method(…)"
-                )
-            its_method = method or parse_method(name, planner)
+            its_method = given_method
+            if its_method is None:
+                method_name, planner, *own_parts = about["method"].values()
+                if own_parts:
+                    return "this agent has a method of its own; give it as method=rl.Method(…)"
+                its_method = parse_method(method_name, planner)
             given = {"the method": its_method.name} | made_of(its_method)
             differ = first_difference(about["method"], given, "file")
             if differ:

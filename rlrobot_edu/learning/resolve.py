@@ -12,14 +12,15 @@ from rlrobot_edu.task.task_file import load_task
 def resolve(world: Any) -> Any:
     """The task of a name or path, the spec of a Gymnasium id; anything else as it is.
 
-    Raises FileNotFoundError if there is no such task file; ValueError if it is no sound
-    task, or an id without its version; gymnasium.error.Error if Gymnasium has no such id.
+    Raises FileNotFoundError if there is no such task file; ValueError if the toolkit has no task of this name, if the
+    file holds no sound task, or for an id without its version; gymnasium.error.Error if Gymnasium has no such id.
     """
     if not isinstance(world, str | Path):
         return world
-    # No name of a task has a hyphen.
-    if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():
-        return gymnasium.spec(world)
+    # No name of a task has a hyphen, so a name with a version is an id.
+    has_version = isinstance(world, str) and world.rpartition("-v")[2].isdecimal()
+    if has_version or world in gymnasium.registry:
+        return gymnasium.spec(str(world))
     ids = [each for each in gymnasium.registry if each.rpartition("-v")[0] == world]
     if ids:
         raise ValueError(
@@ -29,11 +30,17 @@ def resolve(world: Any) -> Any:
 
 
 def sized_world(world: Any) -> Any:
-    """A task, model or environment whose size is known, for whatever `make_env` takes."""
+    """A task, model or environment whose size is known, for whatever `make_env` takes.
+
+    What makes an environment makes one for this, which is then closed: so a function must make a new one each time.
+    """
     world = resolve(world)
-    if not isinstance(world, EnvSpec) and not callable(world):
+    if isinstance(world, EnvSpec):
+        env = gymnasium.make(world)
+    elif callable(world) and not isinstance(world, gymnasium.Env):
+        env = world()
+    else:
         return world
-    env = gymnasium.make(world) if isinstance(world, EnvSpec) else world()
     if isinstance(env, gymnasium.Env):
         env.close()
     return env

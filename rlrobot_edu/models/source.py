@@ -4,6 +4,7 @@ import math
 import platform
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
+from numbers import Real
 from typing import Any
 
 import gymnasium
@@ -39,6 +40,8 @@ class Source:
     time_limit: steps after which Gymnasium's TimeLimit cut an episode off; None if there was none
     method, seed: of the agent that acted, such as "TOSL+SR" and 0; None if it was not seeded
     version, platform: the toolkit's version and the computer's kind, on which the last digits may depend
+
+    Raises ValueError for rewards, a step_time or a count that cannot be.
     """
 
     task_name: str
@@ -56,13 +59,19 @@ class Source:
     time_limit: int | None = None
 
     def __post_init__(self) -> None:
-        check_numbers("the rewards of a recording", self.rewards, finite=True)
-        if self.step_time is not None and not 0 < self.step_time < math.inf:
-            raise ValueError(
-                f"the step_time of a recording must be None or above 0, got {self.step_time}"
-            )
+        rewards = check_numbers("the rewards of a recording", self.rewards, finite=True)
+        # The dataclass is frozen: only object.__setattr__ can still set its fields.
+        object.__setattr__(self, "rewards", rewards)
+        if self.step_time is not None:
+            is_number = isinstance(self.step_time, Real) and self.step_time is not True
+            if not is_number or not 0 < self.step_time < math.inf:
+                raise ValueError(
+                    f"the step_time of a recording must be None or a finite number above 0, got {self.step_time!r:.200}"
+                )
+            object.__setattr__(self, "step_time", float(self.step_time))
         for name in ("episode_steps", "time_limit"):
             check_count(f"the {name} of a recording", getattr(self, name), or_none=True)
+        check_count("the seed of a recording", self.seed, least=0, or_none=True)
 
     @classmethod
     def of_task(cls, task: Task, **acting: Any) -> "Source":
@@ -109,9 +118,9 @@ class Source:
         where: Callable[[int], str],
         remedy: str = REMEDY,
     ) -> None:
-        """Raises ValueError for the first row of `columns`, arrays (n,) by name, that cannot be from here.
+        """Raises ValueError if a row of `columns`, arrays (n,) by name, cannot be from here: the first one of a column.
 
-        where: what a message calls the row of this number
+        where: what a message calls the row of this number; remedy: what to do, the end of the message
         """
         sizes = {
             "s": self.states.n,
@@ -122,16 +131,17 @@ class Source:
         }
         for name, column in columns.items():
             if name == "r":
-                good = np.isin(column, self.rewards)
+                is_possible = np.isin(column, self.rewards)
                 expected = f"one of the rewards {list(self.rewards)!s:.200}"
             else:
                 # up to 2**53 a float holds every whole number
                 size = sizes.get(name, 2**53)
-                good = (column == np.floor(column)) & (column >= 0) & (column < size)
+                is_possible = (column == np.floor(column)) & (column >= 0)
+                is_possible &= column < size
                 to = f"to {size - 1}" if name in sizes else "on"
                 expected = f"a whole number from 0 {to}"
-            if not good.all():
-                row = int(np.argmin(good))
+            if not is_possible.all():
+                row = int(np.argmin(is_possible))
                 found = repr(column[row].item()).removesuffix(".0")
                 raise ValueError(
                     f"{where(row)}: {name} is {found}, expected {expected}; {remedy}"
@@ -139,10 +149,11 @@ class Source:
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
-        differ = first_difference(
-            self._facts(), Source.of_task(task)._facts(), "recording"
-        )
-        return differ and f"{differ} in the task"
+        its_facts = Source.of_task(task)._facts()
+        differ = first_difference(self._facts(), its_facts, "recording")
+        if not differ:
+            return ""
+        return f"{differ} in the task"
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""
@@ -150,16 +161,19 @@ class Source:
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
         }
-        variables: list[InputVariable | OutputVariable] = [
-            *self.states.inputs,
-            *self.actions.outputs,
-        ]
-        for v in variables:
-            facts |= {
-                f"{key} of {v.name}": value
-                for key, value in asdict(v).items()
-                if key != "words"
-            }
+        for variable in self.states.inputs:
+            facts |= _facts_of(variable, variable.name)
+        for output in self.actions.outputs:
+            facts |= _facts_of(output, f"output {output.name}")
         facts["the set of rewards"] = sorted(set(self.rewards))
         alike = ("robot", "scene", "step_time", "episode_steps")
         return facts | {name: getattr(self, name) for name in alike}
+
+
+def _facts_of(variable: InputVariable | OutputVariable, name: str) -> dict[str, object]:
+    """How a variable is cut, its values and its unit; `name` is how they are called."""
+    facts = {}
+    for key, value in asdict(variable).items():
+        if key != "words":
+            facts[f"{key} of {name}"] = value
+    return facts

@@ -141,3 +141,26 @@ def test_a_file_with_two_arrays_of_one_name_is_refused(tmp_path):
                 first.writestr(name, second.read(name))
     with pytest.raises(ValueError, match="it holds two arrays of one name"):
         rl.Agent.load(one)
+
+
+def test_a_method_may_be_given_by_its_name_and_another_one_is_told(tmp_path):
+    path = tmp_path / "agent.npz"
+    rl.Agent("wander_simple", "Q+SR").save(path)
+    assert rl.Agent.load(path, "Q+SR").method.name == "Q+SR"
+    with pytest.raises(ValueError, match="not the one that was given"):
+        rl.Agent.load(path, "SARSA+SR")
+    with pytest.raises(ValueError, match="unknown method 'Q\\+RS'"):
+        rl.Agent.load(path, "Q+RS")
+
+
+def test_a_frozen_copy_shares_nothing_and_is_not_saved(tmp_path):
+    agent = rl.Agent("wander_simple", "Q+SR", planner="dyna", seed=0)
+    agent.learn_step(0, 0, 1.0, 1, False)
+    still = agent.frozen()
+    still.learn_step(0, 0, -1.0, 1, False)
+    assert still.experience is None and agent.experience.tries.sum() == 1
+    assert agent.visits.sum() == 1 and np.array_equal(still.q, agent.q)
+    path = tmp_path / "agent.npz"
+    with pytest.raises(ValueError, match="save the agent itself"):
+        still.save(path)
+    assert not path.exists()

@@ -542,6 +542,23 @@ def test_a_recording_of_another_task_is_refused_with_the_difference(
     assert "not a recording of task small" in message and expected in message
 
 
+def test_numbers_of_another_type_are_no_difference(saved):
+    source = rl.read_recording(saved, task=TASK).source
+    whole = replace(source, step_time=1, rewards=list(source.rewards))
+    assert whole.difference(TASK) == "" and hash(whole.rewards) == hash(source.rewards)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"step_time": "0.5"}, {"step_time": True}, {"step_time": np.inf}, {"seed": -3.5}],
+)
+def test_a_source_that_cannot_be_is_refused_with_its_name(saved, wrong):
+    source = rl.read_recording(saved, task=TASK).source
+    (name,) = wrong
+    with pytest.raises(ValueError, match=f"the {name} of a recording must be"):
+        replace(source, **wrong)
+
+
 def test_a_toolkit_task_that_has_changed_since_is_told_and_the_recording_still_read(
     tmp_path,
 ):

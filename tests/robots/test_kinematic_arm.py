@@ -240,3 +240,11 @@ def test_without_pybullet_the_kinematic_arm_stands_in_and_says_so_once_and_who_a
     ]
     assert "pip install 'rlrobot-edu[arm]'" in refusal
     assert "engine='kinematic'" in run.stderr and len(run.stderr.splitlines()) == 1
+
+
+def test_nobody_can_change_the_joints_of_all_arms():
+    joint = joints()["arm"]
+    with pytest.raises(ValueError, match="read-only"):
+        joint.origin[2, 3] = 9.0
+    with pytest.raises(TypeError):
+        joints()["arm"] = joint
