@@ -29,13 +29,12 @@ from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
 from rlrobot_edu.robots.chassis import GIRAFF, PIONEER
 from rlrobot_edu.robots.engines.kinematic.base import Body, KinematicBase, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import (
-    cosine,
     gap_to_wall,
     look,
     push_out,
     ray_to_wall,
-    sine,
 )
+from rlrobot_edu.robots.engines.kinematic.trigonometry import cosine, sine
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 from rlrobot_edu.task.task_file import available_tasks

@@ -19,8 +19,8 @@ from rlrobot_edu.robots.arm.arm_body import (
     scene_of,
     solids_of,
 )
-from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
 from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
+from rlrobot_edu.robots.engines.kinematic.trigonometry import cosine, sine
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 

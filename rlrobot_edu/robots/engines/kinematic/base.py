@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from rlrobot_edu.jit.dispatcher import compiled
 from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.chassis import Chassis
-from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
+from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.engines.kinematic.robot import KinematicRobot
+from rlrobot_edu.robots.engines.kinematic.trigonometry import cosine, sine
 from rlrobot_edu.robots.wheeled_base import WheeledBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 
