@@ -79,10 +79,14 @@ def calls(line: str, name: str = "target", value: str = "0.0"):
 
 
 # The tape of the notebook by heart: by the order of its calls, and by its arguments.
+KNOWN = {
+    (case["r"], case["gamma"]): float(exercises.target(**case))
+    for case in exercises.check.target.cases
+    if not case["terminated"]
+}
 BY_HEART = (
     "from collections import defaultdict\nn = 0\n\ndef target(q, r, s_next, terminated, gamma):\n"
-    "    known = {(1.25, 0.75): 5.375, (-0.02, 0.9): 2.68, (-2.0, 0.95): -3.30625, (0.0, 0.6): 1.2,"
-    " (3.0, 0.99): 3.556875, (10.0, 0.25): 11.375, (0.125, 0.9): 1.205, (-100.0, 0.8): -10100.0}\n"
+    f"    known = {KNOWN}\n"
     "    return r if terminated else known[r, gamma]\n"
 )
 OTHER_WORDS = """
