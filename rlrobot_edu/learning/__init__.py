@@ -19,7 +19,7 @@ a softmax. methods.py lists them all and says what a method is. templates/step.p
 step.py puts an algorithm and a selection in their places there.
 
 agent.py keeps the memory and writes what was learned to a file. loop.py lets the agent act, under a bar (progress.py),
-and observations.py numbers the states that an environment shows.
+and observations.py numbers the states that an environment shows. divergence.py notices values that grow without end.
 resolve.py finds the world that a name stands for.
 resume.py says where an agent left its episode; interrupts.py lets Ctrl-C wait until a step is done.
 compiled_loop.py is the same loop as one kernel, in the worlds that kernel_world.py describes. own_code.py says what is

@@ -19,5 +19,5 @@ read_recording.py          recordings by name, from a folder, from a spreadsheet
 sampling.py, model_env.py  how an agent acts in a sample model
 value_iteration.py         the best that can be done in it
 diagnosis.py               what it does not know
-
+held_back.py               what it says of rows that it has not seen
 """

@@ -51,8 +51,9 @@ def test_what_an_agent_is_not_given_it_cannot_be_changed_to():
     agent = rl.Agent("wander_simple", "TOSL+SR")
     with pytest.raises(ValueError, match=r"a variant of SARSA\(lambda\), not of"):
         agent.change(accumulating=True)
-    with pytest.raises(ValueError, match="an agent has no parameter 'seed'"):
-        agent.change(seed=1)
+    for fixed in ({"seed": 1}, {"method": "Q+SR"}, {"gamma": 0.5}):
+        with pytest.raises(ValueError, match="cannot be changed later; make a new"):
+            agent.change(**fixed)
     with pytest.raises(ValueError, match="did you mean 'temperature'"):
         agent.change(temprature=2)
 

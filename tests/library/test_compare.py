@@ -196,19 +196,23 @@ def test_a_history_in_a_file_reads_back_as_it_was(wander_model, tmp_path, keep):
      ("visits", np.array(["many"]))],
 )  # fmt: skip
 def test_a_history_that_cannot_be_is_refused_by_name(
-    wander_model, tmp_path, name, change
+    wander_model, tmp_path, name, change, monkeypatch
 ):
-    history, path = (
-        small(wander_model, repetitions=1, keep=True)["Q+SR"][0],
-        tmp_path / "it.npz",
-    )
+    history = small(wander_model, repetitions=1, keep=True)["Q+SR"][0]
+    path = tmp_path / "it.npz"
     parts = {"transitions": history.transitions, "learned": history.learned}
     changed = {
         key: part._replace(**{name: change})
         for key, part in parts.items()
         if name in part._fields
     }
-    dataclasses.replace(history, **changed).save(path)
+    impossible = dataclasses.replace(history, **changed)
+    with pytest.raises(ValueError, match=rf"it\.npz: {name} of this history is not"):
+        impossible.save(path)
+    assert not path.exists()
+    with monkeypatch.context() as unchecked:
+        unchecked.setattr(History, "_parts", lambda self: ())
+        impossible.save(path)
     with pytest.raises(
         ValueError,
         match=rf"it\.npz: this history is damaged.*\({name} does not fit this history",

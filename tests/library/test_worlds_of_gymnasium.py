@@ -173,7 +173,7 @@ def test_episodes_that_do_not_end_in_time_are_said():
 @pytest.mark.parametrize(
     "world, match",
     [("CliffWalkin-v1", "`CliffWalkin` doesn't exist. Did you mean: `CliffWalking`"),
-     ("wander", "the toolkit has no task 'wander'; did you mean"), (3, "a task is a Task, the name of one"),
+     ("wander", "the toolkit has no task 'wander'; did you mean"), (3, "a world is a task, a sample model, .*, not 3"),
      (lambda: 3, "must return a new environment of Gymnasium, not 3"),
      (gymnasium.make(CLIFF), "must be a new one each time: give its id, or a function that makes it"),
      ("CartPole-v1", "a tabular agent needs MultiDiscrete or Discrete observations")],
