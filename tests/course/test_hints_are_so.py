@@ -99,7 +99,9 @@ def called_by_their_own_name():
         yield lesson, name, "max"
 
 
-@pytest.mark.parametrize(("lesson", "name", "function"), called_by_their_own_name())
+@pytest.mark.parametrize(
+    ("lesson", "name", "function"), list(called_by_their_own_name())
+)
 def test_a_value_named_like_the_function_it_comes_of_is_told(lesson, name, function):
     names = ["before", "after"]
     if not isinstance(exercises(lesson)[name], Design):
@@ -287,7 +289,7 @@ def spoil(thing):
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize(("lesson", "name", "argument"), spoilt_arguments())
+@pytest.mark.parametrize(("lesson", "name", "argument"), list(spoilt_arguments()))
 def test_to_copy_as_the_hint_says_cures_what_is_spoilt(lesson, name, argument):
     exercise = exercises(lesson)[name]
     given = ", ".join(exercise.parameters)

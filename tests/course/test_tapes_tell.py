@@ -88,7 +88,9 @@ def test_an_answer_that_rounds_what_it_is_given_is_wrong(
     lesson, name, argument, digits
 ):
     exercise = exercises(lesson)[name]
-    assert not is_right(exercise, that_rounds(exercise, argument, digits))
+    assert not is_right(exercise, that_rounds(exercise, argument, digits)), (
+        f"an answer that first rounds {argument} to {digits} digits is called right: add a case with more digits"
+    )
 
 
 def near_one(x) -> bool:
