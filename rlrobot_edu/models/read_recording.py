@@ -121,7 +121,7 @@ def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transi
     order = names if inputs is None else list(inputs)
     if sorted(order) != sorted(names):
         raise ValueError(
-            f"{path}: inputs must be the task's in some order, {names}, got {order}"
+            f"{path}: inputs must be the task's in some order, {names!s:.200}, got {order!s:.200}"
         )
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     remedy = "is it a recording of another task?"
