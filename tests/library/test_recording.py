@@ -860,6 +860,8 @@ def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
     assert (
         "inputs must be the task's in some order, ['laser_front', 'theta']" in message
     )
+    many = refusal(tmp_path / "old.npy", legacy=True, task=TASK, inputs=["x"] * 1000)
+    assert "inputs must be the task's in some order" in many and len(many) < 800
     assert "there is no such file" in refusal(
         tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK
     )
