@@ -1,7 +1,7 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
 # make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
 # make tools  an environment of its own with all that developers need; what follows makes it when it is missing
-# make test   whether all is well, in about four minutes: lint, types, and every test but the long ones
+# make test   whether all is well, in about six minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
 # make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
