@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import islice
 from numbers import Real
 from pathlib import Path
-from typing import Any, Literal, overload
+from typing import Any, Literal, TypeGuard, overload
 
 import numpy as np
 
@@ -60,6 +60,11 @@ def check_transition(
     return s, a, float(r), s_next
 
 
+def is_whole(number: object) -> TypeGuard[int | np.integer[Any]]:
+    """Whether it is a whole number, Python's or NumPy's; True and False are none."""
+    return isinstance(number, WHOLE) and not isinstance(number, bool)
+
+
 @overload
 def check_count(name: str, number: object, least: int = 1) -> int: ...
 @overload
@@ -75,7 +80,7 @@ def check_count(
     """
     if or_none and number is None:
         return None
-    if isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least:
+    if is_whole(number) and int(number) >= least:
         return int(number)
     expected = "None or a" if or_none else "a"
     given = _in_a_line(f"{number!r:.200}")

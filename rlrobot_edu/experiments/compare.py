@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.checks import WHOLE, check_count, check_name
+from rlrobot_edu.checks import check_count, check_name, is_whole
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repetitions import (
@@ -207,8 +207,7 @@ def _facts_of_agents(agents: Mapping[str, Agent]) -> dict[str, Any]:
 
 def _check_jobs(n_jobs: object) -> None:
     """Raises ValueError unless this is a number of cores: 1 and more, or −1 and less for all but some."""
-    is_whole = isinstance(n_jobs, WHOLE) and not isinstance(n_jobs, bool)
-    if n_jobs is not None and not (is_whole and n_jobs != 0):
+    if n_jobs is not None and not (is_whole(n_jobs) and n_jobs != 0):
         raise ValueError(
             f"n_jobs must be a number of cores, or -1 for all of them, got {n_jobs!r:.200}"
         )
@@ -216,9 +215,7 @@ def _check_jobs(n_jobs: object) -> None:
 
 def _check_share(share: Any) -> None:
     """Raises ValueError unless this is the k-th of n shares."""
-    are_whole = isinstance(share, tuple | list) and all(
-        isinstance(part, WHOLE) and not isinstance(part, bool) for part in share
-    )
+    are_whole = isinstance(share, tuple | list) and all(map(is_whole, share))
     if are_whole and len(share) == 2 and 1 <= share[0] <= share[1]:
         return
     raise ValueError(
