@@ -12,9 +12,9 @@ from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.images import png_of
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.visualizer import show_scene
-from rlrobot_edu.show.picture import png_of
 from rlrobot_edu.task.task_file import available_tasks
 
 HERE = Path(__file__).parents[1] / "pictures"

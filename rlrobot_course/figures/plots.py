@@ -16,6 +16,7 @@ from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, PIXELS, Film
+from rlrobot_edu.show.images import gif_of, image_of
 from rlrobot_edu.show.palette import (
     BLACK,
     BLUE,
@@ -24,16 +25,37 @@ from rlrobot_edu.show.palette import (
     GREY,
     ORANGE,
     PURPLE,
+    RED,
     ROLE,
     SKY,
-    VERMILION,
 )
-from rlrobot_edu.show.picture import Picture, Size, axes_or_new, gif_of, image_of, plain
+from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
 
 __all__ = (
-    "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice",
-    "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
+    "BLACK",
+    "BLUE",
+    "CURVES",
+    "GREEN",
+    "GREY",
+    "ORANGE",
+    "PURPLE",
+    "RED",
+    "ROLE",
+    "SKY",
+    "Picture",
+    "SideBySide",
+    "axes_or_new",
+    "centred",
+    "chart",
+    "draw_arrow",
+    "draw_curves",
+    "draw_lattice",
+    "draw_weight",
+    "film_of",
+    "in_panels",
+    "legend_below",
+    "name_rows",
+    "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
@@ -105,7 +127,7 @@ def draw_arrow(ax: Axes, start: Point, end: Point, colour: str, width: float) ->
 
 def draw_weight(ax: Axes, x: float, y: float, weight: float, most: float) -> None:
     """A cell around (x, y): blue above 0, else vermilion, the stronger the more it is of `most`."""
-    colour = BLUE if weight > 0 else VERMILION
+    colour = BLUE if weight > 0 else RED
     opacity = 0.1 + 0.6 * np.sqrt(abs(weight) / most)
     corner = (x - 0.5, y - 0.5)
     ax.add_patch(Rectangle(corner, 1, 1, facecolor=colour, alpha=opacity))

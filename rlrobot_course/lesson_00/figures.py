@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from matplotlib.collections import LineCollection
 
-from rlrobot_course.figures.plots import GREY, VERMILION, Picture, centred, plain
+from rlrobot_course.figures.plots import GREY, RED, Picture, centred, plain
 from rlrobot_edu import InputVariable, plot_scene
 from rlrobot_edu.robots.scene import Scene
 
@@ -28,7 +28,7 @@ def plot_lasers(
     )
     counts = [name in counted for name in names]
     beams.set(
-        colors=[VERMILION if count else GREY for count in counts],
+        colors=[RED if count else GREY for count in counts],
         linewidths=[2.2 if count else 1 for count in counts],
         linestyles=["-" if count else ":" for count in counts],
     )
@@ -40,7 +40,7 @@ def plot_lasers(
             )
             box = {
                 "facecolor": "white",
-                "edgecolor": VERMILION,
+                "edgecolor": RED,
                 "boxstyle": "round,pad=0.2",
             }
             centred(ax, x, y, text, fontsize=8.5, bbox=box, zorder=9)

@@ -17,7 +17,7 @@ from rlrobot_course.figures.plots import (
     film_of,
 )
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import image_of
+from rlrobot_edu.show.images import image_of
 
 ARROWS = {
     0: (-1, 0),

@@ -11,8 +11,8 @@ from matplotlib.patches import Rectangle
 from rlrobot_course.figures.plots import (
     BLUE,
     CURVES,
+    RED,
     ROLE,
-    VERMILION,
     Picture,
     centred,
     chart,
@@ -48,7 +48,7 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
     for ax, (name, histories) in zip(grids, groups.items(), strict=True):
         _draw_grid(ax)
         colour = (
-            BLUE if name.startswith("Q") else VERMILION
+            BLUE if name.startswith("Q") else RED
         )  # SARSA's, as its curve in `plot_returns`
         paths = [
             greedy_path(history.q) for history in histories if way_of(history) != "lost"

@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    VERMILION,
+    RED,
     Picture,
     centred,
     chart,
@@ -75,7 +75,7 @@ def plot_trace(
     ax.plot(
         t,
         accumulating,
-        color=VERMILION,
+        color=RED,
         linestyle="--",
         marker="s",
         markersize=3.5,

@@ -10,7 +10,7 @@ from rlrobot_course.figures.plots import (
     BLUE,
     GREEN,
     GREY,
-    VERMILION,
+    RED,
     Picture,
     centred,
     chart,
@@ -30,7 +30,7 @@ NAMES = {
 CREDITED = {**NAMES, "ideal": "the ideal"}
 # colour, dashes and mark of each kind of trace, the same in every picture of the lesson
 LOOK = {
-    "accumulating": {"color": VERMILION, "linestyle": "--", "marker": "^"},
+    "accumulating": {"color": RED, "linestyle": "--", "marker": "^"},
     "replacing": {"color": BLUE, "linestyle": "-.", "marker": "s"},
     "dutch": {"color": GREEN, "linestyle": "-", "marker": "o"},
 }

@@ -7,7 +7,7 @@ from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
-    VERMILION,
+    RED,
     Picture,
     draw_arrow,
 )
@@ -39,17 +39,17 @@ def plot_q_old() -> Picture:
         ax.set(ylabel=f"Q({name})", ylim=(-1, 8), xlim=(0.75, 4.1))
         for border in (1.5, 2.5):
             ax.axvline(border, color=GREY, linewidth=0.8, linestyle=":")
-    above.plot(2, noted, "s", color=VERMILION, markersize=11, zorder=3)
+    above.plot(2, noted, "s", color=RED, markersize=11, zorder=3)
     above.text(
         2.03,
         -0.8,
         f"noted on arrival: Q_old = {noted:.0f}",
         ha="center",
-        color=VERMILION,
+        color=RED,
     )
     above.text(1.95, now, f"{now:.2f} ", ha="right", va="center")
     above.plot([2.1, 3.44], [now, now], color=GREY, linewidth=1)
-    above.plot([2.1, 2.85], [noted, noted], color=VERMILION, linewidth=1)
+    above.plot([2.1, 2.85], [noted, noted], color=RED, linewidth=1)
     above.plot([2.55, 3.44], [shown, shown], color=BLACK, linestyle="--", linewidth=1)
     above.text(
         2.55,
@@ -57,12 +57,12 @@ def plot_q_old() -> Picture:
         f"step 3 shows: A is worth 0 + 0.9 · {b_before:.0f} = {shown:.1f}",
         va="bottom",
     )
-    _change(above, 2.85, noted, shown, VERMILION)
+    _change(above, 2.85, noted, shown, RED)
     above.text(
         2.9,
         2,
         f"{shown - noted:.1f}: for B, whose\ntarget holds the {noted:.0f}",
-        color=VERMILION,
+        color=RED,
         va="center",
     )
     _change(above, 3.4, now, shown, BLUE)
@@ -75,9 +75,9 @@ def plot_q_old() -> Picture:
     )
     below.text(1.95, b_before, f"{b_before:.2f} ", ha="right", va="center")
     below.plot([2.1, 3.44], [b_before, b_before], color=GREY, linewidth=1)
-    _change(below, 2.85, b_before, b_after, VERMILION)
+    _change(below, 2.85, b_before, b_after, RED)
     told = f"{b_after:.2f} = {b_before:.0f} + 0.5 · {shown - noted:.1f} · 0.81"
-    below.text(2.9, b_after, told, color=VERMILION, va="bottom")
+    below.text(2.9, b_after, told, color=RED, va="bottom")
     _change(below, 3.4, b_before, b_alone, BLUE)
     below.text(
         3.47,

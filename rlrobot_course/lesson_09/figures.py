@@ -9,7 +9,7 @@ from rlrobot_course.figures.plots import (
     GREEN,
     GREY,
     ORANGE,
-    VERMILION,
+    RED,
     Picture,
     chart,
     legend_below,
@@ -60,7 +60,7 @@ def plot_pull(
     bars.set_title(f"The bias holds it: {bias[best[0]]:.2f}", fontsize=11)
     figure.legend(loc="outside lower left", ncols=3)
     p = probability_of_best(x, TEMPERATURES)
-    curve.semilogx(TEMPERATURES, p, color=VERMILION)
+    curve.semilogx(TEMPERATURES, p, color=RED)
     curve.axhline(1 / len(x), color=GREY, linestyle=":")
     curve.annotate(
         "pure chance",
@@ -96,7 +96,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     heat = np.array([step.temperature for step in steps])
     figure = Picture(figsize=(7, 4.6))
     above, below = figure.subplots(2, 1, sharex=True)
-    above.plot(t[~paid], rank[~paid], "x", color=VERMILION, label="reward below 0")
+    above.plot(t[~paid], rank[~paid], "x", color=RED, label="reward below 0")
     above.plot(
         t[paid], rank[paid], "o", color=GREEN, markersize=4, label="reward above 0"
     )

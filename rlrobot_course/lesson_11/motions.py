@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, VERMILION, Picture, plain
+from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, RED, Picture, plain
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.task import Task
 
@@ -64,7 +64,7 @@ def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
     if word == "stays":
         ax.plot([0], [0], "s", color=BLACK, markersize=9, zorder=9)
         return
-    colour = VERMILION
+    colour = RED
     if word in ("forward", "backward"):
         colour = BLUE
     elif "curves" in word:

@@ -14,8 +14,8 @@ from rlrobot_course.figures.plots import (
     GREEN,
     GREY,
     ORANGE,
+    RED,
     SKY,
-    VERMILION,
     Picture,
     centred,
     legend_below,
@@ -31,7 +31,7 @@ VIEW = 1.7  # how far the pictures reach from the middle of the robot [m]
 CLOSE = 0.7  # the same where all show one place
 RIM = 1.0  # where the outermost ring is cut off, for the last bin has no end worth drawing [m]
 HALF = 17  # half the angle that a laser's sector spans; neighbours point 45 apart [degrees]
-NEAR = ((VERMILION, "xxx"), (ORANGE, "///"), (SKY, "..."), (GREEN, "---"))
+NEAR = ((RED, "xxx"), (ORANGE, "///"), (SKY, "..."), (GREEN, "---"))
 FAR = (BLUE, "")
 
 Ring = tuple[float, float]  # where a bin begins and ends in a picture

@@ -12,8 +12,8 @@ from rlrobot_course.figures.paths import plot_paths
 from rlrobot_course.figures.plots import (
     GREEN,
     GREY,
+    RED,
     ROLE,
-    VERMILION,
     Picture,
     centred,
     plain,
@@ -110,11 +110,11 @@ def plot_values(
         for wall in arena.walls:
             ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
         for k in driven[sectors[driven] == heading]:
-            ax.plot(*way[k : k + 2].T, color=VERMILION, linewidth=3, alpha=0.8)
+            ax.plot(*way[k : k + 2].T, color=RED, linewidth=3, alpha=0.8)
         for number, piece in enumerate(pieces, start=1):
             if sectors[piece[0]] == heading:
                 ax.annotate(str(number), way[piece[-1] + 1], (3, 3), textcoords="offset points", fontsize=8.5, zorder=6,
-                            weight="bold", bbox={"facecolor": "white", "edgecolor": VERMILION, "pad": 1})  # fmt: skip
+                            weight="bold", bbox={"facecolor": "white", "edgecolor": RED, "pad": 1})  # fmt: skip
         if arena.goal:
             x, y, radius = arena.goal
             ax.add_patch(
@@ -181,7 +181,7 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
             look = {
                 "arrowstyle": "-|>",
                 "linewidth": 2.4,
-                "color": GREEN if nearer else VERMILION,
+                "color": GREEN if nearer else RED,
             }
             ax.annotate("", (cell + head, 0.68), (cell + tail, 0.68), arrowprops=look)
             centred(

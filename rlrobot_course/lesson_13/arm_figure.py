@@ -12,7 +12,7 @@ from rlrobot_course.figures.plots import (
     GREEN,
     GREY,
     ORANGE,
-    VERMILION,
+    RED,
     Picture,
 )
 from rlrobot_edu.robots.arm.arm_body import (
@@ -67,7 +67,7 @@ def _from_the_side(ax: Axes, angles: Angles) -> None:
         solid_joinstyle="round",
     )
     ax.plot(*points[:3].T, "o", color=BLACK, markersize=9)
-    ax.plot(*tip, "D", color=VERMILION, markersize=8)
+    ax.plot(*tip, "D", color=RED, markersize=8)
     ax.plot(
         *np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1
     )
@@ -136,7 +136,7 @@ def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
             OBJECT_PLACE[:2],
             CONTACT,
             fill=False,
-            edgecolor=VERMILION,
+            edgecolor=RED,
             linestyle="--",
             zorder=3,
         )
@@ -150,7 +150,7 @@ def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
         fontsize=9,
     )
     x, y, _ = link_poses(angles)["gripper"][:3, 3]
-    ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
+    ax.plot(x, y, "D", color=RED, markersize=8, zorder=4)
     ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
     out = np.array([x, y]) / np.hypot(x, y)
     ways = (

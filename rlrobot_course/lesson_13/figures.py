@@ -10,7 +10,7 @@ from rlrobot_course.figures.plots import (
     BLUE,
     CURVES,
     ORANGE,
-    VERMILION,
+    RED,
     Picture,
     centred,
     chart,
@@ -59,7 +59,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     ax.plot(
         x[path],
         y[path],
-        color=VERMILION,
+        color=RED,
         linewidth=1.6,
         label="way of the arm",
         zorder=4,
@@ -68,7 +68,7 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
         x[path[-2:]],
         y[path[-2:]],
         "D",
-        color=VERMILION,
+        color=RED,
         markersize=8,
         label="its last two places",
         zorder=5,
@@ -127,7 +127,7 @@ def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str) -> Pict
         marker=".",
         label="distance of the gripper to the object",
     )
-    ax.axhline(100 * CONTACT, color=VERMILION, linestyle="--", label="5 cm: contact")
+    ax.axhline(100 * CONTACT, color=RED, linestyle="--", label="5 cm: contact")
     for t, r in enumerate(rewards[:TOLD], start=1):
         shift = -13 if distances[t] < distances[t - 1] else 6
         at = (t, distances[t] * 100)

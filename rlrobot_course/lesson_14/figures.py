@@ -10,7 +10,7 @@ from rlrobot_course.figures.plots import (
     BLUE,
     GREY,
     ORANGE,
-    VERMILION,
+    RED,
     Picture,
     centred,
     chart,
@@ -63,9 +63,9 @@ def plot_estimates(
             axis=1
         )
         beside = size * np.exp(rng.uniform(-0.09, 0.09, estimates))
-        ax.plot(beside, found, "o", color=VERMILION, alpha=0.5, markersize=4)
+        ax.plot(beside, found, "o", color=RED, alpha=0.5, markersize=4)
         shares.append(f"{size}: {found.min():.2f} to {found.max():.2f}")
-    ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
+    ax.plot([], [], "o", color=RED, markersize=4, label="one estimate")
     ax.set_xscale("log")
     ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
     ax.minorticks_off()
@@ -126,7 +126,7 @@ def plot_unknown(
             look = (
                 {"color": BLUE}
                 if tried[a]
-                else {"facecolor": "white", "edgecolor": VERMILION, "hatch": "////"}
+                else {"facecolor": "white", "edgecolor": RED, "hatch": "////"}
             )
             ax.barh(a, value, 0.7, **look)
             ax.text(
@@ -172,7 +172,7 @@ def plot_capture(
         ax.margins(x=0)
     left.set(ylabel="steps spent in suspect loops (%)", ylim=(-3, 103))
     right.axhline(
-        recorded, color=VERMILION, linestyle="--", label="the robot that was recorded"
+        recorded, color=RED, linestyle="--", label="the robot that was recorded"
     )
     right.set(ylabel="reward per step")
     right.legend(loc="lower right")
@@ -204,7 +204,7 @@ def plot_gaps(gaps: Mapping[str, Gap], title: str) -> Picture:
             markerfacecolor="white",
             markeredgewidth=2,
         )
-        ax.plot(robot, row, "s", color=VERMILION, markersize=7)
+        ax.plot(robot, row, "s", color=RED, markersize=7)
         beside.errorbar(
             gap.mean,
             row,
@@ -227,7 +227,7 @@ def plot_gaps(gaps: Mapping[str, Gap], title: str) -> Picture:
         markeredgewidth=2,
         label="in the model",
     )
-    ax.plot([], [], "s", color=VERMILION, label="on the robot")
+    ax.plot([], [], "s", color=RED, label="on the robot")
     ax.set_yticks(range(len(gaps)), [plain(name) for name in gaps])
     ax.set_ylim(len(gaps) - 0.5, -0.5)
     ax.set(xlabel="reward per step")

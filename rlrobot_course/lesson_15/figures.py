@@ -13,7 +13,7 @@ from rlrobot_course.figures.plots import (
     GREEN,
     GREY,
     ORANGE,
-    VERMILION,
+    RED,
     Picture,
     chart,
     legend_below,
@@ -70,7 +70,7 @@ def plot_shuffled(
     )
     ax.axvline(
         observed,
-        color=VERMILION,
+        color=RED,
         linestyle="--",
         linewidth=2,
         label=f"as found: F = {observed:.1f}",
@@ -108,7 +108,7 @@ def plot_few(
     bins = np.linspace(
         min(map(np.min, found.values())), max(map(np.max, found.values())), 51
     )
-    looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (VERMILION, "..")]
+    looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (RED, "..")]
     for i, (n, differences) in enumerate(found.items()):
         colour, hatch = looks[i % len(looks)]
         share = np.full(len(differences), 1 / len(differences))
@@ -176,11 +176,7 @@ def plot_report() -> Picture:
             axes, Tukey.of(groups).pairs, PAPER[task], strict=True
         ):
             turned = pair.difference * theirs < 0
-            look = (
-                {"fmt": "s", "color": VERMILION}
-                if turned
-                else {"fmt": "o", "color": BLUE}
-            )
+            look = {"fmt": "s", "color": RED} if turned else {"fmt": "o", "color": BLUE}
             face = look["color"] if pair.p < 0.05 else "white"
             ax.errorbar(
                 pair.difference,
@@ -210,7 +206,7 @@ def plot_report() -> Picture:
         label="ours, 95 % interval (Tukey); hollow: not significant",
     )
     axes[0].errorbar(
-        [], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper"
+        [], [], xerr=[], fmt="s", color=RED, label="ours, opposite to the paper"
     )
     axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
     legend_below(figure, 3)

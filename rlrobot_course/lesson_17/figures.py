@@ -33,7 +33,7 @@ from rlrobot_course.lesson_17.cells import (
 )
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import image_of
+from rlrobot_edu.show.images import image_of
 
 
 def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:

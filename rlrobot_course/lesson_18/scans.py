@@ -11,8 +11,8 @@ from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
+    RED,
     SKY,
-    VERMILION,
     Picture,
     legend_below,
 )
@@ -76,14 +76,14 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         end = (x + reading * math.cos(towards), y + reading * math.sin(towards))
         way = np.array([(x, y), end])
         ax.plot(
-            np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=VERMILION, markersize=5, linewidth=2,
+            np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=RED, markersize=5, linewidth=2,
             label="the 8 lasers of the task" if not told else None,
         )  # fmt: skip
         told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
         label = (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far)
         box = {
             "facecolor": "white",
-            "edgecolor": VERMILION,
+            "edgecolor": RED,
             "boxstyle": "round,pad=0.15",
         }
         ax.annotate(

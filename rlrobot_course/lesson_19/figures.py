@@ -7,7 +7,7 @@ from matplotlib.patches import Patch
 
 from rlrobot_course.figures.plots import (
     BLUE,
-    VERMILION,
+    RED,
     Picture,
     centred,
     draw_weight,
@@ -71,9 +71,9 @@ def plot_shares(
             xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states
         )
     picture.axes[0].set_ylabel("state")
-    told_by = {BLUE: "it raised the value", VERMILION: "it lowered the value"}
+    told_by = {BLUE: "it raised the value", RED: "it lowered the value"}
     seen = [BLUE] * any((paid > 0).any() for paid in maps.values())
-    seen += [VERMILION] * any((paid < 0).any() for paid in maps.values())
+    seen += [RED] * any((paid < 0).any() for paid in maps.values())
     key = [Patch(color=colour, alpha=0.5, label=told_by[colour]) for colour in seen]
     legend_below(picture, 2, handles=key)
     return picture

@@ -241,7 +241,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Parameters
         ----------
         title : str, optional
-            What the curves show.
+            What the curves show; by default which method ends ahead, if any does.
 
         Returns
         -------
@@ -251,12 +251,12 @@ class Comparison(Tabled, Mapping[str, Runs]):
         # Imported here, so that the numbers alone need no matplotlib.
         from rlrobot_edu.show.curves import plot_curves, steps_of
 
-        if title is None:
-            title = f"How the average reward develops in {self.name}"
         x_label = steps_of(self.values())
         step_time = getattr(self.world, "step_time", None)
         if step_time:
             x_label += f" ({step_time:g} s each)"
         curves = [(label, runs.curves) for label, runs in self.items()]
-        picture = plot_curves(curves, x_label, title, None, self.optimum)
+        picture = plot_curves(
+            curves, x_label, title, None, self.optimum, place=self.name
+        )
         return cast("Picture", picture)

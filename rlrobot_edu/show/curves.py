@@ -10,13 +10,16 @@ from rlrobot_edu.experiments.runs import Runs, padded
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.show.palette import BLACK, CURVES, Dashes
+from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.palette import BLACK, CURVES, GREY, Dashes
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
 # The part of the steps in which an average still leaps. The picture may cut it off, so that the rest can be compared.
 BEGINNING = 0.02
-SHORT_NAME = 20  # characters; a legend of such names has two columns
+DOTS = 40  # repetitions; more are too many to be seen one by one
+
+HEROES = ("yours", "TOSL+QBIASSR")  # whom the lessons are about
 
 # Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
 Curve = tuple[str, np.ndarray]
@@ -54,7 +57,7 @@ def plot_learning(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; by default those of a new figure.
     title : str, optional
-        What the curves show.
+        What the curves show; by default which of them ends ahead.
 
     Returns
     -------
@@ -82,7 +85,6 @@ def plot_learning(
         (label, _repetitions(group))
         for label, group in zip(labels, groups, strict=True)
     ]
-    title = title or "How the average reward develops"
     return plot_curves(curves, steps_of(groups), title, ax)
 
 
@@ -123,29 +125,85 @@ def steps_of(groups: Iterable[Sequence[History]]) -> str:
 def plot_curves(
     curves: list[Curve],
     x: str,
-    title: str,
+    title: Title,
     ax: Axes | None,
     optimum: float | None = None,
+    place: str = "",
 ) -> Picture | Axes:
-    """Plot curves over `x`, and as a line the best average reward that can be achieved, if it is known."""
+    """Plot curves over `x`, and as a line the best average reward that can be achieved, if it is known.
+
+    title: by default what was found; place: the world in which they learned
+    """
     curves = [(name, _whole(repetitions)) for name, repetitions in curves]
     ax, shown = axes_or_new(ax, _in_words(curves, optimum))
+    title = title or finding(curves)
+    if isinstance(shown, Picture):
+        shown.headline(title, _note(curves, place))
+        ax.set(xlabel=x)
+    else:
+        ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     kept: list[float] = []  # the values that must stay in the picture
-    for i, curve in enumerate(curves):
-        colour, dashes = CURVES[i % len(CURVES)]
+    ends: list[End] = []
+    looks = _looks([name for name, _ in curves])
+    for curve, (colour, dashes) in zip(curves, looks, strict=True):
         kept += _draw(ax, curve, colour, dashes)
+        name, repetitions = curve
+        mean = repetitions[:, -1].mean()
+        ends.append(End(float(mean), f"{name}\n{mean:.2f}", colour))
     if optimum is not None:
-        ax.axhline(
-            optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}"
-        )
+        label = f"best achievable: {optimum:.2f}"
+        ax.axhline(optimum, color=BLACK, linewidth=1, label=label)
+        ends.append(End(optimum, f"best achievable\n{optimum:.2f}", BLACK))
         kept.append(optimum)
     if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(kept):
         ax.dataLim.intervaly = min(kept), max(kept)
-    ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
-    ax.grid(alpha=0.3)
+    ax.grid(axis="y")
     ax.margins(x=0)
-    _add_legend(ax, shown, curves)
+    if shown is ax:
+        ax.legend()
+    else:
+        name_ends(ax, ends)
     return shown
+
+
+def finding(curves: list[Curve]) -> str:
+    """What the ends of some curves say: which is ahead, or that they are too close to tell."""
+    ends = {name: repetitions[:, -1] for name, repetitions in curves}
+    means = {name: values.mean() for name, values in ends.items()}
+    best, *others = sorted(means, key=means.__getitem__, reverse=True)
+    if not others:
+        return f"{best} earns {means[best]:.2f} a step"
+    if min(map(len, ends.values())) < 2:
+        return f"{best} earns most in this run: {means[best]:.2f} a step"
+    lowest, _ = mean_band(ends[best][:, None])
+    highest = max(float(mean_band(ends[name][:, None])[1][0]) for name in others)
+    if lowest[0] > highest:
+        return f"{best} earns most: {means[best]:.2f} a step, {means[others[0]]:.2f} the next"
+    return f"Too close to tell: {means[others[-1]]:.2f} to {means[best]:.2f} a step"
+
+
+def _looks(names: list[str]) -> list[tuple[str, Dashes]]:
+    """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared."""
+    heroes = [name for name in names if name in HEROES]
+    if len(names) == 2 and len(heroes) == 1:
+        return [CURVES[0] if name in heroes else (GREY, "--") for name in names]
+    hero_first = sorted(names, key=lambda name: name not in heroes)
+    return [CURVES[hero_first.index(name) % len(CURVES)] for name in names]
+
+
+def _note(curves: list[Curve], place: str) -> str:
+    """What is plotted, in grey below the headline."""
+    numbers = sorted({len(repetitions) for _, repetitions in curves})
+    note = "average reward a step so far"
+    if place:
+        note = f"{place}: {note}"
+    if numbers == [1]:
+        return note
+    how_many = " or ".join(map(str, numbers))
+    note += f"; line: mean of {how_many} repetitions, band: its 95 % interval"
+    if numbers[-1] <= DOTS:
+        note += ", dots: the repetitions"
+    return note
 
 
 def _whole(repetitions: np.ndarray) -> np.ndarray:
@@ -180,20 +238,11 @@ def _draw(ax: Axes, curve: Curve, colour: str, dashes: Dashes) -> list[float]:
         all_alike = not np.ptp(repetitions, axis=0).any()
         alike = ", all alike" if all_alike else ""
         name = f"{name} ({n} repetitions{alike})"
+    if 1 < n <= DOTS:
+        at_end = np.full(n, length)
+        ax.plot(at_end, repetitions[:, -1], "o", color=colour, markersize=4, alpha=0.6)
+        ax.lines[-1].set(clip_on=False, zorder=3, label="")
     label = plain(name)
-    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=label)
+    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=2.2, label=label)
     is_later = steps > BEGINNING * length
     return [*low[is_later].tolist(), *high[is_later].tolist()]
-
-
-def _add_legend(ax: Axes, shown: Picture | Axes, curves: list[Curve]) -> None:
-    """A legend in the axes that were given, or below those of a picture of our own, where it hides no curve."""
-    note = None
-    if any(len(repetitions) > 1 for _, repetitions in curves):
-        note = "means, and bands of their 95 % intervals"
-    if shown is ax:
-        ax.legend(title=note)
-        return
-    longest_name = max(len(name) for name, _ in curves)
-    columns = 2 if longest_name <= SHORT_NAME else 1
-    shown.legend(title=note, loc="outside lower center", ncols=columns)

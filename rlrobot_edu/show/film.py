@@ -16,7 +16,7 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.picture import gif_of
+from rlrobot_edu.show.images import gif_of
 from rlrobot_edu.show.top_down import Camera
 
 if TYPE_CHECKING:

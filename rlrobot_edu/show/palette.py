@@ -1,26 +1,79 @@
-"""Colours by role, from the Okabe–Ito set: colour-blind readers can tell them apart, on light and on dark pages.
+"""One list of colours for figures, films, pages and views in 3D, on light and on dark grounds.
 
-Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
+Each colour stands for one thing. None stands alone: a second sign, such as a name, a mark or dashes, says the same.
+The hues are Okabe and Ito's, which colour-blind readers can tell apart, made darker until letters in them can be read
+on white. Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
 """
 
-BLACK = "#000000"
-GREY = "#7f7f7f"
-YELLOW = "#f0e442"
-ORANGE = "#e69f00"
-SKY = "#56b4e9"
-GREEN = "#009e73"
-BLUE = "#0072b2"
-VERMILION = "#d55e00"
-PURPLE = "#cc79a7"
+# What a page, a figure or a room is made of
+LIGHT = {
+    "paper": "#ffffff",
+    "back": "#faf8f4",  # behind the cards of a page
+    "card": "#fffdf9",
+    "ink": "#1d2327",
+    "faint": "#565d63",  # letters that explain
+    "line": "#dcd7cd",
+    "floor": "#f0ece4",
+    "wall": "#6d6a66",
+    "blue": "#0067a5",  # the robot, what one may press, and what is compared with the rest
+    "on-blue": "#ffffff",
+    "green": "#007a58",  # what was paid: gains, goals
+    "red": "#c24e00",  # what was lost: bumps
+    "grey": "#8d877d",  # what neither gains nor loses, and what others are compared with
+    "orange": "#e69f00",  # a laser; too light for letters
+    "purple": "#9c4a7c",
+    "sky": "#4fa3d8",  # too light for letters
+    "input-1": "#a97a00",
+    "input-2": "#13879c",
+    "input-3": "#b8558d",
+    "input-4": "#7453c0",
+    "input-5": "#737d0c",
+    "on-input": "#ffffff",
+    "focus": "#b26b00",  # round what the keyboard has chosen
+}
+DARK = {
+    "paper": "#1d1f22",
+    "back": "#131416",
+    "card": "#1d1f22",
+    "ink": "#eceae6",
+    "faint": "#adb3b8",
+    "line": "#3a3e43",
+    "floor": "#22252a",
+    "wall": "#8b9097",
+    "blue": "#56b4e9",
+    "on-blue": "#0e1418",
+    "green": "#3ddab4",
+    "red": "#ff9a4d",
+    "grey": "#8b9097",
+    "orange": "#f0b429",
+    "purple": "#e39ac6",
+    "sky": "#3f86b3",
+    "input-1": "#f0b429",
+    "input-2": "#4cc5dc",
+    "input-3": "#e08fbd",
+    "input-4": "#ab93f0",
+    "input-5": "#b8c23c",
+    "on-input": "#15181a",
+    "focus": "#e69f00",
+}
+
+BLACK = LIGHT["ink"]
+GREY = LIGHT["grey"]
+ORANGE = LIGHT["orange"]
+SKY = LIGHT["sky"]
+GREEN = LIGHT["green"]
+BLUE = LIGHT["blue"]
+RED = LIGHT["red"]
+PURPLE = LIGHT["purple"]
 
 ROLE = {
-    "wall": GREY,
+    "wall": LIGHT["wall"],
     "robot": BLUE,
     "wheel": BLACK,
     "object": ORANGE,
     "goal": GREEN,
-    "beam": VERMILION,
-    "path": PURPLE,
+    "beam": ORANGE,
+    "path": SKY,
 }
 
 # The style of a line, as matplotlib takes it
@@ -29,7 +82,7 @@ Dashes = str | tuple[int, tuple[int, ...]]
 # Neighbouring curves differ in their dashes as well as in their colours.
 CURVES: tuple[tuple[str, Dashes], ...] = (
     (BLUE, "-"),
-    (VERMILION, "--"),
+    (RED, "--"),
     (GREEN, "-."),
     (PURPLE, ":"),
     (ORANGE, (0, (8, 2))),

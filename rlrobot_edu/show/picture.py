@@ -1,20 +1,16 @@
 """Figures with a description in words."""
 
 import io
-from collections.abc import Sequence
 from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.text import Text
-from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.images import image_of, in_few_colours, png_of
+from rlrobot_edu.show.style import DPI, dress, set_headline, styled
 
-DPI = 90  # pixels of a page for an inch
-SMALLEST = 8.5  # letters that can be read [point]
-# How a few colours are chosen from many: this way is the truest to lines and letters.
-FEW_COLOURS = Image.Quantize.MAXCOVERAGE
+COLOURS = 128  # of a still
 
 Size = tuple[float, float]  # width and height [inch]
 
@@ -28,63 +24,39 @@ class Picture(Displayed, Figure):
     def __init__(
         self, figsize: Size | None = None, alt: str = "A figure", **settings: Any
     ) -> None:
-        super().__init__(figsize, **{"layout": "constrained", **settings})
+        with styled():
+            super().__init__(figsize, **{"layout": "constrained", **settings})
         self.alt = alt
 
     def __repr__(self) -> str:
         return f"<Picture: {self.alt}>"
 
+    def headline(self, finding: str, note: str = "") -> None:
+        """Write the finding above all charts, and below it in grey what is plotted: quantity, how many, interval."""
+        set_headline(self, plain(finding), plain(note))
+
+    def add_subplot(self, *args: Any, **settings: Any) -> Any:
+        """As matplotlib's; the axes look as all of this project."""
+        with styled():
+            return super().add_subplot(*args, **settings)
+
+    def draw(self, renderer: Any) -> None:
+        """As matplotlib's; what is made when it is drawn, such as ticks, looks as all of this project."""
+        with styled():
+            dress(self)
+            super().draw(renderer)
+
     def png(self, dpi: float = DPI) -> bytes:
-        """The picture as a PNG file; letters that are too small to be read become larger."""
-        for text in self.findobj(Text):
-            text.set(fontsize=max(text.get_fontsize(), SMALLEST))
+        """The picture as a PNG file."""
         buffer = io.BytesIO()
         self.savefig(buffer, format="png", dpi=dpi)
         return buffer.getvalue()
 
     def still(self) -> Still:
         """The picture and its sentence, as a notebook keeps them: in double resolution, but with few colours."""
-        fine = image_of(self.png(2 * DPI))
-        few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
+        few = in_few_colours(image_of(self.png(2 * DPI)), COLOURS)
         width = round(DPI * self.get_figwidth())
         return Still(self.alt, png_of(few), width)
-
-
-def image_of(png: bytes) -> Image.Image:
-    """The image in a PNG file."""
-    return Image.open(io.BytesIO(png)).convert("RGB")
-
-
-def gif_of(
-    images: Sequence[Image.Image], colours: int, times: int | list[int]
-) -> bytes:
-    """Images as an animated GIF that plays for ever, in few colours; the same images give the same bytes.
-
-    times: how long each image is shown [ms], or one number for all
-    """
-    # With one palette for all, what does not move keeps its colour, and only the changes are stored.
-    palette = images[-1].quantize(colours, FEW_COLOURS)
-    first, *rest = (
-        image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images
-    )
-    buffer = io.BytesIO()
-    first.save(
-        buffer,
-        "GIF",
-        save_all=True,
-        append_images=rest,
-        loop=0,
-        duration=times,
-        optimize=True,
-    )
-    return buffer.getvalue()
-
-
-def png_of(image: Image.Image) -> bytes:
-    """An image as the smallest PNG file."""
-    buffer = io.BytesIO()
-    image.save(buffer, "PNG", optimize=True)
-    return buffer.getvalue()
 
 
 def plain(text: str) -> str:

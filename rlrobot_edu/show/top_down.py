@@ -18,7 +18,8 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
+from rlrobot_edu.show.picture import Picture, axes_or_new, plain
+from rlrobot_edu.show.style import DPI
 
 # The higher number lies on top. Beams and wheels are drawn over the body, which would hide them.
 _LAYER = {

@@ -14,13 +14,13 @@ WIDTH = 100  # characters of a line, so that no output of a notebook must be scr
 BLUE = "#0072b2"
 GREEN = "#009e73"
 GREY = "#7f7f7f"
-VERMILION = "#d55e00"
+RED = "#d55e00"
 
 # status: sign, headline of the card, colour of its edge
 LOOKS = {
     "waiting": ("…", "Waiting", GREY),
     "right": ("✓", "Right", GREEN),
-    "wrong": ("✗", "Not yet", VERMILION),
+    "wrong": ("✗", "Not yet", RED),
     "hint": ("→", "Hint", BLUE),
     "outcome": ("→", "Outcome", BLUE),
     "score": ("★", "Score", GREEN),

@@ -647,5 +647,5 @@ def test_the_example_of_the_package_runs():
 
 
 def test_a_verdict_has_the_colours_of_the_figures():
-    for name in ("BLUE", "GREEN", "GREY", "VERMILION"):
+    for name in ("BLUE", "GREEN", "GREY", "RED"):
         assert getattr(verdicts, name) == getattr(palette, name)

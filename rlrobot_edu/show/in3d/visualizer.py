@@ -23,13 +23,13 @@ from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.images import image_of, png_of
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.in3d.camera import camera, surroundings
 from rlrobot_edu.show.in3d.page_widget import PageWidget
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import image_of, png_of
 from rlrobot_edu.show.top_down import plot_scene
 
 PIECE = 20  # steps in a piece of a live trail

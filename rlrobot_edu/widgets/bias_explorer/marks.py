@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
+from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 from rlrobot_edu.task.task import Task
 
 MOST_STATES = 64  # more do not fit on a page
@@ -23,7 +23,7 @@ MARKS = (
     Mark("▲", SKY, BLACK),
     Mark("■", GREEN, BLACK),
     Mark("◆", PURPLE, BLACK),
-    Mark("★", VERMILION, BLACK),
+    Mark("★", RED, BLACK),
     Mark("✚", BLUE, "#ffffff"),
 )
 HERE = Mark("", "#ffffff", BLACK)  # the state itself, which is in every set

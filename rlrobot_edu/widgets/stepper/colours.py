@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from rlrobot_edu.show.palette import BLUE, ORANGE, VERMILION
+from rlrobot_edu.show.palette import BLUE, ORANGE, RED
 
 # Opacities. Black letters on a white page, and white ones on a black page, can be read on all of them.
 FAINTEST = 0.10
@@ -32,7 +32,7 @@ def tint(x: float, limit: float) -> tuple[str, float]:
     """
     if x == 0:
         return BLUE, 0.0
-    colour = BLUE if x > 0 else VERMILION
+    colour = BLUE if x > 0 else RED
     strength = math.sqrt(min(abs(x) / limit, 1.0))
     opacity = FAINTEST + (STRONGEST - FAINTEST) * strength
     return colour, round(opacity, 2)
