@@ -91,7 +91,7 @@ def plot_policy(policy: np.ndarray, read: Callable[[int, float], int]) -> Pictur
         xlabel="cell (the charger is in 0)",
         ylabel="moves left",
     )
-    ax.set_title("What is best in each state: ← → move, ↯ charge")
+    picture.headline("What is best in each state: ← → move, ↯ charge")
     ax.grid(alpha=0.2)
     told = ", ".join(f"{name} in {n}" for name, n in zip(ACTIONS, counts, strict=True))
     picture.alt = f"A policy for {CELLS - 1} cells and charges of 0 to {FULL}. Best actions: {told} states."

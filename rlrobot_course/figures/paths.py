@@ -77,7 +77,10 @@ def plot_paths(
             markeredgecolor="white",
             zorder=7,
         )
-    ax.set_title(plain(title))
+    if isinstance(shown, Picture):
+        shown.headline(title)
+    else:
+        ax.set_title(plain(title))
     if shown is ax:
         ax.legend(handles=handles, loc="best")
     else:

@@ -7,7 +7,6 @@ from functools import cached_property
 from typing import Any, Literal, TypeVar
 
 import numpy as np
-from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from PIL import Image
@@ -70,19 +69,19 @@ def chart(
     y: str,
     title: str,
     grid: Grid | None = "both",
-    letters: float | None = None,
+    note: str = "",
 ) -> tuple[Picture, Axes]:
     """A picture with one chart in it, to be drawn on.
 
-    size: width and height [inch]; x, y: what stands at the axes; grid: the axes with faint lines, if any;
-    letters: size of the title [point], if it is not the usual one
+    size: width and height [inch]; x, y: what stands at the axes; title: the finding; grid: the axes with faint lines,
+    if any; note: what is plotted, in grey below the title
     """
     picture = Picture(size)
+    picture.headline(title, note)
     ax = picture.subplots()
     ax.set(xlabel=x, ylabel=y)
-    ax.set_title(plain(title), fontsize=letters or rcParams["axes.titlesize"])
     if grid:
-        ax.grid(alpha=0.3, axis=grid)
+        ax.grid(axis=grid)
     return picture, ax
 
 

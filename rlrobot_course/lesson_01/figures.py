@@ -102,7 +102,7 @@ def plot_drives(drives: Mapping[str, Drive]) -> Picture:
             fontsize=10,
         )
         said.append(f"{name}: {words}")
-    figure.suptitle(
+    figure.headline(
         "100 steps of each robot, from where 1000 steps of learning had left it"
     )
     figure.alt = f"Paths of {len(drives)} robots in a square. {'; '.join(said)}."

@@ -47,7 +47,7 @@ class Sweeps(Displayed):
         figure = Picture((4.4, 4.7))
         ax = figure.subplots()
         draw_values(ax, self.values[sweep], self.desc)
-        ax.set_title(f"after sweep {sweep}: value V(s)")
+        figure.headline(f"After sweep {sweep}: value V(s)")
         return figure
 
     def still(self) -> Still:
@@ -110,7 +110,7 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
                 [withStroke(linewidth=4, foreground="black")]
             )
     figure.colorbar(ax.images[0], ax=ax, label="V(s)")
-    ax.set_title("The best actions lead uphill in value")
+    figure.headline("The best actions lead uphill in value")
     several = sum(len(actions) > 1 for actions in best.values())
     figure.alt = (
         f"The same map with an arrow for every best action. {several} of {len(best)} squares have more than one; holes "

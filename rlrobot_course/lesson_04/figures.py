@@ -48,8 +48,8 @@ def plot_draw(p: Sequence[float], u: float) -> Picture:
         ylim=(-1.05, 0.95),
         yticks=[],
         xticks=[0, *ends],
-        title=f"u = {u:g} draws action {sampled}",
     )
+    figure.headline(f"u = {u:g} draws action {sampled}")
     ax.set_xlabel("running sum of the probabilities")
     cuts = ", ".join(f"{end:g}" for end in ends)
     figure.alt = f"A line from 0 to 1, cut at {cuts}. u = {u:g} draws action {sampled}."
@@ -69,7 +69,7 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
         bars = ax.bar(range(len(p)), p, color=BLUE)
         ax.bar_label(bars, [f"{one:.2f}" for one in p], fontsize=9)
         ax.set(ylim=(0, 1.12), yticks=[0, 0.5, 1])
-        ax.set_title(plain(name), fontsize=10)
+        ax.set_title(plain(name))
     others[0].set_ylabel("probability")
     for ax in figure.axes:
         ax.set(xlabel="action", xticks=range(len(q_s)))
@@ -153,7 +153,7 @@ def plot_side_by_side(
     axes[0].set_ylim(
         means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means)
     )
-    figure.suptitle(plain(title))
+    figure.headline(title)
     note = "means, and bands of their 95 % intervals"
     names = [plain(label) for label in labels]
     figure.legend(
@@ -198,6 +198,6 @@ def plot_ends(
         ax.grid(alpha=0.3, axis="y")
         told.append(f"{world}: " + ", ".join(means))
     figure.axes[0].set_ylabel("reward per step, last 200 steps")
-    figure.suptitle(plain(title))
+    figure.headline(title)
     figure.alt = f"One dot for each robot, what it earns in its last 200 steps. {'; '.join(told)}."
     return figure

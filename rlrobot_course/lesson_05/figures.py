@@ -40,9 +40,7 @@ def plot_similar_states(s: int) -> Picture:
                     fontsize=10,
                     weight="bold" if k == s else "normal",
                 )
-    figure.suptitle(
-        f"State {s} ({state_words(task, s)}) is in each of its sets", fontsize=11
-    )
+    figure.headline(f"State {s} ({state_words(task, s)}) is in each of its sets")
     words = "; ".join(
         f"{name_text(name)}: {', '.join(map(str, states))}"
         for name, states in sets.items()
@@ -99,7 +97,7 @@ def plot_draws(taken: Mapping[str, Sequence[int]], actions: Sequence[str]) -> Pi
     ax.set_xticks(range(len(actions)), actions)
     ax.margins(y=0.15)
     bumps = [times[0] for times in counts.values()]
-    ax.set_title(
+    figure.headline(
         f"The same {len(next(iter(taken.values())))} draws: {bumps[0]} bumps without the bias, {bumps[1]} with it"
     )
     legend_below(figure, 2)

@@ -23,7 +23,7 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
     """
     highest = max(table.max() for table in values.values())
     picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0))
-    picture.suptitle(plain(title))
+    picture.headline(title)
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
     picture.alt = f"{title}. {'; '.join(known)}."

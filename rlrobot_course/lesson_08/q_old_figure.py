@@ -90,7 +90,7 @@ def plot_q_old() -> Picture:
         [1, 2, 3.2],
         ["step 1\nA → B, pays 0", "step 2\nB → A, pays 10", "step 3\nA → B, pays 0"],
     )
-    figure.suptitle("In step 3 B needs all that is new about A, not δ alone")
+    figure.headline("In step 3 B needs all that is new about A, not δ alone")
     figure.alt = (
         f"Two rows, Q(A) and Q(B), over three steps. In step 2 Q(A) = {noted:.0f} is noted as Q_old, and then rises to "
         f"{now:.2f}; Q(B) rises to {b_before:.2f}. Step 3 shows that A is worth {shown:.1f}: {shown - noted:.1f} above "

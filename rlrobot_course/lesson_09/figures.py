@@ -112,7 +112,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     for ax in (above, below):
         ax.grid(alpha=0.3)
         ax.margins(x=0.01)
-    figure.suptitle("The temperature rises until the robot leaves the rut")
+    figure.headline("The temperature rises until the robot leaves the rut")
     figure.alt = (
         f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
         f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "

@@ -116,6 +116,6 @@ def plot_motions(task: Task, motion: Motion, title: str) -> Picture:
         told.append(
             f"action {a} {in_words(v, turn)}, {v:.2f} m/s and {turn:.0f} degrees a second"
         )
-    figure.suptitle(plain(title))
+    figure.headline(title)
     figure.alt = f"Small robots with arrows, one an action: {'; '.join(told)}."
     return figure

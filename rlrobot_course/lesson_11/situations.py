@@ -59,7 +59,7 @@ def plot_policy(
     laser = task.states.inputs[0]
     arrow = Line2D([], [], color=BLACK, marker=">", label="best action")
     legend_below(figure, 3, handles=[*legend_of(laser), arrow])
-    figure.suptitle(plain(title))
+    figure.headline(title)
     figure.alt = (
         f"{len(states)} situations, the most frequent first: {'; '.join(told)}."
     )

@@ -132,7 +132,7 @@ def plot_values(
     figure.supxlabel("x (m)")
     figure.supylabel("y (m)")
     figure.colorbar(mappable, ax=figure.axes, label="value V (reward)", shrink=0.8)
-    figure.suptitle(plain(title))
+    figure.headline(title)
     told = []
     for heading in range(values.shape[2]):
         known = values[:, :, heading]
@@ -157,7 +157,7 @@ def plot_ways(
             scene, {"way": episode.path}, f"episode {number}: {len(episode)} steps", ax
         )
         ax.get_legend().remove()
-    figure.suptitle(plain(title))
+    figure.headline(title)
     told = "; ".join(
         f"episode {number} took {len(episodes[number - 1])} steps" for number in numbers
     )
@@ -207,7 +207,7 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
         ax.set_title(plain(label), fontsize=10, loc="left")
         ways = ["nearer" if q[cell].argmax() == NEARER else "away" for cell in range(n)]
         told.append(f"{label}: {', '.join(ways)}")
-    figure.suptitle(plain(title))
+    figure.headline(title)
     figure.alt = f"A corridor of {n} cells before a goal, with the best action in each cell. {'; '.join(told)}."
     return figure
 

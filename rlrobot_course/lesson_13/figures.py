@@ -77,8 +77,8 @@ def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
         xlabel="x (m), away from the foot",
         ylabel="y (m), to the left",
         aspect="equal",
-        title=plain(title),
     )
+    figure.headline(title)
     ax.set_xlim(-0.08, 0.36)
     figure.colorbar(dots, ax=ax, label="height (m)")
     legend_below(figure, 2)
@@ -197,6 +197,6 @@ def plot_many(
         rows[0].text(mark, 1.0, plain(text), ha="center", va="bottom", fontsize=9,
                      transform=rows[0].get_xaxis_transform())  # fmt: skip
     rows[-1].set(xlabel=xlabel, ylim=(0, 1.12 * highest + 1))
-    figure.suptitle(plain(title), fontsize=11)
+    figure.headline(title)
     figure.alt = f"{title}. One dot an arm. {'. '.join(told)}."
     return figure

@@ -101,7 +101,7 @@ def plot_counts(
     ax.set(xlabel="action", ylabel="state")
     bar = figure.colorbar(image, ax=ax, ticks=range(5), label="times tried")
     bar.ax.set_yticklabels([f"{10**k:,}" for k in range(5)])
-    ax.set_title("How often each pair was tried")
+    figure.headline("How often each pair was tried")
     never = [f"{states[s]}, {actions[a]}" for s, a in np.argwhere(counts == 0)]
     figure.alt = (
         f"A table of {counts.shape[0]} states and {counts.shape[1]} actions with how often each pair was tried, from 1 "
@@ -138,10 +138,8 @@ def plot_unknown(
             f"{name}: best is {actions[best]}, {'tried' if tried[best] else 'never tried'}, {q[best]:.1f}"
         )
     name_rows(figure.axes[0], actions)
-    figure.suptitle(
-        plain(
-            f"The best values {place}; blue: tried, hatched: never tried, ←: the best"
-        )
+    figure.headline(
+        f"The best values {place}; blue: tried, hatched: never tried, ←: the best"
     )
     figure.alt = f"Bars of Q* of each action {place}, a panel for each treatment of unseen pairs. {'; '.join(told)}."
     return figure
@@ -176,7 +174,7 @@ def plot_capture(
     )
     right.set(ylabel="reward per step")
     right.legend(loc="lower right")
-    figure.suptitle(
+    figure.headline(
         f"Where the agents are, and what they earn there (means of {block} steps)"
     )
     figure.alt = (
@@ -236,6 +234,6 @@ def plot_gaps(gaps: Mapping[str, Gap], title: str) -> Picture:
     for each in (ax, beside):
         each.grid(alpha=0.3, axis="x")
     legend_below(figure, 2)
-    figure.suptitle(plain(title))
+    figure.headline(title)
     figure.alt = f"{title}. Reward per step of the same agents. {'; '.join(told)}."
     return figure

@@ -211,7 +211,7 @@ def plot_report() -> Picture:
     axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
     legend_below(figure, 3)
     total = 3 * len(rows)
-    figure.suptitle(
+    figure.headline(
         f"{total - opposite} of {total} differences have the paper's direction, {alike} significantly; "
         f"{opposite} the opposite one, {len(shown)} significantly"
     )

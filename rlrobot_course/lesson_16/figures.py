@@ -49,7 +49,7 @@ def plot_cuts() -> Picture:
     figure.legend(
         *first.get_legend_handles_labels(), loc="outside lower center", ncols=2
     )
-    figure.suptitle(
+    figure.headline(
         "The latest cuts earn most; where walls hold, the middle ones bump least"
     )
     figure.alt = f"Thirty robots with each set of cuts, means with 95 % intervals. {'; '.join(said)}."

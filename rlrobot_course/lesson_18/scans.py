@@ -104,7 +104,8 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         linestyle="--",
         label="circle around the robot",
     )
-    ax.set(rmax=far, title="A laser ends where the scanner can see no further")
+    ax.set(rmax=far)
+    figure.headline("A laser ends where the scanner can see no further")
     ax.set_rlabel_position(22)
     ax.yaxis.set_major_locator(MaxNLocator(4))
     ax.set_xlabel("direction, and distance from the scanner (m)")

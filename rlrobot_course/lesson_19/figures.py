@@ -49,7 +49,7 @@ def plot_shares(
     most = max(np.abs(paid).max() for paid in maps.values())
     picture = Picture(figsize=(1 + 2.6 * len(maps), 2.2 + 0.3 * len(states)))
     r = f"{steps[t - 1].r:g}".replace("-", "−")
-    picture.suptitle(f"Step {t} was paid {r}: its share in each value Q(s, a)")
+    picture.headline(f"Step {t} was paid {r}: its share in each value Q(s, a)")
     told = (f"λ = {lam:g}: {np.count_nonzero(paid)} values, the largest share {paid.flat[np.abs(paid).argmax()]:.2f}"
             for lam, paid in maps.items())  # fmt: skip
     picture.alt = f"What step {t}, which paid {r}, has paid of each value. {'; '.join(told)}.".replace(

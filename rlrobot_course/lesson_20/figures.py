@@ -27,7 +27,7 @@ def plot_dots(
     groups: a number for each agent, by the name of the group; what: the numbers, with their unit, for the axis
     """
     figure, ax = chart(
-        (7, 1.3 + 0.55 * len(groups)), what, "", title, grid="x", letters=11
+        (7, 1.3 + 0.55 * len(groups)), what, "", title, grid="x"
     )
     told = []
     for row, (values, mark) in enumerate(zip(groups.values(), MARKS, strict=False)):
@@ -73,7 +73,7 @@ def plot_dots(
 def plot_worth(worth: Mapping[str, Mapping[str, float]], title: str) -> Picture:
     """What pupils learned of teachers: bars of the mean Q of the lesson's pairs, by teacher and pupil."""
     x = "mean value in the steps of the lesson (reward, discounted)"
-    figure, ax = chart((6.8, 3.4), x, "", title, grid="x", letters=11)
+    figure, ax = chart((6.8, 3.4), x, "", title, grid="x")
     pupils, told = list(next(iter(worth.values()))), []
     rows, height = np.arange(len(worth)), 0.8 / len(pupils)
     for i, (pupil, (colour, _), hatch) in enumerate(

@@ -78,7 +78,7 @@ def plot_rulers(
         ylim=(-0.35, 1.35),
         xlim=(0, FAR),
     )
-    ax.set_title("Where the bins above lie in the bins below")
+    figure.headline("Where the bins above lie in the bins below")
     for side in ("top", "right", "left"):
         ax.spines[side].set_visible(False)
     figure.alt = f"Two rulers with bins: {labels[0]} above {labels[1]}. Shares of the upper bins: {'; '.join(told)}."

@@ -137,7 +137,7 @@ def library_bars(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
 def plot_bars(bars: Mapping[str, Bar], title: str) -> Picture:
     """A bar with its 95 % interval for each lesson, by its number; how it is filled says whose functions they are."""
     figure, ax = chart(
-        (7.4, 3.6), "", f"reward a step, {ROBOTS} robots", title, grid="y", letters=10
+        (7.4, 3.6), "", f"reward a step, {ROBOTS} robots", title, grid="y"
     )
     told, names, owners = list[str](), list[str](), [bar.owner for bar in bars.values()]
     for at, (lesson, (label, score, owner)) in enumerate(bars.items()):

@@ -29,7 +29,6 @@ SETTINGS: dict[str, Any] = {
     "font.family": FONTS,
     "font.size": LETTERS,
     "axes.titlesize": LETTERS,
-    "axes.titleweight": "bold",
     "axes.labelsize": LETTERS,
     "xtick.labelsize": LETTERS,
     "ytick.labelsize": LETTERS,
@@ -78,7 +77,7 @@ def dress(figure: Figure) -> None:
         if text.get_color() == "black":
             text.set_color(LIGHT["ink"])
     for ax in figure.axes:
-        ax.title.set(x=0, ha="left", weight="bold")
+        ax.title.set(x=0, ha="left")
     for legend in figure.findobj(Legend):
         legend.set_frame_on(False)
 

@@ -234,5 +234,9 @@ def plot_scene(
     ax, drawn = axes_or_new(ax, describe(last), (4.5, 4.5))
     view = TopDown(ax, last)
     view.update(last, path_of(way))
-    ax.set_title(plain(title or "The robot's world from above"))
+    title = title or "The robot's world from above"
+    if isinstance(drawn, Picture):
+        drawn.headline(title)
+    else:
+        ax.set_title(plain(title))
     return drawn

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.style import LETTERS, styled
 from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import given, number
@@ -39,14 +40,14 @@ def still(tape: Tape, names: Names) -> Picture:
     sentences = [sentence(tape, names)]
     sentences += [f"{line}." for line in equations]
     figure.alt = " ".join(sentences)
-    figure.suptitle(plain(title), fontsize=10.5)
+    figure.suptitle(plain(title), x=0.02, ha="left", fontsize=LETTERS)
     heights = [above] + [table] * n_tables
     parts = figure.subfigures(1 + n_tables, 1, height_ratios=heights)
-    left, right = parts[0].subplots(1, 2)
+    with styled():
+        left, right = parts[0].subplots(1, 2)
     tape.view.draw(left, tape)
     left.set_title(tape.view.heading, fontsize=9.5)
     left.set(xlabel="", ylabel="")
-    left.tick_params(labelsize=8.5)
     _draw_choice(right, tape, frame, window, names)
     draw_q(parts[1].subplots(), tape, window, names)
     if n_tables == 2:
