@@ -397,3 +397,63 @@ def test_a_check_that_takes_long_says_that_it_works(seconds, monkeypatch):
                 break
             notebook.threading.Event().wait(0.05)
     assert shell.said == ([] if seconds else [("working", False), ("", True)])
+
+
+SARSA = """
+def answer(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    {}
+    for _ in range(steps):
+"""
+LOOPS = {
+    "an update that comes late": (
+        SARSA.format("old = None")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        if old is not None:
+            update(q, *old, s, a, False)
+        old = s, a, r
+        a_next = choose(q, s_next)
+        if terminated or truncated:
+            update(q, s, a, r, s_next, a_next, terminated)
+            s, old = env.reset(), None
+            a_next, s_next = choose(q, s), s
+        s, a = s_next, a_next
+""",
+        "update too late: it is due after choose, and env.step comes first. At the very end it is missing",
+    ),
+    "an end that is looked at half; that nothing is chosen there does no harm": (
+        SARSA.format("")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        if not terminated:
+            a_next = choose(q, s_next)
+            update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+""",
+        "after env.step yours calls env.reset, where update is due",
+    ),
+    "arguments by name, in another order": (
+        SARSA.format("")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(s=s_next, q=q)
+        update(q, terminated=terminated, a_next=a_next, s_next=s_next, s=s, a=a, r=-r)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+""",
+        "in call 1 of update, r is -10 and should be 10",
+    ),
+}
+
+
+@pytest.mark.parametrize("which", LOOPS)
+def test_of_a_loop_the_first_call_that_does_harm_is_told(which):
+    source, said = LOOPS[which]
+    assert said in told("lesson_06", "sarsa_learn", source)
