@@ -125,7 +125,9 @@ LOOP_MISSING = (
     "at least one is missing: where the redundancy is above 2 and the mean reward below 0 the temperature rises. Work "
     "out both for each; the redundancy is the number of states in the queue by that of the different ones."
 )
-MEAN_FORGOTTEN = "in at least one of yours the mean reward is not below 0. To be 0 is not enough."
+MEAN_FORGOTTEN = (
+    "in at least one of yours the mean reward is not below 0. To be 0 is not enough."
+)
 LOOK = {
     "A": LOOP_MISSING,
     "C": LOOP_MISSING,
