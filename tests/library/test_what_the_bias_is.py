@@ -88,6 +88,13 @@ def test_another_bias_is_none_of_this(other):
     assert np.abs(with_bias(q, shape, other) - theory).max() > 0.1
 
 
+def test_without_the_state_itself_two_bins_would_cancel_what_needs_all_inputs():
+    shape = (2, 2, 2)
+    q = parts(random_table(shape, 2, seed=0), shape)[0, 1, 2].reshape(8, 2)
+    np.testing.assert_allclose(with_bias(q, shape, bias_of), q, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(with_bias(q, shape, without_s), 0, rtol=0, atol=1e-12)
+
+
 def test_an_input_with_one_bin_counts_in_n_and_is_needed_by_no_part():
     q = random_table((3, 1), 2, seed=0)
     alone = {len(u): part for u, part in parts(q, (3,)).items()}
