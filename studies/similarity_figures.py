@@ -20,8 +20,12 @@ NOTE = "#595959"  # of what is plotted: grey that can be read
 def titled(size: tuple[float, float], finding: str, note: str) -> Picture:
     """A picture with a finding as its title, and in grey what is plotted."""
     picture = Picture(size)
-    picture.suptitle(f"{finding}\n", x=0.01, ha="left", fontsize=13, fontweight="bold")
-    picture.text(0.01, 1 - 0.47 / size[1], note, color=NOTE, fontsize=10, va="top")
+    # Two empty lines keep room for the note
+    picture.suptitle(
+        f"{finding}\n\n", x=0.01, ha="left", fontsize=12, fontweight="bold"
+    )
+    below = 1 - 0.34 / size[1]
+    picture.text(0.01, below, note, color=NOTE, fontsize=10, va="top")
     return picture
 
 
@@ -60,7 +64,7 @@ def factors_picture() -> Picture:
         ax.text(k, factor + 0.04, f"× {factor:.2g}", ha="center", fontweight="bold")
     ax.text(0, 0.5, "Q", ha="center", va="center", fontsize=12)
     ax.text(0, 1.5, "bias", ha="center", va="center", fontsize=12, color="white")
-    names = ["no input", "one", *map(str, orders[2:-1]), f"all {INPUTS} at once"]
+    names = ["no input", *map(str, orders[1:-1]), f"all {INPUTS} at once"]
     ax.set_xticks(orders, names)
     ax.set(xlabel="how many inputs a part of Q needs", ylim=(0, 2.3), yticks=(0, 1, 2))
     told = ", ".join(f"{factor:.2g}" for factor in its)
@@ -87,7 +91,15 @@ def spectra_picture(found: Found) -> Picture:
         ax.plot(orders, noise, "_", color=GREY, markersize=19, markeredgewidth=3)
         spread = np.linspace(-0.18, 0.18, robots)
         for k in orders:
-            ax.plot(k + spread, shares[:, k], ".", color=BLUE, alpha=0.5, markersize=5)
+            ax.plot(
+                k + spread,
+                shares[:, k],
+                ".",
+                color=BLUE,
+                alpha=0.5,
+                markersize=5,
+                clip_on=False,
+            )
         ax.plot(orders, shares.mean(axis=0), color=BLUE, linewidth=1.5)
         ax.set_title(f"{task}, n = {len(orders) - 1}", fontsize=11)
         ax.set(xticks=orders, xlabel="order k", ylim=(0, None))
@@ -102,12 +114,9 @@ def spectra_finding(found: Found) -> str:
     """How much the low orders have in the two tasks with many states."""
     parts = []
     for task in ("wander_1k", "arm_1k"):
-        its = found["spectra"][task]
-        noise = low(spectrum_of_noise(its["shape"]))
-        parts.append(
-            f"{task} {low(np.array(its[METHOD])):.0f} % (random {noise:.0f} %)"
-        )
-    return f"Orders 0 to 2 hold: {', '.join(parts)}"
+        shares = np.array(found["spectra"][task][METHOD])
+        parts.append(f"{low(shares):.0f} % in {task}")
+    return f"Orders 0 to 2 hold {', '.join(parts)}"
 
 
 def gain_picture(found: Found) -> Picture:
@@ -117,7 +126,7 @@ def gain_picture(found: Found) -> Picture:
     picture = titled(
         (7.6, 6.4),
         gain_finding(found),
-        f"reward a step that QBIASSR earns more than a rival; {worlds} worlds each, means with 95 % intervals",
+        f"QBIASSR less a rival, {worlds} worlds an order, 95 % intervals; the title: SR, first {LENGTHS[1]:,} steps",
     )
     axes = picture.subplots(len(temperatures), len(RIVALS), sharex=True, sharey="row")
     told = []
@@ -139,7 +148,7 @@ def gain_picture(found: Found) -> Picture:
                 )
             ax.set_title(f"than {name}, T = {temperature}", fontsize=11)
             middle = ", ".join(f"{each.mean():+.2f}" for each in its[:, :, 1])
-            told.append(f"than {name}, T = {temperature}: {middle}")
+            told.append(f"than {name}, T = {temperature}: {middle}".replace("-", "−"))
     for ax in axes[-1]:
         ax.set(xlabel="order k of the rewards")
     lines = axes[0, 0].get_legend_handles_labels()
@@ -156,5 +165,5 @@ def gain_finding(found: Found) -> str:
     for temperature in found["orders"]:
         first, *_, last = gains(found, temperature, "SR")[:, :, 1].mean(axis=1)
         parts.append(f"{first:+.2f} to {last:+.2f} (T = {temperature})")
-    told = " and ".join(parts).replace("-", "−")
-    return f"From order 0 to 5 the gain falls: {told}"
+    told = ", ".join(parts).replace("-", "−")
+    return f"The gain falls from {told}"

@@ -47,10 +47,9 @@ def slope(found: Found, temperature: str, length: int) -> Estimate:
     return estimate(np.polyfit(orders, its, 1)[0])
 
 
-def mean_factors(found: Found, task: str, method: str) -> np.ndarray:
-    """The mean of 2 - k / n over the orders, weighed by each robot's spectrum, array (robots,)."""
-    shares = np.array(found["spectra"][task][method])
-    return shares @ factors(shares.shape[1] - 1)
+def mean_factors(shares: np.ndarray) -> np.ndarray:
+    """The mean of 2 - k / n over the orders, weighed by spectra, arrays (…, n + 1)."""
+    return shares @ factors(shares.shape[-1] - 1)
 
 
 def low(shares: np.ndarray) -> float:

@@ -21,7 +21,7 @@ from similarity_numbers import (
     rank_correlation,
     slope,
 )
-from similarity_split import factors, spectrum_of_noise
+from similarity_split import spectrum_of_noise
 from similarity_text import PAGE
 
 from rlrobot_edu.files import write_whole
@@ -56,6 +56,32 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join(f"| {' | '.join(row)} |" for row in (head, marks, *rows))
 
 
+def spectra_table(found: Found) -> str:
+    """A line for each task: what the low orders have, and the mean factor, of Q and of random numbers."""
+    rows = []
+    for task, its in found["spectra"].items():
+        noise = spectrum_of_noise(its["shape"])
+        shares = np.array(its[METHOD])
+        mean, half = estimate(mean_factors(shares))
+        rows.append(
+            [
+                f"`{task}`",
+                f"{low(shares):.0f} %",
+                f"{low(noise):.0f} %",
+                f"{mean:.2f} ± {half:.2f}",
+                f"{mean_factors(noise):.2f}",
+            ]
+        )
+    head = [
+        "task",
+        "orders 0 to 2",
+        "of random numbers",
+        "mean factor",
+        "of random numbers",
+    ]
+    return table(head, rows)
+
+
 def advice_table(found: Found) -> str:
     """A line for each task, the best advice first."""
     tasks = sorted(found["advice"].items(), key=lambda its: -np.mean(its[1]["skill"]))
@@ -82,30 +108,17 @@ def numbers(found: Found) -> dict[str, str]:
 
 def page(found: Found) -> str:
     """The page in Markdown."""
-    shapes = {task: its["shape"] for task, its in found["spectra"].items()}
-    shares = {task: np.array(its[METHOD]) for task, its in found["spectra"].items()}
-    mean = {task: mean_factors(found, task, METHOD).mean() for task in shapes}
-    noise = {task: spectrum_of_noise(shape) for task, shape in shapes.items()}
-    noise_mean = {task: its @ factors(len(shapes[task])) for task, its in noise.items()}
     rank = rank_correlation(found)
     return PAGE.format(
         factors_alt=factors_picture().alt,
         spectra_alt=spectra_picture(found).alt,
         gain_alt=gain_picture(found).alt,
-        simple_full=100 * shares["wander_simple"][:, -1].mean(),
-        simple_factor=mean["wander_simple"],
-        wander_low=low(shares["wander_1k"]),
-        wander_noise=low(noise["wander_1k"]),
-        wander_factor=mean["wander_1k"],
-        wander_noise_factor=noise_mean["wander_1k"],
-        arm_low=low(shares["arm_1k"]),
-        arm_noise=low(noise["arm_1k"]),
-        arm_factor=mean["arm_1k"],
-        arm_noise_factor=noise_mean["arm_1k"],
+        spectra=spectra_table(found),
         worlds=gains(found, "1", "SR").shape[1],
         gain_over_sr=gain_table(found, "SR"),
         gain_over_fair=gain_table(found, "SR, fair T"),
         advice=advice_table(found),
+        teachers=len(found["advice"]["wander_1k"]["skill"]),
         robots=len(found["advice"]["wander_1k"]["SR"]),
         rho=rank.rho,
         rho_p=rank.p,

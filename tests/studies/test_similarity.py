@@ -150,11 +150,49 @@ def test_the_gain_falls_with_the_order_as_the_page_says(temperature):
     assert f"{first} to {last} (T = {temperature})" in figures.gain_finding(FOUND)
 
 
+def intervals(temperature, rival):
+    """Low and high ends of the gains' 95 % intervals, arrays (orders, lengths)."""
+    its = numbers.gains(FOUND, temperature, rival).swapaxes(1, 2)
+    ends = [[numbers.estimate(worlds) for worlds in order] for order in its]
+    low = np.array([[end.mean - end.half for end in order] for order in ends])
+    high = np.array([[end.mean + end.half for end in order] for order in ends])
+    return low, high
+
+
+def test_what_the_page_says_of_the_fair_temperature_is_so():
+    low, high = intervals("1", "SR, fair T")
+    assert (low[:5, 0] <= 0).all()
+    ahead_later = (low[:5, 1:] > 0).all(axis=1)
+    assert ahead_later.tolist() == [True] * 3 + [False] * 2
+    over_both = [
+        numbers.gains(FOUND, "1", rival).mean(axis=1)[:5] for rival in figures.RIVALS
+    ]
+    assert (over_both[1] < over_both[0] / 2).all()  # most of it is temperature
+    low, high = intervals("0.2", "SR, fair T")
+    assert (low[:4] > 0).all()
+    over_both = [
+        numbers.gains(FOUND, "0.2", rival).mean(axis=1)[:4] for rival in figures.RIVALS
+    ]
+    assert (over_both[1] > over_both[0] / 2).all()  # most of it is advice
+    for rival in figures.RIVALS:
+        low, high = intervals("0.2", rival)
+        assert (high[4:, 1] < 0).all()
+
+
+def test_a_table_of_a_few_tries_has_low_orders_that_the_rewards_do_not_have():
+    rewards = rewards_of_order(5, np.random.default_rng(0))
+    env = EvenWorld(rewards, np.random.SeedSequence(0))
+    agent = rl.Agent(env, "Q+QBIASSR", temperature=0.2, seed=0, **similarity.EVEN)
+    rl.learn(agent, env, 20_000, progress=False)
+    assert (agent.visits == 0).mean() > 0.5
+    assert spectrum(agent.q, SHAPE)[:5].sum() > 0.4
+
+
 def test_the_spectra_are_titled_with_what_the_low_orders_have():
     for task in ("wander_1k", "arm_1k"):
         shares = np.array(FOUND["spectra"][task][numbers.METHOD])
         share = 100 * shares[:, :3].sum(axis=1).mean()
-        assert f"{task} {share:.0f} %" in figures.spectra_finding(FOUND)
+        assert f"{share:.0f} % in {task}" in figures.spectra_finding(FOUND)
 
 
 def test_the_rank_correlation_is_scipys_and_shows_nothing():
@@ -166,3 +204,12 @@ def test_the_rank_correlation_is_scipys_and_shows_nothing():
     assert abs(rank.rho) < rank.critical
     assert rank.critical == pytest.approx(0.738, abs=5e-4)  # of printed tables, n = 8
     assert rank.p > 0.05
+
+
+def test_where_the_advice_is_best_no_gain_is_shown():
+    advice = FOUND["advice"]
+    best = sorted(advice, key=lambda task: -np.mean(advice[task]["skill"]))[:2]
+    assert set(best) == {"arm_4k", "worked_example"}
+    for task in best:
+        gain = numbers.gain_of_robots(advice[task])
+        assert abs(gain.mean) < gain.half
