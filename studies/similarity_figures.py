@@ -116,7 +116,7 @@ def spectra_finding(found: Found) -> str:
     for task in ("wander_1k", "arm_1k"):
         shares = np.array(found["spectra"][task][METHOD])
         parts.append(f"{low(shares):.0f} % in {task}")
-    return f"Orders 0 to 2 hold {', '.join(parts)}"
+    return f"Orders 0 and 1 hold {', '.join(parts)}"
 
 
 def gain_picture(found: Found) -> Picture:
@@ -146,9 +146,9 @@ def gain_picture(found: Found) -> Picture:
                     color=colour,
                     label=f"first {LENGTHS[i]:,} steps",
                 )
-            ax.set_title(f"than {name}, T = {temperature}", fontsize=11)
+            ax.set_title(f"over {name}, T = {temperature}", fontsize=11)
             middle = ", ".join(f"{each.mean():+.2f}" for each in its[:, :, 1])
-            told.append(f"than {name}, T = {temperature}: {middle}".replace("-", "−"))
+            told.append(f"over {name}, T = {temperature}: {middle}".replace("-", "−"))
     for ax in axes[-1]:
         ax.set(xlabel="order k of the rewards")
     lines = axes[0, 0].get_legend_handles_labels()

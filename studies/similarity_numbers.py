@@ -53,8 +53,8 @@ def mean_factors(shares: np.ndarray) -> np.ndarray:
 
 
 def low(shares: np.ndarray) -> float:
-    """What orders 0 to 2 have, in per cent."""
-    return float(100 * shares[..., :3].sum(axis=-1).mean())
+    """What orders 0 and 1 have, in per cent."""
+    return float(100 * shares[..., :2].sum(axis=-1).mean())
 
 
 def gain_of_robots(its: Mapping[str, Sequence[float]]) -> Estimate:

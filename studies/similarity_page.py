@@ -74,7 +74,7 @@ def spectra_table(found: Found) -> str:
         )
     head = [
         "task",
-        "orders 0 to 2",
+        "orders 0 and 1",
         "of random numbers",
         "mean factor",
         "of random numbers",
