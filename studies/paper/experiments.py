@@ -98,6 +98,22 @@ PRELIMINARIES = (
     ("exploration", "How to explore?", ("TOSL+SR", "TOSL+EG"), "TOSL+SR"),
 )  # fmt: skip
 
+# Values that are tried once more where walls hold the robot: with TOSL+SR, and with the paper's method
+WITH_WALLS = tuple(
+    one
+    for one in PRELIMINARIES
+    if one[0] in ("lambda", "alpha", "gamma", "temperature")
+)
+OF_QBIASSR = tuple(
+    (
+        f"{key}_qbiassr",
+        title,
+        {label: its | {"method": "TOSL+QBIASSR"} for label, its in methods.items()},
+        best,
+    )
+    for key, title, methods, best in WITH_WALLS
+)
+
 
 def _preliminary(
     on_model: bool, key: str, title: str, methods, best: str
@@ -227,6 +243,13 @@ EXPERIMENTS = (
     ),
     _preliminary(False, *PRELIMINARIES[0])._replace(
         key="cause_walls_algorithms", title="Walls that hold the robot: which algorithm?", realism=Realism.vrep(),
+    ),
+    *(
+        _preliminary(False, *one)._replace(
+            key=f"cause_walls_{one[0]}", title=f"Walls that hold the robot: {one[1]}", realism=Realism.vrep(),
+            repetitions=(20, 4),
+        )
+        for one in (*WITH_WALLS, *OF_QBIASSR)
     ),
     *(
         Experiment(
