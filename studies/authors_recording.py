@@ -29,16 +29,10 @@ HERE = Path(__file__).parent
 FILE = HERE / "authors_recording.csv"
 PAGE = HERE.parent / "docs" / "studies" / "authors_recording.md"
 SEED, LIFE = 0, 3600
-ALL, WITHOUT, OTHER = (
-    300,
-    500,
-    100,
-)  # agents of each method: all hours, one left out, our recordings
-FAULTY_ALL, FAULTY_WITHOUT, FAULTY_OTHER = (
-    40,
-    20,
-    10,
-)  # of Q-learning with the fault, which is slow
+# Agents of each method with all hours, with one left out, and in our recordings
+ALL, WITHOUT, OTHER = 300, 500, 100
+# Agents of Q-learning with the fault, which is slow
+FAULTY_ALL, FAULTY_OTHER = 200, 10
 THREE = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")
 FIVE = (*THREE, "SL+SR", "SARSA+SR")
 TRACES = ("λ = 0", "λ = 0.5", "λ = 0.9")  # those that are tried without an hour, too
@@ -92,7 +86,7 @@ def worlds() -> Iterator[tuple[str, World]]:
     for hour in range(1, STEPS // HOUR + 1):
         rest = model(without_hour(authors, hour))
         name = f"authors without hour {hour}"
-        yield name, World(rest, of_three | few, WITHOUT, FAULTY_WITHOUT)
+        yield name, World(rest, of_three | few, WITHOUT, 0)
     recordings = Parallel(n_jobs=-1)(
         delayed(own_recording)(realism, seed)
         for realism in ROBOTS.values()

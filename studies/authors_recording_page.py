@@ -19,11 +19,12 @@ FIVE = ("TOSL+QBIASSR", "TOSL+SR", "SL+SR", "Q+SR", "SARSA+SR")
 QBIASSR, SR, _, Q, _ = FIVE
 HOURS = range(1, 6)
 RULES = {"authors": "uniform", "authors, siblings": "siblings", "authors, stay": "stay"}
-PAIRS = {
+BY_HOUR = {
     "TOSL+QBIASSR less TOSL+SR": (QBIASSR, SR),
     "TOSL+SR less Q+SR": (SR, Q),
-    "TOSL+SR less Q+SR with the fault": (SR, FAULTY),
 }
+WITH_FAULT = (SR, FAULTY)
+PAIRS = BY_HOUR | {"TOSL+SR less Q+SR with the fault": WITH_FAULT}
 TRACES = {
     "λ = 0.9 less λ = 0": ("λ = 0.9", "λ = 0"),
     "λ = 0.9 less λ = 0.5": ("λ = 0.9", "λ = 0.5"),
@@ -83,6 +84,17 @@ def without_hours(found: Found, pair: tuple[str, str]) -> Spread:
     )
 
 
+def over_agents(found: Found, pair: tuple[str, str]) -> Spread:
+    """A difference in the model of the whole recording, and Welch's interval over agents in this one model."""
+    groups = [found["authors"][label] for label in pair]
+    errors = [group.sd**2 / group.n for group in groups]
+    freedom = sum(errors) ** 2 / sum(
+        error**2 / (group.n - 1) for error, group in zip(errors, groups, strict=True)
+    )
+    half = stats.t.ppf(0.975, freedom) * math.sqrt(sum(errors))
+    return Spread(gain(found["authors"], pair), [], float(half))
+
+
 def over_recordings(found: Found, robot: str, pair: tuple[str, str]) -> Spread:
     """A difference in the models of our recordings of one robot, and Student's interval over these."""
     each = [
@@ -114,7 +126,7 @@ def methods_table(found: Found) -> str:
 def hours_table(found: Found) -> str:
     """Each difference with all hours, and without each one."""
     rows = []
-    for name, pair in (PAIRS | TRACES).items():
+    for name, pair in (BY_HOUR | TRACES).items():
         its = without_hours(found, pair)
         rows.append([name, str(its), in_words(its.each)])
     return rows_of(["difference", "five hours", "without hour 1, 2, 3, 4, 5"], rows)
@@ -152,7 +164,8 @@ def excludes_zero(spread: Spread) -> bool:
 
 def verdict(found: Found) -> str:
     """What follows, in words that follow the numbers."""
-    bias, order, with_fault = (without_hours(found, pair) for pair in PAIRS.values())
+    bias, order = (without_hours(found, pair) for pair in BY_HOUR.values())
+    with_fault = over_agents(found, WITH_FAULT)
     signs = {True: "The interval excludes 0", False: "The interval includes 0"}
     ranks = sorted(FIVE, key=lambda label: -found["authors"][label].mean)
     alike = "Every hour left out gives the same sign." if min(bias.each) > 0 else (
@@ -167,7 +180,8 @@ def verdict(found: Found) -> str:
             if excludes_zero(order)
             else "does not show who is ahead."
         ),
-        f"- With the fault the same difference is {with_fault}.",
+        f"- With the fault Q+SR earns {found['authors'][FAULTY]}, and TOSL+SR is ahead of it by {with_fault}. This"
+        " interval is about agents in the model of all five hours.",
     ]
     return "\n".join(lines)
 
@@ -194,7 +208,8 @@ Final average reward of an hour, mean ± half of its 95 % interval; {n} agents e
 
 {methods}
 
-These intervals are about agents in one model. They say nothing about another recording.
+These intervals are about agents in one model. They say nothing about another recording. Of Q-learning with the fault
+there are {faulty_all} agents.
 
 ## How far one recording carries
 
@@ -225,5 +240,5 @@ def page(file: Path) -> str:
         verdict=verdict(found), methods=methods_table(found), hours=hours_table(found),
         recordings=recordings_table(found), values=values_table(found), n=found["authors"][SR].n,
         without=found["authors without hour 1"][SR].n, other=found["ideal 1"][SR].n,
-        faulty=found["ideal 1"][FAULTY].n,
+        faulty=found["ideal 1"][FAULTY].n, faulty_all=found["authors"][FAULTY].n,
     )  # fmt: skip

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from paper.report import write_page
 from paper.run import SEED, reproduce
+from results_page import write_results
 
 if __name__ == "__main__":
     parser = ArgumentParser(description=__doc__)
@@ -34,3 +35,6 @@ if __name__ == "__main__":
         write_page(Path("docs/reproduction"), {}, has_prose=True)
     else:
         reproduce(given.quick, engine=given.engine, seed=given.seed)
+    is_report = not given.quick and not given.engine and given.seed == SEED
+    if is_report:
+        write_results()

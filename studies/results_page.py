@@ -205,13 +205,12 @@ def of_studies() -> dict[str, str]:
         found[f"met {task}"] = str(its["met"])
         found[f"states {task}"] = str(its["states"])
     recording = authors_recording_page.read(HERE / "authors_recording.csv")
-    for name, pair in authors_recording_page.PAIRS.items():
-        found[f"authors {name}"] = str(
-            authors_recording_page.without_hours(recording, pair)
-        )
-        for robot in authors_recording_page.ROBOTS:
-            spread = authors_recording_page.over_recordings(recording, robot, pair)
-            found[f"{robot} {name}"] = str(spread)
+    of = authors_recording_page
+    for name, pair in of.BY_HOUR.items():
+        found[f"authors {name}"] = str(of.without_hours(recording, pair))
+        for robot in of.ROBOTS:
+            found[f"{robot} {name}"] = str(of.over_recordings(recording, robot, pair))
+    found["authors with the fault"] = str(of.over_agents(recording, of.WITH_FAULT))
     return found
 
 
@@ -237,5 +236,10 @@ def page() -> str:
     return NAME.sub(value, template)
 
 
-if __name__ == "__main__":
+def write_results() -> None:
+    """Write the page."""
     write_whole(PAGE, page())
+
+
+if __name__ == "__main__":
+    write_results()
