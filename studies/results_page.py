@@ -204,6 +204,7 @@ def of_studies() -> dict[str, str]:
     for task, its in still.items():
         found[f"met {task}"] = str(its["met"])
         found[f"states {task}"] = str(its["states"])
+    found["change by the object"] = plain(still_object.largest_change(still))
     recording = authors_recording_page.read(HERE / "authors_recording.csv")
     of = authors_recording_page
     for name, pair in of.BY_HOUR.items():

@@ -98,21 +98,17 @@ PRELIMINARIES = (
     ("exploration", "How to explore?", ("TOSL+SR", "TOSL+EG"), "TOSL+SR"),
 )  # fmt: skip
 
-# Values that are tried once more where walls hold the robot: with TOSL+SR, and with the paper's method
-WITH_WALLS = tuple(
+# Values that are tried once more where walls hold the robot, λ with the paper's method, too
+WITH_WALLS = [
     one
     for one in PRELIMINARIES
     if one[0] in ("lambda", "alpha", "gamma", "temperature")
-)
-OF_QBIASSR = tuple(
-    (
-        f"{key}_qbiassr",
-        title,
-        {label: its | {"method": "TOSL+QBIASSR"} for label, its in methods.items()},
-        best,
-    )
-    for key, title, methods, best in WITH_WALLS
-)
+]
+_LAMBDA = PRELIMINARIES[1]
+_OF_QBIASSR = {
+    label: its | {"method": "TOSL+QBIASSR"} for label, its in _LAMBDA[2].items()
+}
+WITH_WALLS.append(("lambda_qbiassr", _LAMBDA[1], _OF_QBIASSR, _LAMBDA[3]))
 
 
 def _preliminary(
@@ -247,9 +243,9 @@ EXPERIMENTS = (
     *(
         _preliminary(False, *one)._replace(
             key=f"cause_walls_{one[0]}", title=f"Walls that hold the robot: {one[1]}", realism=Realism.vrep(),
-            repetitions=(20, 4),
+            repetitions=(12, 4),
         )
-        for one in (*WITH_WALLS, *OF_QBIASSR)
+        for one in WITH_WALLS
     ),
     *(
         Experiment(

@@ -4,6 +4,7 @@ import json
 
 import pytest
 import still_object as study
+from scipy import stats
 from test_headlines import ROOT, tells
 
 import rlrobot_edu as rl
@@ -43,3 +44,15 @@ def test_the_page_of_results_tells_how_many_states_occur(found):
         number for its in found.values() for number in (its["met"], its["states"])
     ]
     assert tells("docs/results.md", *numbers)
+
+
+def test_the_change_is_less_than_the_intervals_show(found):
+    halves = []
+    for its in found.values():
+        for finals in its["as it is"].values():
+            test = stats.ttest_ind(
+                finals["TOSL+QBIASSR"], finals["TOSL+SR"], equal_var=False
+            )
+            low, high = test.confidence_interval()
+            halves.append((high - low) / 2)
+    assert study.largest_change(found) < min(halves)
