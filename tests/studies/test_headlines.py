@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from in_markdown import in_markdown
 from paper import paper, tables, verdicts
-from paper.experiments import EXPERIMENTS, PRELIMINARIES
+from paper.experiments import EXPERIMENTS, PRELIMINARIES, Length
 from paper.outcome import Outcome, read_outcomes, shuttles
 from paper.report import BLOCK
 from paper.verdicts import AGREES, LEVEL, REVERSED, UNDECIDED
@@ -324,6 +324,18 @@ def test_the_report_says_of_the_preliminary_tests_what_they_show(outcomes):
         "gamma_alone": (verdicts.BEST, "γ = 0.9"), "gamma_alone_robot": (verdicts.BEATEN, "γ = 0.8"),
         "temperature": (verdicts.BEATEN, "T = 0.3"), "temperature_robot": (verdicts.BEST, "T = 1"),
     }  # fmt: skip
+    walls = {key: outcomes[f"cause_walls_{key}"].value()[:2] for key in (
+        "lambda", "lambda_qbiassr", "alpha", "gamma", "temperature")}  # fmt: skip
+    assert walls == {
+        "lambda": (verdicts.AS_GOOD, "λ = 0.7"), "lambda_qbiassr": (verdicts.AS_GOOD, "λ = 0.7"),
+        "alpha": (verdicts.BEATEN, "α = 0.3"), "gamma": (verdicts.BEATEN, "γ = 0.5"),
+        "temperature": (verdicts.BEST, "T = 1"),
+    }  # fmt: skip
+    for key in ("lambda", "lambda_qbiassr"):
+        assert significant(outcomes[f"cause_walls_{key}"], "λ = 0.9", "λ = 0")
+        assert {
+            len(x) for x in outcomes[f"cause_walls_{key}"].final[Length(3600)].values()
+        } == {12}
     for key, better, worse in (
         ("preliminary_algorithms", "Q+SR", "SL+SR SARSA+SR"), ("preliminary_algorithms_robot", "Q+SR SARSA+SR", ""),
         ("cause_walls_algorithms", "", "Q+SR SARSA+SR"),
