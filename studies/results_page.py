@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -33,6 +34,10 @@ NAME = re.compile(r"\{([^{}]+)\}")
 NOTE = re.compile(r"^<!--.*?-->\n", re.M | re.S)  # for those who write the template
 QBIASSR, SR, Q = paper.THREE
 TESTS = ("Tukey", "Games-Howell")
+LINES = textwrap.TextWrapper(120, break_long_words=False, break_on_hyphens=False)
+POINTS = textwrap.TextWrapper(
+    120, break_long_words=False, break_on_hyphens=False, subsequent_indent="  "
+)
 RULES = {
     "in SR and QBIASSR (ours)": "robot",
     "in QBIASSR alone (the program's)": "cause_evasion",
@@ -234,7 +239,19 @@ def page() -> str:
         return number(outcomes, name) if ": " in name else names[name]
 
     template = NOTE.sub("", TEMPLATE.read_text(encoding="utf-8"))
-    return NAME.sub(value, template)
+    parts = NAME.sub(value, template).split("\n\n")
+    return "\n\n".join(map(wrapped, parts)).strip() + "\n"
+
+
+def wrapped(part: str) -> str:
+    """A paragraph or list with its lines filled anew; anything else as it is."""
+    if part.startswith(("|", "#", "!")):
+        return part
+    items = re.split(r"\n(?=- )", part)
+    return "\n".join(
+        POINTS.fill(item) if item.startswith("- ") else LINES.fill(item)
+        for item in items
+    )
 
 
 def write_results() -> None:
