@@ -180,20 +180,25 @@ def slips() -> dict[str, str]:
 
 
 def counts_of_seeds() -> dict[str, str]:
-    """How many verdicts stay with another seed, on the kinematic robots."""
-    first, second = seeds.SEEDS
-    by_seed: dict[int, list[str]] = {first: [], second: []}
-    tasks = []
+    """How many verdicts stay with another seed, in all and by kind of task, on the kinematic robots."""
+    by_pair: dict[tuple, list[str]] = {}
     for row in seeds.read():
-        by_seed[row.seed].append(row.verdict)
-        if row.task not in tasks:
-            tasks.append(row.task)
-    same = sum(a == b for a, b in zip(by_seed[first], by_seed[second], strict=True))
-    return {
-        "verdicts": str(len(by_seed[first])),
-        "verdicts that stay": str(same),
-        "tasks of seeds": str(len(tasks)),
+        place = row.task, row.length, row.better, row.worse
+        by_pair.setdefault(place, []).append(row.verdict)
+    kinds = {
+        "all": "",
+        "wandering": "wander",
+        "navigation": "navigation",
+        "arms": "arm",
     }
+    found = {}
+    for kind, beginning in kinds.items():
+        its = [
+            both for place, both in by_pair.items() if place[0].startswith(beginning)
+        ]
+        same = sum(first == second for first, second in its)
+        found[f"stay in {kind}"] = f"{same} of {len(its)}"
+    return found
 
 
 def of_studies() -> dict[str, str]:
@@ -243,6 +248,11 @@ def page() -> str:
     return "\n\n".join(map(wrapped, parts)).strip() + "\n"
 
 
+def one_blank(text: str) -> str:
+    """With one blank wherever there is white space."""
+    return " ".join(text.split())
+
+
 def wrapped(part: str) -> str:
     """A paragraph or list with its lines filled anew; anything else as it is."""
     if part.startswith(("|", "#", "!")):
@@ -250,7 +260,7 @@ def wrapped(part: str) -> str:
     items = re.split(r"\n(?=- )", part)
     return "\n".join(
         POINTS.fill(item) if item.startswith("- ") else LINES.fill(item)
-        for item in items
+        for item in map(one_blank, items)
     )
 
 

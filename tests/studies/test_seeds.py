@@ -28,13 +28,15 @@ def test_a_verdict_follows_from_its_numbers():
 
 def test_the_page_counts_the_verdicts_that_stay():
     counts = results_page.counts_of_seeds()
-    rows = seeds.read()
     by_pair = {}
-    for row in rows:
+    for row in seeds.read():
         by_pair.setdefault(row[1:5], set()).add(row.verdict)
-    assert counts["verdicts"] == str(len(rows) // 2)
-    assert counts["verdicts that stay"] == str(
-        sum(len(x) == 1 for x in by_pair.values())
+    stay = [place[0] for place, its in by_pair.items() if len(its) == 1]
+    assert counts["stay in all"] == f"{len(stay)} of {len(by_pair)}"
+    arms = [place for place in by_pair if place[0] in ("arm_1k", "arm_4k")]
+    assert (
+        counts["stay in arms"]
+        == f"{sum('arm' in task for task in stay)} of {len(arms)}"
     )
 
 
