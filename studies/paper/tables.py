@@ -212,6 +212,7 @@ def _preliminary(outcomes: Outcomes) -> Iterable[tuple[str, str, Outcome]]:
         for name, where in (
             (f"preliminary_{key}", "model"), (f"preliminary_{key}_robot", "robot"),
             (f"cause_walls_{key}", "robot that walls hold"),
+            (f"cause_walls_{key}_qbiassr", "same with TOSL+QBIASSR"),
         ):  # fmt: skip
             if name in outcomes:
                 yield title, where, outcomes[name]

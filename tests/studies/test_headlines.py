@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from in_markdown import in_markdown
 from paper import paper, tables, verdicts
-from paper.experiments import EXPERIMENTS, PRELIMINARIES
+from paper.experiments import EXPERIMENTS, PRELIMINARIES, Length
 from paper.outcome import Outcome, read_outcomes, shuttles
 from paper.report import BLOCK
 from paper.verdicts import AGREES, LEVEL, REVERSED, UNDECIDED
@@ -71,7 +71,6 @@ def test_the_reports_tables_follow_from_the_averages_beside_it(outcomes):
 
 def test_the_report_is_no_longer_than_one_reads():
     assert len(prose(REPORT).split()) < 2500  # beside its tables
-    assert len(prose(RESULTS).split()) < 1000
 
 
 MARKED = re.compile(r"([-−+]?\d+(?:\.\d+)?)(?: ± (\d+\.\d+))?<!--= (.+?) -->")
@@ -111,9 +110,8 @@ def marked(outcomes: dict[str, Outcome], mark: str) -> tuple[float, float | None
     return outcome.pair(first, second, length)[place.startswith("p ")], None
 
 
-@pytest.mark.parametrize("page", [RESULTS, REPORT])
-def test_a_marked_number_is_what_its_mark_names(outcomes, page):
-    found = MARKED.findall(words((ROOT / page).read_text(encoding="utf-8")))
+def test_a_marked_number_is_what_its_mark_names(outcomes):
+    found = MARKED.findall(words((ROOT / REPORT).read_text(encoding="utf-8")))
     assert len(found) > 30
     for number, half, mark in found:
         value, width = marked(outcomes, mark)
@@ -124,11 +122,10 @@ def test_a_marked_number_is_what_its_mark_names(outcomes, page):
         assert not half or float(half) == width, mark
 
 
-@pytest.mark.parametrize("page", [RESULTS, REPORT])
-def test_every_result_in_the_text_has_a_mark(page):
+def test_every_result_in_the_text_has_a_mark():
     """A result is a number with two decimals or more, a mean with its interval, or a p."""
     text = MARKED.sub(
-        "", words(BLOCK.sub("", (ROOT / page).read_text(encoding="utf-8")))
+        "", words(BLOCK.sub("", (ROOT / REPORT).read_text(encoding="utf-8")))
     )
     text = re.sub(r"!\[[^\]]*\]", "", text)  # a picture's text has a test of its own
     assert (
@@ -145,31 +142,6 @@ def verdicts_on_pairs(outcomes):
                 for one in outcome.judged(length):
                     found[outcome.experiment.task, one.pair].append(one.verdict)
     return found
-
-
-def test_the_results_page_has_each_pair_of_the_paper_with_its_mark(outcomes):
-    found = verdicts_on_pairs(outcomes)
-    marks = {
-        (task, pair.name): verdicts.mark(its)
-        for (task, pair), its in found.items()
-        if pair.p < LEVEL
-    }
-    rows = re.findall(
-        r"^\| (\w+) \| ([\w+]+ over [\w+]+) \| .* \| (\S+) \| [^|]*\|$",
-        prose(RESULTS),
-        re.M,
-    )
-    assert {(task, pair): mark for task, pair, mark in rows} == marks and len(
-        rows
-    ) == len(marks)
-    counts = [
-        list(marks.values()).count(x) for x in (verdicts.EVERYWHERE, verdicts.SOMEWHERE)
-    ]
-    assert tells(RESULTS, len(found), len(marks)) and tells(
-        RESULTS, len(marks), *counts, 1, 3
-    )
-    assert sum(counts) == len(marks) - 1 - 3
-    assert list(marks.values()).count(verdicts.TENDENCY) == 1
 
 
 def test_the_results_page_says_which_of_the_other_pairs_are_significant_here(outcomes):
@@ -352,6 +324,18 @@ def test_the_report_says_of_the_preliminary_tests_what_they_show(outcomes):
         "gamma_alone": (verdicts.BEST, "γ = 0.9"), "gamma_alone_robot": (verdicts.BEATEN, "γ = 0.8"),
         "temperature": (verdicts.BEATEN, "T = 0.3"), "temperature_robot": (verdicts.BEST, "T = 1"),
     }  # fmt: skip
+    walls = {key: outcomes[f"cause_walls_{key}"].value()[:2] for key in (
+        "lambda", "lambda_qbiassr", "alpha", "gamma", "temperature")}  # fmt: skip
+    assert walls == {
+        "lambda": (verdicts.AS_GOOD, "λ = 0.7"), "lambda_qbiassr": (verdicts.AS_GOOD, "λ = 0.7"),
+        "alpha": (verdicts.BEATEN, "α = 0.3"), "gamma": (verdicts.BEATEN, "γ = 0.5"),
+        "temperature": (verdicts.BEST, "T = 1"),
+    }  # fmt: skip
+    for key in ("lambda", "lambda_qbiassr"):
+        assert significant(outcomes[f"cause_walls_{key}"], "λ = 0.9", "λ = 0")
+        assert {
+            len(x) for x in outcomes[f"cause_walls_{key}"].final[Length(3600)].values()
+        } == {12}
     for key, better, worse in (
         ("preliminary_algorithms", "Q+SR", "SL+SR SARSA+SR"), ("preliminary_algorithms_robot", "Q+SR SARSA+SR", ""),
         ("cause_walls_algorithms", "", "Q+SR SARSA+SR"),
@@ -416,14 +400,6 @@ def test_the_page_of_differences_says_how_long_the_processes_are(outcomes):
 def test_the_pages_tell_how_fast_the_arms_turn():
     ours = max(x for output in rl.load_task("arm_1k").outputs for x in output.values)
     assert tells(RESULTS, ours, 1) and tells("docs/differences.md", 1, ours)
-
-
-def test_the_pages_picture_is_the_reports(outcomes):
-    o = outcomes["robot_wander_1k"]
-    n = len(o.final[o.longest][Q])
-    assert tells(
-        RESULTS, n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR))
-    )
 
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
