@@ -23,7 +23,10 @@ def mean_band(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Student's t 95 % interval of the mean of n ≥ 2 samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high; where all are equal, both are that number.
-    A bootstrap of so few would be too narrow: of 5 repetitions its "95 %" hold the mean in 84 of 100 cases.
+    It is exact for samples of a bell curve. Of averages as robots have them it holds the mean in 92 to 97 of 100 cases
+    if their skewness is below 1 and n ≥ 10. Above 2, as with some arms, it may be 60 with n = 5 and 78 with n = 30.
+    Bootstraps do not keep 95 % either (docs/studies/intervals.md). Of agents in one sample model it says nothing about
+    the model of another recording.
     """
     # rounding can put the mean of equal samples beside them
     mean = np.clip(samples.mean(axis=0), samples.min(axis=0), samples.max(axis=0))
