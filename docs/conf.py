@@ -64,7 +64,7 @@ suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stepper"],
-    "docs/method": ["docs/notation"],
+    "docs/method": ["docs/notation", "docs/when_similarity_helps"],
     "docs/grading": ["notebooks/homework/*"],
     "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],

@@ -655,8 +655,27 @@ def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
     assert Film(SCENES[:1], [0.5])._captions() == ["step 1 of 1: reward +0.5"]
     noted = dataclasses.replace(FILM, notes=[f"T = {i}" for i in range(20)])
     assert noted.gif() != FILM.gif()
-    with pytest.raises(ValueError, match="argument 2 is shorter"):
-        dataclasses.replace(FILM, notes=["T = 1"]).gif()
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"frames": []}, "film at least 1 step"),
+        ({"frames": None}, "frames of a film must be a list of scenes, got None"),
+        ({"frames": SCENES[0]}, "frames of a film must be a list of scenes, got Scene"),
+        ({"frames": [1] * 20}, "frames of a film must be a list of scenes, got .1, 1"),
+        ({"rewards": 3}, "rewards must be a list of numbers, got 3"),
+        ({"rewards": ["much"] * 20}, "rewards must be a list of numbers"),
+        ({"rewards": [1.0]}, "got 1 rewards for 20 scenes; give one for each"),
+        ({"seconds_per_frame": 0}, "seconds_per_frame must be a number"),
+        ({"notes": "T"}, "notes of a film must be a list of texts, got 'T'"),
+        ({"notes": [1] * 20}, "notes of a film must be a list of texts"),
+        ({"notes": ["T = 1"]}, "got 1 notes for 20 scenes; give one for each"),
+    ],
+)
+def test_a_film_of_anything_else_is_refused_in_one_sentence(given, told):
+    with pytest.raises(ValueError, match=told):
+        dataclasses.replace(FILM, **given)
 
 
 def test_a_beam_is_a_cylinder_from_its_start_to_its_end_even_without_a_length():
