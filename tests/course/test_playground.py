@@ -184,9 +184,8 @@ console.log(JSON.stringify([
 
 @needs_node
 def test_numbers_have_the_digits_that_show_what_has_changed():
-    page = (
-        files("rlrobot_edu.widgets.playground").joinpath("page.js").read_text("utf-8")
-    )
+    folder = files("rlrobot_edu.widgets.playground")
+    numbers_js = folder.joinpath("numbers.js").read_text("utf-8")
     done = subprocess.run(
         ["node", "-"],
         input=numbers_js + DIGITS,

@@ -53,6 +53,7 @@ function begin() {
     viewer.animator.playing = false;  // the time is this bar's
     last = Math.round(viewer.animator.duration * rate);
     time.max = last + 1;
+    if (!playing) at = last;  // without motion it opens with the whole way
     followLink();
   };
   new ResizeObserver(viewer.set_3d_pane_size).observe(view);

@@ -13,7 +13,8 @@ function number(x) {
 
 // Two numbers with as many decimals as tell them apart.
 function apart(was, now) {
+  const written = (decimals) => [was, now].map((x) => signed(x.toFixed(decimals)));
   let decimals = 2;
-  while (was !== now && decimals < 12 && was.toFixed(decimals) === now.toFixed(decimals)) decimals += 1;
-  return [was, now].map((x) => signed(x.toFixed(decimals)));
+  while (was !== now && decimals < 12 && written(decimals)[0] === written(decimals)[1]) decimals += 1;
+  return written(decimals);
 }
