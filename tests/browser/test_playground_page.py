@@ -145,6 +145,8 @@ def test_walls_stay_in_the_room_and_off_the_robot_and_can_be_drawn_taken_away_an
     page = opened("#task=wander_1k" + PAUSED)
     until(page, "view !== null")
     page.get_by_role("button", name="Pause").click()
+    page.evaluate("begin()")  # the robot stands at its start
+    until(page, "view !== null")
     n = page.evaluate("inside().length")
     drag(page, (-0.875, -0.9), (-7, -0.9))
     assert min(x for x, *_ in page.evaluate("inside()")) == -2.85, (
@@ -198,6 +200,7 @@ def test_a_button_leads_to_a_stage_of_its_life_with_the_numbers_of_its_single_st
     page = opened("#task=wander_1k&method=TOSL%2BSR" + PAUSED)
     arrived = f"yours.simulation.t >= {steps}"  # seen in the same frame
     look = f"function look() {{ if ({arrived}) leapt = [yours.simulation.t, {Q}]; else requestAnimationFrame(look); }}"
+    page.evaluate("begin()")
     page.evaluate(f"window.leapt = null; requestAnimationFrame({look})")
     page.get_by_role("button", name=name).click()
     until(page, "leapt !== null")
@@ -228,7 +231,7 @@ def test_two_robots_race_with_the_same_luck_and_never_with_the_same_method(opene
         "[rival.simulation.t, rival.simulation.m.q.map((row) => Array.from(row))]"
     )
     np.testing.assert_array_equal(q, learned("wander_1k", "TOSL+SR", t, alpha=0.5))
-    page.get_by_label("Method").select_option("TOSL+SR")
+    page.locator("#method").select_option("TOSL+SR")
     until(page, "rival === null")
     assert "the paper’s method" in page.locator("#race option").all_inner_texts()
     assert "without" not in " ".join(page.locator("#race option").all_inner_texts())

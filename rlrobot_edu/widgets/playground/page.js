@@ -42,7 +42,7 @@ function shape() {
   find("story").textContent = story;
   find("rule").textContent = rule;
   showRivals();
-  find("called").textContent = commands ? "wheels, as the paper writes them [rad/s]" : "";
+  find("called").textContent = commands ? "wheels, as the paper writes them [rad/s]" : "drawn as";
   const named = score.called, life = stepTime ? " of its life" : "";
   find("counted").textContent = `${capital(named)} in ${periodInWords()}${life}`;
   ages.forEach(([age, text], i) => Object.assign(find("stages").children[i], { value: age, textContent: text }));
@@ -217,7 +217,7 @@ function showRow(state) {
   find("state").textContent = `State ${s}: ${inWords(s)}. Met ${visits.toLocaleString("en")} times.`;
   const most = simulation.m.q.reduce((high, row) => row.reduce((top, value) => Math.max(top, Math.abs(value)), high), NOTHING_YET);
   find("actions").tBodies[0].replaceChildren(...world.actions.map((action, a) => {
-    const row = document.createElement("tr"), bar = document.createElement("div"), command = world.commands ? world.commands[a] : "";
+    const row = document.createElement("tr"), bar = document.createElement("div"), command = (world.commands ?? world.arrows)[a];
     for (const text of [a === best ? `${action} (best)` : action, command, number(q[a])]) row.insertCell().textContent = text;
     bar.className = q[a] < 0 ? "bar below" : "bar";
     bar.style.width = Math.abs(q[a]) < NOTHING_YET ? 0 : `${(100 * Math.abs(q[a])) / most}%`;

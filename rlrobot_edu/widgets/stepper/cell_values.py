@@ -57,7 +57,9 @@ class CellValues:
                 readings = {"X": x, "Y": y, "theta": heading, "d": int(is_blocked)}
                 s = task.states.encode(readings)
                 icons = [_icon(command, heading) for command in task.commands]
-                found.append(Place(x - 0.5 + ASIDE * dx, y - 0.5 + ASIDE * dy, s, icons))
+                found.append(
+                    Place(x - 0.5 + ASIDE * dx, y - 0.5 + ASIDE * dy, s, icons)
+                )
         return found
 
     def of(self, tape: Tape, scene: Scene) -> list[Mark]:
