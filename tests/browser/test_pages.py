@@ -470,6 +470,9 @@ def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_
     page.close()
 
 
+OUTLINE = ("heading-order", "landmark-one-main", "page-has-heading-one", "region")
+
+
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1300), ("dark", 400)])
 def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     axe = pytest.importorskip(
@@ -478,11 +481,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     things = [
         (stepper_of(at=25), [30], "!!window.stepper"),
-        (
-            explorer,
-            [],
-            "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))",
-        ),
+        (explorer, [], "!!document.querySelector('.rl-bias')"),
         (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
     ]
     for thing, arguments, is_there in things:
@@ -499,7 +498,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
         serious = [
             each
             for each in found.response["violations"]
-            if each["impact"] in ("serious", "critical")
+            if each["impact"] in ("serious", "critical") or each["id"] in OUTLINE
         ]
         assert not serious, [
             (each["id"], [node["html"][:200] for node in each["nodes"]][:3])
