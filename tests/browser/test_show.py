@@ -660,7 +660,7 @@ def test_the_chase_camera_keeps_the_robot_in_the_middle_of_the_picture(opened, t
 def test_the_chase_camera_keeps_a_robot_in_the_picture_that_is_watched_live(opened):
     env = rl.make_env("navigation_1k", seed=0)
     view = rl.meshcat(env)
-    for one in walk("navigation_1k").scenes:
+    for one in walk("navigation_1k").frames:
         view.update(one, -0.1)
     page = opened(view, 300, 240)
     until(page, "typeof viewer === 'object' && !!body() && !chase.hidden")

@@ -73,8 +73,11 @@ function aimAtTarget(controls, camera) {
 
 // A laser measures at whole steps: between two of them its beam stays as it was measured.
 function jumpIfBeam({path, clip}) {
-  if (!path.includes("/beams/")) return;
-  for (const track of clip.tracks) track.interpolation = MeshCat.THREE.InterpolateDiscrete;
+  if (!path.includes("beams")) return;  // a list of names
+  for (const track of clip.tracks) {
+    track.interpolation = MeshCat.THREE.InterpolateDiscrete;
+    for (const key of track.keys) key.time -= 0.001;  // of a step: three.js rounds times, and a beam must not come late
+  }
 }
 
 // Meshcat's commands, and the rewards of the steps: the last ones of `steps`
