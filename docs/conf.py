@@ -127,6 +127,11 @@ def with_levels(
 
 
 LONGEST = 200  # characters of a description
+MOST = 8  # paragraphs that it is taken from
+
+
+def _is_picture(paragraph: nodes.paragraph) -> bool:
+    return isinstance(paragraph.children[0], nodes.image)
 
 
 def with_card(
@@ -139,9 +144,11 @@ def with_card(
     """Title and description, which a search engine shows, and a card where somebody shares a link to the page."""
     if doctree is None:
         return
-    texts = [paragraph.astext() for paragraph in doctree.findall(nodes.paragraph)]
-    first = " ".join(texts[0].split()) if texts else ""
-    described = escape(shorten(first, LONGEST, placeholder=" …") or project)
+    paragraphs = [
+        each for each in doctree.findall(nodes.paragraph) if not _is_picture(each)
+    ]
+    text = " ".join(" ".join(each.astext() for each in paragraphs[:MOST]).split())
+    described = escape(shorten(text, LONGEST, placeholder=" …") or project)
     title = escape(unescape(re.sub("<[^>]*>", "", context.get("title") or project)))
     context["metatags"] = context.get("metatags", "") + (
         f'<meta name="description" content="{described}">'
