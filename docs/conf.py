@@ -131,7 +131,7 @@ MOST = 8  # paragraphs that it is taken from
 
 
 def _is_picture(paragraph: nodes.paragraph) -> bool:
-    return isinstance(paragraph.children[0], nodes.image)
+    return any(isinstance(child, nodes.image) for child in paragraph.children)
 
 
 def with_card(
