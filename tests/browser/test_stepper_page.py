@@ -341,7 +341,7 @@ def notebook(browser):
 def test_held_keys_wait_for_the_kernel_and_what_is_there_needs_none(notebook):
     one = notebook(stepper_of(at=12))
     page = one.page
-    page.click(".rl-view .q h4")
+    page.click(".rl-view .q h2")
     assert page.evaluate("document.activeElement.className") == "rl-keys"
     for _ in range(5):
         page.keyboard.down("ArrowRight")  # held
