@@ -309,14 +309,14 @@ def default_engine(robot: str) -> Engine:
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If it is not, one line on stderr names its replacement."""
+    """Whether PyBullet is installed. If it is not, one line names its replacement."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        print(
-            f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.",
-            file=sys.stderr,
-        )
+        # A notebook shows stderr in red, as if something had failed.
+        stream = sys.stdout if "ipykernel" in sys.modules else sys.stderr
+        note = "Note: arms are geometry alone (engine='kinematic') and touch nothing"
+        print(f"{note}: {error}.", file=stream)
         return False
     return True
 
