@@ -17,10 +17,10 @@ import numpy as np
 import seeds
 import still_object
 from in_markdown import in_markdown
-from paper import paper
+from paper import paper, tally
 from paper.experiments import EXPERIMENTS
 from paper.outcome import Outcome, read_outcomes
-from paper.verdicts import EVERYWHERE, LEVEL, NOT, SOMEWHERE, TENDENCY, mark, verdict
+from paper.verdicts import LEVEL
 from scipy import stats
 
 from rlrobot_edu.experiments.tables import Table
@@ -38,19 +38,10 @@ LINES = textwrap.TextWrapper(120, break_long_words=False, break_on_hyphens=False
 POINTS = textwrap.TextWrapper(
     120, break_long_words=False, break_on_hyphens=False, subsequent_indent="  "
 )
-RULES = {
-    "in SR and QBIASSR (ours)": "robot",
-    "in QBIASSR alone (the program's)": "cause_evasion",
-}
+OURS, PROGRAMS = (
+    tally.RULES
+)  # where loop evasion acts: here, and in the paper's program
 Outcomes = Mapping[str, Outcome]
-
-
-def p_of(outcome: Outcome, length, first: str, second: str, test: str) -> float:
-    """p of a pair in Tukey's test or in Games and Howell's, which lets the groups differ in variance."""
-    groups = outcome.final[length]
-    labels = list(groups)
-    found = stats.tukey_hsd(*groups.values(), equal_var=test == "Tukey")
-    return float(found.pvalue[labels.index(first), labels.index(second)])
 
 
 def signed(value: float) -> str:
@@ -94,43 +85,16 @@ def told(values) -> str:
     return f"{np.mean(values):.2f} ± {half:.2f}".replace("-", "−")
 
 
-def outcome_of(outcomes: Outcomes, task: str, rule: str) -> Outcome:
-    """The robot's outcome by a rule of loop evasion; by ours where the other was not run."""
-    return outcomes.get(f"{RULES[rule]}_{task}", outcomes[f"robot_{task}"])
-
-
 def marks(outcomes: Outcomes, rule: str, test: str) -> dict[tuple[str, str], str]:
     """What became of each pair that the paper finds significant, by task and name of the pair."""
-    found = {}
-    for task, pairs in paper.TUKEY.items():
-        outcome = outcome_of(outcomes, task, rule)
-        for pair in pairs:
-            if pair.p < LEVEL:
-                its = []
-                for length in outcome.final:
-                    gain, _ = outcome.pair(pair.better, pair.worse, length)
-                    p = p_of(outcome, length, pair.better, pair.worse, test)
-                    its.append(verdict(gain, p, pair.p))
-                found[task, pair.name] = mark(its)
-    return found
-
-
-def tally(outcomes: Outcomes) -> str:
-    """How many pairs have which mark, by rule and test."""
-    kinds = (EVERYWHERE, SOMEWHERE, TENDENCY, NOT)
-    rows: list[list] = []
-    for rule in RULES:
-        for test in TESTS:
-            its = list(marks(outcomes, rule, test).values())
-            rows.append([rule, test, *(its.count(kind) for kind in kinds)])
-    head = ["loop evasion", "test", *kinds]
-    return without_caption(Table("", head, rows))
+    found = tally.looks(outcomes, tally.RULES[rule])
+    p_values = tally.TESTS[test]([judged.ours for _, _, judged in found])
+    return tally.marks(found, p_values)
 
 
 def pairs_table(outcomes: Outcomes) -> str:
     """Each pair that the paper finds significant: its difference and ours, and the marks by both tests."""
-    rule = next(iter(RULES))
-    by_test = [marks(outcomes, rule, test) for test in TESTS]
+    by_test = [marks(outcomes, OURS, test) for test in TESTS]
     rows = []
     for task, pairs in paper.TUKEY.items():
         outcome = outcomes[f"robot_{task}"]
@@ -227,8 +191,9 @@ def of_studies() -> dict[str, str]:
 
 def named(outcomes: Outcomes) -> dict[str, str]:
     """All that has a name without a colon."""
-    found = {"tally": tally(outcomes), "pairs": pairs_table(outcomes)}
-    ours = list(marks(outcomes, next(iter(RULES)), "Tukey").values())
+    counts = without_caption(tally.tally_table(outcomes))
+    found = {"tally": counts, "pairs": pairs_table(outcomes)}
+    ours = list(marks(outcomes, OURS, "Tukey").values())
     found["significant in the paper"] = str(len(ours))
     found["pairs of the paper"] = str(sum(map(len, paper.TUKEY.values())))
     return found | slips() | counts_of_seeds() | of_studies()
