@@ -7,25 +7,19 @@ from matplotlib.axes import Axes
 from similarity_numbers import LENGTHS, METHOD, Found, estimate, gains, low
 from similarity_split import of_order, spectrum_of_noise
 
-from rlrobot_edu.show.palette import BLUE, GREY, ORANGE, VERMILION
+from rlrobot_edu.show.palette import BLUE, GREY, ORANGE, RED
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.kernels import bias_of
 
-LINES = (("o", "-", ORANGE), ("s", "--", VERMILION), ("^", "-.", BLUE))
+LINES = (("o", "-", ORANGE), ("s", "--", RED), ("^", "-.", BLUE))
 RIVALS = {"SR": "SR", "SR, fair T": "SR at T / (2 − k/n)"}
 INPUTS = 5  # of the figure of factors, as wander_1k has
-NOTE = "#595959"  # of what is plotted: grey that can be read
 
 
 def titled(size: tuple[float, float], finding: str, note: str) -> Picture:
     """A picture with a finding as its title, and in grey what is plotted."""
     picture = Picture(size)
-    # Two empty lines keep room for the note
-    picture.suptitle(
-        f"{finding}\n\n", x=0.01, ha="left", fontsize=12, fontweight="bold"
-    )
-    below = 1 - 0.34 / size[1]
-    picture.text(0.01, below, note, color=NOTE, fontsize=10, va="top")
+    picture.headline(finding, note)
     return picture
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, RED, Picture, plain
+from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, RED, Picture
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.task import Task
 

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from rlrobot_course.figures.plots import BLACK, Picture, legend_below, plain
+from rlrobot_course.figures.plots import BLACK, Picture, legend_below
 from rlrobot_course.lesson_11.motions import (
     Motion,
     draw_motion,

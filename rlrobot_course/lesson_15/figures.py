@@ -156,7 +156,7 @@ def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
         left.plot([x.mean()] * 2, [row - 0.35, row + 0.35], color=BLUE, linewidth=2)
     name_rows(left, list(groups))
     left.set_xlabel("final average reward; line: mean")
-    looks = {"Tukey": (VERMILION, "s", -0.14), "Games and Howell": (BLUE, "o", 0.14)}
+    looks = {"Tukey": (RED, "s", -0.14), "Games and Howell": (BLUE, "o", 0.14)}
     names, apart, told = [], [], []
     for row, pair in enumerate(Tukey.of(groups).pairs):
         names.append(f"{pair.first} less\n{pair.second}")
@@ -189,7 +189,7 @@ def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
     title = "Both tests say the same of every pair"
     if apart:
         title = f"The two tests disagree on {' and on '.join(apart)}"
-    picture.suptitle(title)
+    picture.headline(title)
     spreads = [f"{method} {x.std(ddof=1):.2f}" for method, x in groups.items()]
     picture.alt = (
         f"Left, the final average rewards of each method's robots; SDs: {', '.join(spreads)}. "

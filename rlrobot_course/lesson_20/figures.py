@@ -26,9 +26,7 @@ def plot_dots(
 
     groups: a number for each agent, by the name of the group; what: the numbers, with their unit, for the axis
     """
-    figure, ax = chart(
-        (7, 1.3 + 0.55 * len(groups)), what, "", title, grid="x"
-    )
+    figure, ax = chart((7, 1.3 + 0.55 * len(groups)), what, "", title, grid="x")
     told = []
     for row, (values, mark) in enumerate(zip(groups.values(), MARKS, strict=False)):
         mean, half = mean_and_half(values)

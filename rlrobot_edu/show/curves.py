@@ -238,11 +238,11 @@ def _draw(ax: Axes, curve: Curve, colour: str, dashes: Dashes) -> list[float]:
         all_alike = not np.ptp(repetitions, axis=0).any()
         alike = ", all alike" if all_alike else ""
         name = f"{name} ({n} repetitions{alike})"
+    label = plain(name)
+    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=2.2, label=label)
     if 1 < n <= DOTS:
         at_end = np.full(n, length)
         ax.plot(at_end, repetitions[:, -1], "o", color=colour, markersize=4, alpha=0.6)
         ax.lines[-1].set(clip_on=False, zorder=3, label="")
-    label = plain(name)
-    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=2.2, label=label)
     is_later = steps > BEGINNING * length
     return [*low[is_later].tolist(), *high[is_later].tolist()]

@@ -27,12 +27,14 @@ class Picture(Displayed, Figure):
         with styled():
             super().__init__(figsize, **{"layout": "constrained", **settings})
         self.alt = alt
+        self.finding = ""  # what stands above all charts
 
     def __repr__(self) -> str:
         return f"<Picture: {self.alt}>"
 
     def headline(self, finding: str, note: str = "") -> None:
         """Write the finding above all charts, and below it in grey what is plotted: quantity, how many, interval."""
+        self.finding = finding
         set_headline(self, plain(finding), plain(note))
 
     def add_subplot(self, *args: Any, **settings: Any) -> Any:

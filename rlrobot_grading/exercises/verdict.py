@@ -11,10 +11,10 @@ from html import escape
 WIDTH = 100  # characters of a line, so that no output of a notebook must be scrolled sideways
 
 # from the Okabe–Ito set, which colour-blind readers tell apart; as those of the figures
-BLUE = "#0072b2"
-GREEN = "#009e73"
-GREY = "#7f7f7f"
-RED = "#d55e00"
+BLUE = "#0067a5"
+GREEN = "#007a58"
+GREY = "#8d877d"
+RED = "#c24e00"
 
 # status: sign, headline of the card, colour of its edge
 LOOKS = {

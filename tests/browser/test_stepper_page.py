@@ -108,7 +108,7 @@ def test_a_key_counts_at_once_and_play_at_the_end_begins_again(opened):
 def test_no_label_of_a_cell_lies_on_the_robot(opened):
     page = opened(stepper_of(at=30))
     overlaps = """() => {
-      const inner = (e) => e.getBoundingClientRect(), robot = inner(document.querySelector("polygon[fill='#0072b2']"));
+      const inner = (e) => e.getBoundingClientRect(), robot = inner(document.querySelector("polygon[fill='#0067a5']"));
       const chips = [...document.querySelectorAll(".world .chip rect")].map(inner);
       const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
       return [chips.length, chips.filter((chip) => meet(chip, robot)).length, robot.width];

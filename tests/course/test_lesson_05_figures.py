@@ -58,7 +58,7 @@ def test_the_bars_of_the_draws_count_each_action():
     ]
     assert bars == [[1, 2, 1], [0, 3, 1]]
     assert (
-        "1 bumps without the bias, 0 with it" in figure.axes[0].get_title()
+        "1 bumps without the bias, 0 with it" in figure.finding
         and "right 1" in figure.alt
     )
 

@@ -66,10 +66,10 @@ def test_the_two_intervals_are_those_of_the_formulas():
 def test_the_picture_of_two_tests_names_the_pair_on_which_they_disagree():
     groups = set_ups()["wander_simple, 300 steps"][1]
     picture = plot_two_tests(groups)
-    assert picture.get_suptitle().endswith("disagree on TOSL+QBIASSR and TOSL+SR")
+    assert picture.finding.endswith("disagree on TOSL+QBIASSR and TOSL+SR")
     assert "TOSL+QBIASSR less TOSL+SR: -0.73 to 0.13 by Tukey" in picture.alt
     two = {method: groups[method] for method in ("TOSL+SR", "Q+SR")}
-    assert "Both tests say the same" in plot_two_tests(two).get_suptitle()
+    assert "Both tests say the same" in plot_two_tests(two).finding
 
 
 def test_the_papers_differences_are_those_of_the_report_and_each_set_up_is_drawn():

@@ -253,7 +253,7 @@ def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_less
 ):
     (learner / "my_scores.json").write_text('{"03": [900.0, 0.1], "04": [-900.0, 0.1]}')
     titles = [
-        scoreboard(lesson, forward, "the given").axes[0].get_title()
+        scoreboard(lesson, forward, "the given").finding
         for lesson in ("04", "05", "06")
     ]
     assert titles[0].endswith("less than lesson 03")
@@ -264,10 +264,7 @@ def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_less
 
 def test_a_difference_that_may_be_chance_is_called_so(learner):
     (learner / "my_scores.json").write_text('{"03": [0.0, 900.0]}')
-    assert (
-        "lesson 03 (below 900."
-        in scoreboard("04", forward, "the given").axes[0].get_title()
-    )
+    assert "lesson 03 (below 900." in scoreboard("04", forward, "the given").finding
 
 
 def test_the_picture_tells_owners_apart_without_colours_and_writes_each_number():

@@ -45,7 +45,7 @@ def test_the_classical_cliff_takes_three_lines():
     )
     assert (
         result.name == "CliffWalking"
-        and "CliffWalking" in result.plot().axes[0].get_title()
+        and "CliffWalking" in result.plot().texts[1].get_text()
     )
 
 

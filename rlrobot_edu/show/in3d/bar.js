@@ -209,14 +209,14 @@ function plot(i) {
   pen.fillStyle = "#fff";
   pen.fillText(`mean reward, last ${MEAN_OF} steps`, 12, 22);
   for (const v of new Set([low, 0, high])) {
-    pen.fillStyle = "#c3c9d1";
+    pen.fillStyle = "#adb3b8";
     if (v === 0 || Math.abs(y(v) - y(0)) > 24) pen.fillText(signed(v, 2).replace(/^\+0$/, "0"), 8, y(v) + 7);
-    pen.fillStyle = v ? "#4a515a" : "#8a929c";
+    pen.fillStyle = v ? "#3a3e43" : "#8b9097";
     pen.fillRect(left, y(v), w - left - 10, 1);
   }
   pen.beginPath();
   means.slice(0, i + 1).forEach((v, k) => pen.lineTo(left + k / Math.max(1, means.length - 1) * (w - left - 14), y(v)));
-  pen.strokeStyle = "#f0e442";
+  pen.strokeStyle = "#f0b429";
   pen.lineWidth = 4;
   pen.stroke();
 }

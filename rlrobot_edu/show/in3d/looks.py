@@ -9,20 +9,20 @@ import meshcat.geometry as g
 import numpy as np
 
 from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
-from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.palette import LIGHT, ROLE
 
 UPRIGHT = ON_ITS_SIDE  # three.js's cylinders stand along y
-DARK = "#24272c"
+DARK = LIGHT["ink"]
 METAL = "#a9b0b8"
-RUBBER = "#1b1c1e"
-WHITE = "#ffffff"
-WALL = "#8793a1"
-FLOOR = "#d3cdbf"
-GRID = "#a39d90"
+RUBBER = LIGHT["ink"]
+WHITE = LIGHT["paper"]
+WALL = LIGHT["wall"]
+FLOOR = LIGHT["floor"]
+GRID = LIGHT["line"]
 WOOD = "#c08b55"
 SCREEN = "#dfe3e8"
 GLASS = "#8fc7ea"
-UNPAID = "#4d5258"  # of a trail
+UNPAID = LIGHT["grey"]  # of a trail
 BY_NAME = {"table": WOOD, "field": "#e6dfc8"}
 
 
@@ -164,7 +164,7 @@ def _pioneer(solid: Solid) -> list[Part]:
     below = at(-0.2, 0, -height / 2 - 0.045)
     return [
         Part("body", prism(slim, height), paint(ROLE["robot"]), np.eye(4)),
-        Part("deck", prism(hull, 0.016), paint(DARK), at(z=height / 2)),
+        Part("deck", prism(hull, 0.016), paint(ROLE["robot"]), at(z=height / 2)),
         Part("caster", g.Sphere(0.035), paint(RUBBER), below),
     ]
 
@@ -247,7 +247,7 @@ def beam(start: np.ndarray, end: np.ndarray) -> np.ndarray:
 def trail(
     points: np.ndarray, rewards: np.ndarray, most: float, width: float
 ) -> g.Geometry:
-    """A band along points, array (n + 1, 3) [m]: green for reward, orange and wider for punishment.
+    """A band along points, array (n + 1, 3) [m]: green for reward, red and wider for punishment.
 
     rewards: array (n,), of the step to each point but the first; NaN where the robot was put there, which leaves a gap
     most: the reward that has the full colour; a punishment has it from a fifth of this on
@@ -258,7 +258,7 @@ def trail(
     is_bad = rewards < 0
     weight = np.where(is_bad, 5, 1)
     strength = np.sqrt(weight * np.abs(rewards) / (most or 1.0)).clip(0, 1)
-    full = np.where(is_bad, _rgb(ROLE["beam"]), _rgb(ROLE["goal"]))
+    full = np.where(is_bad, _rgb(LIGHT["red"]), _rgb(LIGHT["green"]))
     unpaid = _rgb(UNPAID)
     tint = unpaid + strength * (full - unpaid)
     # Each piece overlaps the next, so that bends have no gaps.

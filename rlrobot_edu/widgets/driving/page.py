@@ -40,8 +40,8 @@ export default {
 """
 _STYLE = """
 .rl-drive button { min-width: 3.6em; min-height: 2.4em; padding: 0 6px; }
-.rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid #0072b2 !important; outline-offset: -3px; }
-.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed #7f7f7f; line-height: 1.4; }
+.rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid #0067a5 !important; outline-offset: -3px; }
+.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed #8d877d; line-height: 1.4; }
 """
 
 
