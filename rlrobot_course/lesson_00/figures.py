@@ -20,7 +20,9 @@ def plot_lasers(
     counted = {variable.name for variable in inputs}
     figure = Picture(figsize=(5.6, 5.2))
     ax = figure.subplots()
-    plot_scene(scene, ax, f"{len(counted)} of {len(names)} lasers count")
+    plot_scene(scene, ax)
+    ax.set_title("")
+    figure.headline(f"{len(counted)} of {len(names)} lasers count")
     beams = next(
         thing
         for thing in ax.collections

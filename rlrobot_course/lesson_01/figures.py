@@ -78,7 +78,7 @@ def plot_bins(
     )
     ax.invert_yaxis()
     ax.spines[["top", "right"]].set_visible(False)
-    ax.set_title("Each reading falls into one bin")
+    figure.headline("Each reading falls into one bin")
     figure.alt = f"Bars of {len(inputs)} readings over the bins of each input. {'; '.join(said)}."
     return figure
 
