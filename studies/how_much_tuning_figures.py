@@ -1,0 +1,192 @@
+"""The four pictures of docs/studies/how_much_tuning.md; each title is a finding, made from the data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from how_much_tuning import FRICTION_METHODS, OURS
+from how_much_tuning_numbers import Price, plainly, price
+from how_much_tuning_tests import SR, Draws, Finding, Part
+from how_much_tuning_worlds import settings_of
+
+from rlrobot_edu.show.map_of_settings import plot_settings
+from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION
+from rlrobot_edu.show.picture import Picture
+
+LOOK = {  # colour, dashes and mark of each method
+    OURS: (BLUE, "-", "o"), SR: (VERMILION, "--", "s"), "Q+SR": (GREY, ":", "^"),
+    "Q+QBIASSR": (GREEN, "-.", "D"), "TOSL+VBIASSR": (ORANGE, (0, (5, 1, 1, 1)), "v"), "Q+EG": (BLACK, (0, (1, 1)), "P"),
+}  # fmt: skip
+BELOW = 9.5  # letters of the line below a title [point]
+
+
+def headed(picture: Picture, title: str, below: str) -> Picture:
+    """The picture with its finding, and below in grey what is plotted."""
+    picture.suptitle(title, x=0.01, ha="left", fontsize=13, fontweight="bold")
+    picture.supxlabel(below, x=0.01, ha="left", fontsize=BELOW, color="#555555")
+    picture.alt = f"{title}. {below}"
+    return picture
+
+
+def number(value: float) -> str:
+    """A number with its sign, and a minus that is one."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
+def map_title(h6: Finding, sr: Part, ours: Part) -> str:
+    """Whether the bias sets wandering and arms against each other."""
+    numbers = f"rank correlation {number(ours.estimate)} with QBIASSR, {number(sr.estimate)} with SR"
+    return {
+        "holds": f"With the bias, settings that suit wandering suit arms less: {numbers}",
+        "not shown": f"That the bias sets wandering against arms is not shown: {numbers}",
+        "the opposite holds": f"With the bias, settings that suit wandering suit arms more: {numbers}",
+    }[h6.verdict]
+
+
+def plot_maps(draws: Draws, h6: Finding) -> Picture:
+    """Score over T and α for each task, with the bias and without; the paper's setting as a cross."""
+    study = draws.study
+    tasks = study.plan["tasks"]
+    paper = study.plan["paper's setting"]
+    picture = Picture((13, 5.2))
+    axes = picture.subplots(2, len(tasks), sharex=True, sharey=True)
+    for row, method in zip(axes, (SR, OURS), strict=True):
+        for ax, task in zip(row, tasks, strict=True):
+            means = np.asarray(
+                study.scored(task, study.swept(task, method).mean(axis=1))
+            )
+            look = {"vmin": 0, "vmax": 1, "s": 26, "linewidths": 0.2}
+            dots = plot_settings(ax, settings_of(study.plan, method), means, **look)
+            for width, colour in ((4, "white"), (2, VERMILION)):
+                ax.plot(paper["temperature"], paper["alpha"], "x", color=colour, markersize=10, markeredgewidth=width)  # fmt: skip
+            ax.set(xlabel="", ylabel="")
+            if method == SR:
+                ax.set_title(task, fontsize=11)
+        row[0].set_ylabel(f"{method}\nα")
+    for ax in axes[1]:
+        ax.set_xlabel("T")
+    picture.colorbar(dots, ax=axes, label="score", shrink=0.8)
+    title = map_title(h6, *(draws.rank_correlation(method) for method in (SR, OURS)))
+    n, robots = study.plan["sizes"]["settings"], study.plan["sizes"]["robots"]
+    below = (
+        f"Each dot is one of {n} settings, mean of {robots} robots. 0: random actions, 1: the best winner of all"
+        " methods. Red cross: the paper's setting."
+    )
+    return headed(picture, title, below)
+
+
+def price_title(its: Price, paper: float) -> str:
+    """How many random tries are worth more than the paper's setting."""
+    tries = its.worth(paper)
+    if tries is None:
+        return f"No number of random tries up to {its.tries[-1]} beats the paper's setting of {OURS}"
+    if tries == 1:
+        return f"One random setting of {OURS} scores more than the paper's, on average"
+    return f"The best of {tries} random settings of {OURS} beats the paper's setting"
+
+
+def plot_price(draws: Draws) -> Picture:
+    """The best of k random settings, by method."""
+    picture = Picture((9, 4.8))
+    ax = picture.subplots()
+    curves = {method: price(draws.study, method) for method in FRICTION_METHODS}
+    for method, its in curves.items():
+        colour, dashes, mark = LOOK[method]
+        ax.fill_between(its.tries, its.low, its.high, color=colour, alpha=0.15, lw=0)
+        ax.plot(its.tries, its.estimate, color=colour, linestyle=dashes, marker=mark, markersize=4)  # fmt: skip
+    ends = spread([its.estimate[-1] for its in curves.values()], 0.035)
+    for (method, its), y in zip(curves.items(), ends, strict=True):
+        ax.text(its.tries[-1] * 1.07, y, method, color=LOOK[method][0], va="center")
+    paper = draws.over_tasks(OURS, "paper's").estimate
+    ax.axhline(paper, color=BLUE, lw=1)
+    ax.text(its.tries[-1] * 1.07, paper, "paper's setting of\nTOSL+QBIASSR", color=BLUE, va="center")  # fmt: skip
+    ax.set_xscale("log", base=2)
+    ax.set_xticks(its.tries[::2], [str(k) for k in its.tries[::2]])
+    ax.set(xlabel="random settings tried", ylabel="score of the best")
+    ax.spines[["top", "right"]].set_visible(False)
+    below = "Mean score of six tasks; half of the robots choose the best, the others judge it. Bands: 95 % intervals."
+    return headed(picture, price_title(curves[OURS], paper), below)
+
+
+def spread(values: Sequence[float], gap: float) -> list[float]:
+    """The values, moved apart upward so that labels there do not touch."""
+    order = np.argsort(values)
+    moved = np.array(values, dtype=float)
+    for before, after in zip(order, order[1:], strict=False):
+        moved[after] = max(moved[after], moved[before] + gap)
+    return [float(value) for value in moved]
+
+
+def regret_title(h3: Finding, ours: Part, sr: Part) -> str:
+    """Whether the bias makes the paper's setting lose less."""
+    numbers = f"{ours.estimate:.2f} against {sr.estimate:.2f}"
+    return {
+        "holds": f"By the paper's setting the method with the bias loses less: {numbers}",
+        "not shown": f"That the bias lets the paper's setting lose less is not shown: {numbers}",
+        "the opposite holds": f"By the paper's setting the method with the bias loses more: {numbers}",
+    }[h3.verdict]
+
+
+def plot_regret(draws: Draws, h3: Finding) -> Picture:
+    """What each method loses by a setting that was not tuned for the task."""
+    picture = Picture((9, 4.4))
+    ax = picture.subplots()
+    methods = draws.study.plan["methods"]
+    kinds = {"paper's": ("the paper's setting", "o"), "others'": ("tuned on the five other tasks", "s"),
+             "common": ("tuned on all six", "^")}  # fmt: skip
+    for k, (kind, (label, mark)) in enumerate(kinds.items()):
+        for i, method in enumerate(methods):
+            its = draws.regret(method, kind)
+            colour = BLUE if method == OURS else GREY
+            y = i + 0.22 * (k - 1)
+            ax.plot(its.interval, [y, y], color=colour, lw=1.5)
+            ax.plot(its.estimate, y, mark, color=colour, markersize=7)
+            if i == 0:
+                ax.text(its.interval[1] + 0.006, y, label, color="#555555", va="center", fontsize=9)  # fmt: skip
+    ax.set_yticks(range(len(methods)), methods)
+    ax.invert_yaxis()
+    ax.axvline(0, color=GREY, lw=0.8)
+    ax.set_xlabel("score lost to the setting tuned for each task")
+    ax.spines[["top", "right"]].set_visible(False)
+    below = "Mean of six tasks, judged by new robots; 95 % intervals."
+    title = regret_title(h3, *(draws.regret(method, "paper's") for method in (OURS, SR)))  # fmt: skip
+    return headed(picture, title, below)
+
+
+def friction_title(h5: Finding, found: dict[str, Part]) -> str:
+    """Whether bias and traces need each other where walls hold."""
+    both, bias, traces = (
+        number(found[name].estimate) for name in ("both", "bias alone", "traces alone")
+    )
+    numbers = f"together {both} a step, alone {bias} and {traces}"
+    return {
+        "holds": f"With friction and lag, bias and traces need each other: {numbers}",
+        "not shown": f"That friction makes bias and traces need each other is not shown: {numbers}",
+        "the opposite holds": f"With friction and lag, bias and traces hinder each other: {numbers}",
+    }[h5.verdict]
+
+
+def plot_friction(draws: Draws, h5: Finding) -> Picture:
+    """What bias, traces and both gain over Q+SR, with friction and lag and without."""
+    picture = Picture((9, 3.8))
+    names = ("bias alone", "traces alone", "both")
+    titles = {"friction": "friction and lag", "wander_1k": "ideal robot"}
+    axes = picture.subplots(1, 2, sharex=True, sharey=True)
+    for ax, (world, title) in zip(axes, titles.items(), strict=True):
+        found = draws.effects(world)
+        for y, name in enumerate(names):
+            its = found[name]
+            colour = BLUE if name == "both" else GREY
+            ax.plot(its.interval, [y, y], color=colour, lw=2)
+            ax.plot(its.estimate, y, "o", color=colour, markersize=8)
+            ax.text(its.estimate, y - 0.16, number(its.estimate), color=colour, ha="center")  # fmt: skip
+        ax.axvline(0, color=GREY, lw=0.8)
+        ax.set_title(f"{title}: Q+SR earns {plainly(found['Q+SR'])}", fontsize=10.5)
+        ax.set_xlabel("gain over Q+SR, reward a step")
+        ax.spines[["top", "right"]].set_visible(False)
+    axes[0].set_yticks(range(len(names)), ["bias (Q+QBIASSR)", "traces (TOSL+SR)", "both (TOSL+QBIASSR)"])  # fmt: skip
+    axes[0].set_ylim(2.5, -0.6)
+    n, robots = (draws.sizes[f"friction {what}"] for what in ("settings", "robots"))
+    below = f"wander_1k, mean of {n} random settings, {robots} robots each with friction; 95 % intervals."
+    return headed(picture, friction_title(h5, draws.effects("friction")), below)
