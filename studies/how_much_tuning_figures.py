@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from how_much_tuning import FRICTION_METHODS, OURS
@@ -11,12 +12,12 @@ from how_much_tuning_tests import SR, Draws, Finding, Part
 from how_much_tuning_worlds import settings_of
 
 from rlrobot_edu.show.map_of_settings import plot_settings
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION
+from rlrobot_edu.show.palette import BLUE, GREEN, GREY, VERMILION
 from rlrobot_edu.show.picture import Picture
 
 LOOK = {  # colour, dashes and mark of each method
-    OURS: (BLUE, "-", "o"), SR: (VERMILION, "--", "s"), "Q+SR": (GREY, ":", "^"),
-    "Q+QBIASSR": (GREEN, "-.", "D"), "TOSL+VBIASSR": (ORANGE, (0, (5, 1, 1, 1)), "v"), "Q+EG": (BLACK, (0, (1, 1)), "P"),
+    OURS: (BLUE, "-", "o"), SR: (VERMILION, "--", "s"),
+    "Q+SR": (GREY, ":", "^"), "Q+QBIASSR": (GREEN, "-.", "D"),
 }  # fmt: skip
 BELOW = 9.5  # letters of the line below a title [point]
 
@@ -58,8 +59,9 @@ def plot_maps(draws: Draws, h6: Finding) -> Picture:
             )
             look = {"vmin": 0, "vmax": 1, "s": 26, "linewidths": 0.2}
             dots = plot_settings(ax, settings_of(study.plan, method), means, **look)
-            for width, colour in ((4, "white"), (2, VERMILION)):
-                ax.plot(paper["temperature"], paper["alpha"], "x", color=colour, markersize=10, markeredgewidth=width)  # fmt: skip
+            cross = [paper["temperature"]], [paper["alpha"]], "x"
+            ax.plot(*cross, color="white", markersize=11, markeredgewidth=4)
+            ax.plot(*cross, color=VERMILION, markersize=10, markeredgewidth=2)
             ax.set(xlabel="", ylabel="")
             if method == SR:
                 ax.set_title(task, fontsize=11)
@@ -113,7 +115,7 @@ def spread(values: Sequence[float], gap: float) -> list[float]:
     """The values, moved apart upward so that labels there do not touch."""
     order = np.argsort(values)
     moved = np.array(values, dtype=float)
-    for before, after in zip(order, order[1:], strict=False):
+    for before, after in pairwise(order):
         moved[after] = max(moved[after], moved[before] + gap)
     return [float(value) for value in moved]
 

@@ -80,6 +80,9 @@ def random_settings(
     return settings
 
 
+AT_ONCE = 8  # robots of a setting that run one after another in a process
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Sweep(Tabled):
     """What a method earned at each of many settings.
@@ -179,13 +182,15 @@ def sweep(
     jobs = {}
     for i, its in enumerate(all_settings):
         learner(env, its)  # a wrong setting is refused before anything runs
-        jobs[i] = partial(_finals, world, its, length, seeds, robot)
-    scores = np.empty((len(jobs), robots))
+        for first in range(0, robots, AT_ONCE):
+            some = seeds[first : first + AT_ONCE]
+            jobs[i, first] = partial(_finals, world, its, length, some, robot)
+    scores = np.empty((len(all_settings), robots))
     threads = isinstance(world, SampleModel)
-    with progress_bar(len(jobs), progress, delay=0, unit="setting") as shown:
-        for i, finals in in_parallel(jobs, threads, n_jobs):
-            scores[i] = finals
-            shown.update()
+    with progress_bar(scores.size, progress, delay=0, unit="robot") as shown:
+        for (i, first), finals in in_parallel(jobs, threads, n_jobs):
+            scores[i, first : first + len(finals)] = finals
+            shown.update(len(finals))
     return Sweep(all_settings, scores)
 
 
