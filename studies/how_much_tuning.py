@@ -21,7 +21,12 @@ from rlrobot_edu.files import write_whole
 
 HERE = Path(__file__).parent
 DATA, STORE = HERE / "how_much_tuning.npz", HERE.parent / "results" / "how_much_tuning"
-FRICTION_METHODS = ["Q+SR", "TOSL+SR", "Q+QBIASSR", "TOSL+QBIASSR"]
+METHODS = [
+    "Q+SR",
+    "TOSL+SR",
+    "Q+QBIASSR",
+    "TOSL+QBIASSR",
+]  # neither, traces, bias, both
 OURS = "TOSL+QBIASSR"  # the paper's method
 Scores = MutableMapping[str, np.ndarray]
 UNIT = 1000  # of the file: rewards are kept in thousandths
@@ -119,7 +124,7 @@ class Study:
             random = self.judged(world, "Q+SR", "random").mean()
             best = [
                 self.judged(world, method, self.winner(world, method)).mean()
-                for method in self.plan["methods"]
+                for method in METHODS
             ]
             self._ends[world] = float(random), float(max(best))
         return self._ends[world]
@@ -141,13 +146,13 @@ class Study:
         """Run whatever is missing."""
         plan = self.plan
         for world in self.worlds:
-            for method in plan["methods"]:
+            for method in METHODS:
                 self.swept(world, method)
-        for method in FRICTION_METHODS:
+        for method in METHODS:
             self.swept("friction", method)
         for world in self.worlds:
             self.ends(world)
-            for method in plan["methods"]:
+            for method in METHODS:
                 for setting in self.kinds(world, method).values():
                     self.judged(world, method, setting)
         for world in [*MAZES, *list(plan["sizes"]["hold-out robots"])[1:]]:

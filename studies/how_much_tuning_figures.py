@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from how_much_tuning import FRICTION_METHODS, OURS
+from how_much_tuning import METHODS, OURS
 from how_much_tuning_numbers import Price, plainly, price
 from how_much_tuning_tests import SR, Draws, Finding, Part
 from how_much_tuning_worlds import settings_of
@@ -58,7 +58,7 @@ def plot_maps(draws: Draws, h6: Finding) -> Picture:
                 study.scored(task, study.swept(task, method).mean(axis=1))
             )
             look = {"vmin": 0, "vmax": 1, "s": 26, "linewidths": 0.2}
-            dots = plot_settings(ax, settings_of(study.plan, method), means, **look)
+            dots = plot_settings(ax, settings_of(study.plan), means, **look)
             cross = [paper["temperature"]], [paper["alpha"]], "x"
             ax.plot(*cross, color="white", markersize=11, markeredgewidth=4)
             ax.plot(*cross, color=VERMILION, markersize=10, markeredgewidth=2)
@@ -92,7 +92,7 @@ def plot_price(draws: Draws) -> Picture:
     """The best of k random settings, by method."""
     picture = Picture((9, 4.8))
     ax = picture.subplots()
-    curves = {method: price(draws.study, method) for method in FRICTION_METHODS}
+    curves = {method: price(draws.study, method) for method in METHODS}
     for method, its in curves.items():
         colour, dashes, mark = LOOK[method]
         ax.fill_between(its.tries, its.low, its.high, color=colour, alpha=0.15, lw=0)
@@ -134,7 +134,7 @@ def plot_regret(draws: Draws, h3: Finding) -> Picture:
     """What each method loses by a setting that was not tuned for the task."""
     picture = Picture((9, 4.4))
     ax = picture.subplots()
-    methods = draws.study.plan["methods"]
+    methods = METHODS
     kinds = {"paper's": ("the paper's setting", "o"), "others'": ("tuned on the five other tasks", "s"),
              "common": ("tuned on all six", "^")}  # fmt: skip
     for k, (kind, (label, mark)) in enumerate(kinds.items()):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from how_much_tuning import OURS, Study
+from how_much_tuning import METHODS, OURS, Study
 from how_much_tuning_figures import (
     plot_friction,
     plot_maps,
@@ -59,7 +59,7 @@ def of_hypotheses(found: list[Finding], draws: Draws) -> str:
 def of_methods(draws: Draws) -> str:
     """Score of each method at each kind of setting."""
     rows = []
-    for method in draws.study.plan["methods"]:
+    for method in METHODS:
         parts = [draws.over_tasks(method, kind) for kind in KINDS]
         rows.append([method, *map(plainly, parts)])
     head = ["method", "the paper's", "tuned on the other five", "tuned on all six", "tuned for the task"]  # fmt: skip
@@ -87,13 +87,12 @@ def of_tasks(draws: Draws) -> str:
 def of_settings(study: Study) -> str:
     """The common setting of each method."""
     rows = []
-    for method in study.plan["methods"]:
-        its = settings_of(study.plan, method)[int(study.common(method))]
-        cells = [its["alpha"], its["gamma"], its["lam"]]
-        with_epsilon = "epsilon" in its
-        last = f"ε = {its['epsilon']:.2f}" if with_epsilon else f"{its['temperature']:.2f}"  # fmt: skip
-        lam = "–" if method.startswith("Q+") else f"{cells[2]:.2f}"
-        rows.append([method, f"{cells[0]:.2f}", f"{cells[1]:.2f}", lam, last])
+    for method in METHODS:
+        its = settings_of(study.plan)[int(study.common(method))]
+        values = [f"{its[name]:.2f}" for name in ("alpha", "gamma", "lam", "temperature")]  # fmt: skip
+        if method.startswith("Q+"):
+            values[2] = "–"
+        rows.append([method, *values])
     return table(["method", "α", "γ", "λ", "T"], rows)
 
 

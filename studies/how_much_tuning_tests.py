@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from how_much_tuning import FRICTION_METHODS, OURS, Study
+from how_much_tuning import METHODS, OURS, Study
 from how_much_tuning_worlds import MAZES
 from scipy.stats import rankdata
 
@@ -134,12 +134,12 @@ class Draws:
         few = self.sizes["friction settings"]
         rows, columns = self._few_settings, self._few_robots[world]
         found = {}
-        for method in FRICTION_METHODS:
+        for method in METHODS:
             x = self.study.swept(world, method)[:few]
             by_setting = x[:, columns].mean(axis=2)  # settings × draws
             drawn = np.take_along_axis(by_setting.T, rows, axis=1).mean(axis=1)
             found[method] = Part(method, float(x.mean()), drawn)
-        neither, traces, bias, both = (found[method] for method in FRICTION_METHODS)
+        neither, traces, bias, both = (found[method] for method in METHODS)
         found["bias alone"] = less("bias alone", bias, neither)
         found["traces alone"] = less("traces alone", traces, neither)
         found["both"] = less("both", both, neither)

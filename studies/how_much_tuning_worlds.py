@@ -14,8 +14,7 @@ from better_bias_fast import FastBase
 from better_bias_worlds import CELL, MEMORY, random_maze
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_22.vbiassr import VBIASSR
-from rlrobot_edu.experiments.sweep import BOX, Range, random_settings, sweep
+from rlrobot_edu.experiments.sweep import random_settings, sweep
 from rlrobot_edu.robots.arenas import ARENAS
 
 Plan = Mapping[str, Any]
@@ -23,28 +22,20 @@ REGISTERED: Plan = json.loads(
     (Path(__file__).parent / "tuning_registered.json").read_text(encoding="utf-8")
 )
 MAZES = [f"maze {number}" for number in range(10)]
-EPSILON_BOX = {name: BOX[name] for name in ("alpha", "gamma", "lam")} | {
-    "epsilon": Range(0.01, 1.0, log=True)
-}
 
 
-def settings_of(plan: Plan, method: str) -> list[dict[str, float]]:
-    """The settings of a method: the same points for all, with ε in place of T for ε-greedy."""
-    box = EPSILON_BOX if method.endswith("+EG") else BOX
-    return random_settings(plan["sizes"]["settings"], plan["seeds"]["settings"], box)
+def settings_of(plan: Plan) -> list[dict[str, float]]:
+    """The settings, the same for all methods."""
+    return random_settings(plan["sizes"]["settings"], plan["seeds"]["settings"])
 
 
 def parameters(plan: Plan, method: str, setting: str) -> dict[str, Any]:
     """The parameters of an agent at a setting: its number, ``paper`` or ``random``, which acts at random."""
     if setting == "random":
         return {"method": "Q+RANDOM"}
-    made = rl.Method("TOSL", VBIASSR) if method == "TOSL+VBIASSR" else method
-    names = [*settings_of(plan, method)[0]]
     if setting == "paper":
-        its = {name: plan["paper's setting"][name] for name in names}
-    else:
-        its = settings_of(plan, method)[int(setting)]
-    return {"method": made, **its}
+        return {"method": method, **plan["paper's setting"]}
+    return {"method": method, **settings_of(plan)[int(setting)]}
 
 
 def new_ground() -> gymnasium.Env[Any, Any]:
