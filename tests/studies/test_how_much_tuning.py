@@ -30,7 +30,6 @@ def tiny(**sizes):
     return {
         **PLAN,
         "sizes": its | sizes,
-        "methods": study.FRICTION_METHODS,
         "tasks": ["wander_simple", "wander_1k", "arm_1k"],
         "wandering": ["wander_1k"],
         "arms": ["arm_1k"],
@@ -140,7 +139,7 @@ def test_the_tests_find_what_was_put_in(pretended):
     assert draws.rank_correlation(study.OURS).estimate < -0.9
     assert draws.rank_correlation(tests.SR).estimate > 0.9
     # the winner is the coldest or the warmest setting
-    warm = [its["temperature"] for its in worlds.settings_of(pretended.plan, study.OURS)]  # fmt: skip
+    warm = [its["temperature"] for its in worlds.settings_of(pretended.plan)]  # fmt: skip
     for world, best in (("wander_1k", min), ("arm_1k", max)):
         chosen = float(warm[int(pretended.winner(world, study.OURS))])
         assert abs(np.log10(chosen / best(warm))) < 0.3
@@ -151,7 +150,7 @@ def test_the_score_is_0_for_random_actions_and_1_for_the_best_winner(pretended):
         random = pretended.judged(world, "Q+SR", "random").mean()
         best = [
             pretended.judged(world, method, pretended.winner(world, method)).mean()
-            for method in pretended.plan["methods"]
+            for method in study.METHODS
         ]
         scored = pretended.scored(world, np.array([random, max(best)]))
         assert scored == pytest.approx([0, 1])
@@ -206,20 +205,12 @@ def test_a_title_says_what_the_test_of_its_hypothesis_says():
     assert "up to 4" in figures.price_title(curve, 0.9)
 
 
-def test_all_methods_are_tried_at_the_same_points():
-    ours, greedy = (worlds.settings_of(PLAN, name) for name in (study.OURS, "Q+EG"))
-    assert len(ours) == len(greedy) == PLAN["sizes"]["settings"]
-    for one, other in zip(ours, greedy, strict=True):
-        assert all(one[name] == other[name] for name in ("alpha", "gamma", "lam"))
-        # T over three decades, ε over two
-        share = np.log10(one["temperature"] / 0.01) / 3
-        assert np.log10(other["epsilon"] / 0.01) / 2 == pytest.approx(share)
-    for method in PLAN["methods"]:
-        paper = worlds.parameters(PLAN, method, "paper")
-        agent = rl.Agent("wander_simple", **paper)
-        default = rl.Agent("wander_simple").parameters
-        assert (agent.parameters.alpha, agent.parameters.gamma, agent.parameters.lam) \
-            == (default.alpha, default.gamma, default.lam)  # fmt: skip
+def test_the_papers_setting_is_the_default_of_an_agent():
+    assert PLAN["methods"] == study.METHODS
+    paper = worlds.parameters(PLAN, study.OURS, "paper")
+    one = rl.Agent("wander_simple", **paper).parameters
+    other = rl.Agent("wander_simple", study.OURS).parameters
+    assert one == other
 
 
 def test_every_registered_world_is_there():
@@ -229,13 +220,19 @@ def test_every_registered_world_is_there():
             rl.make_env(made, 0, **robot).close()
 
 
-def test_it_was_registered_before_the_first_run():
-    """The file of the plan is older than the data in the repository's history, and has not changed since."""
-    log = ["git", "log", "--format=%H", "--", "studies/tuning_registered.json"]
+def committed(path):
+    """When a file was changed by commits, the last one first [s]; empty without a history."""
+    log = ["git", "log", "--format=%ct", "--", str(path)]
     found = subprocess.run(log, cwd=study.HERE.parent, capture_output=True, text=True)
-    if found.returncode or not found.stdout:
+    return [int(time) for time in found.stdout.split()]
+
+
+def test_the_plan_has_not_changed_since_there_are_data():
+    plan = committed(study.HERE / "tuning_registered.json")
+    data = committed(study.DATA)
+    if not plan or not data:
         pytest.skip("this is no checkout with its history")
-    assert len(found.stdout.split()) == 1
+    assert plan[0] <= data[-1]
 
 
 needs_data = pytest.mark.skipif(not study.DATA.is_file(), reason="no data yet")
