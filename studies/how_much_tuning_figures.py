@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 from how_much_tuning import METHODS, OURS
-from how_much_tuning_numbers import Price, plainly, price
+from how_much_tuning_numbers import Price, plainly, price, signed
 from how_much_tuning_tests import SR, Draws, Finding, Part
 from how_much_tuning_worlds import settings_of
 
@@ -30,14 +30,9 @@ def headed(picture: Picture, title: str, below: str) -> Picture:
     return picture
 
 
-def number(value: float) -> str:
-    """A number with its sign, and a minus that is one."""
-    return f"{value:+.2f}".replace("-", "−")
-
-
 def map_title(h6: Finding, sr: Part, ours: Part) -> str:
     """Whether the bias sets wandering and arms against each other."""
-    numbers = f"rank correlation {number(ours.estimate)} with QBIASSR, {number(sr.estimate)} with SR"
+    numbers = f"rank correlation {signed(ours.estimate)} with QBIASSR, {signed(sr.estimate)} with SR"
     return {
         "holds": f"With the bias, settings that suit wandering suit arms less: {numbers}",
         "not shown": f"That the bias sets wandering against arms is not shown: {numbers}",
@@ -78,14 +73,15 @@ def plot_maps(draws: Draws, h6: Finding) -> Picture:
     return headed(picture, title, below)
 
 
-def price_title(its: Price, paper: float) -> str:
-    """How many random tries are worth more than the paper's setting."""
-    tries = its.worth(paper)
+def price_title(its: Price, paper: Part) -> str:
+    """How many random tries are worth more than the paper's setting, by intervals that do not overlap."""
+    tries = its.worth(paper.interval[1])
     if tries is None:
-        return f"No number of random tries up to {its.tries[-1]} beats the paper's setting of {OURS}"
+        return f"No number of random tries up to {its.tries[-1]} is shown to beat the paper's setting of {OURS}"
     if tries == 1:
         return f"One random setting of {OURS} scores more than the paper's, on average"
-    return f"The best of {tries} random settings of {OURS} beats the paper's setting"
+    words = {2: "two", 4: "four", 8: "eight"}
+    return f"The best of {words.get(tries, tries)} random settings of {OURS} beats the paper's setting"
 
 
 def plot_price(draws: Draws) -> Picture:
@@ -100,15 +96,16 @@ def plot_price(draws: Draws) -> Picture:
     ends = spread([its.estimate[-1] for its in curves.values()], 0.035)
     for (method, its), y in zip(curves.items(), ends, strict=True):
         ax.text(its.tries[-1] * 1.07, y, method, color=LOOK[method][0], va="center")
-    paper = draws.over_tasks(OURS, "paper's").estimate
+    of_paper = draws.over_tasks(OURS, "paper's")
+    paper = of_paper.estimate
     ax.axhline(paper, color=BLUE, lw=1)
     ax.text(its.tries[-1] * 1.07, paper, "paper's setting of\nTOSL+QBIASSR", color=BLUE, va="center")  # fmt: skip
     ax.set_xscale("log", base=2)
-    ax.set_xticks(its.tries[::2], [str(k) for k in its.tries[::2]])
+    ax.set_xticks(its.tries, [str(k) for k in its.tries])
     ax.set(xlabel="random settings tried", ylabel="score of the best")
     ax.spines[["top", "right"]].set_visible(False)
     below = "Mean score of six tasks; half of the robots choose the best, the others judge it. Bands: 95 % intervals."
-    return headed(picture, price_title(curves[OURS], paper), below)
+    return headed(picture, price_title(curves[OURS], of_paper), below)
 
 
 def spread(values: Sequence[float], gap: float) -> list[float]:
@@ -134,11 +131,10 @@ def plot_regret(draws: Draws, h3: Finding) -> Picture:
     """What each method loses by a setting that was not tuned for the task."""
     picture = Picture((9, 4.4))
     ax = picture.subplots()
-    methods = METHODS
     kinds = {"paper's": ("the paper's setting", "o"), "others'": ("tuned on the five other tasks", "s"),
              "common": ("tuned on all six", "^")}  # fmt: skip
     for k, (kind, (label, mark)) in enumerate(kinds.items()):
-        for i, method in enumerate(methods):
+        for i, method in enumerate(METHODS):
             its = draws.regret(method, kind)
             colour = BLUE if method == OURS else GREY
             y = i + 0.22 * (k - 1)
@@ -146,7 +142,7 @@ def plot_regret(draws: Draws, h3: Finding) -> Picture:
             ax.plot(its.estimate, y, mark, color=colour, markersize=7)
             if i == 0:
                 ax.text(its.interval[1] + 0.006, y, label, color="#555555", va="center", fontsize=9)  # fmt: skip
-    ax.set_yticks(range(len(methods)), methods)
+    ax.set_yticks(range(len(METHODS)), METHODS)
     ax.invert_yaxis()
     ax.axvline(0, color=GREY, lw=0.8)
     ax.set_xlabel("score lost to the setting tuned for each task")
@@ -156,20 +152,19 @@ def plot_regret(draws: Draws, h3: Finding) -> Picture:
     return headed(picture, title, below)
 
 
-def friction_title(h5: Finding, found: dict[str, Part]) -> str:
-    """Whether bias and traces need each other where walls hold."""
-    both, bias, traces = (
-        number(found[name].estimate) for name in ("both", "bias alone", "traces alone")
-    )
-    numbers = f"together {both} a step, alone {bias} and {traces}"
-    return {
-        "holds": f"With friction and lag, bias and traces need each other: {numbers}",
-        "not shown": f"That friction makes bias and traces need each other is not shown: {numbers}",
-        "the opposite holds": f"With friction and lag, bias and traces hinder each other: {numbers}",
-    }[h5.verdict]
+def friction_title(friction: Part, ideal: Part) -> str:
+    """Whether traces alone gain something with friction and lag, and on an ideal robot; by their intervals."""
+    numbers = f"{signed(friction.estimate)} and {signed(ideal.estimate)} a step"
+    if friction.interval[0] > 0 > ideal.interval[1]:
+        return (
+            f"Traces pay with friction and lag, and cost on an ideal robot: {numbers}"
+        )
+    if friction.interval[0] > 0:
+        return f"Traces pay with friction and lag, and are not shown to cost without: {numbers}"
+    return f"That traces pay with friction and lag is not shown: {numbers}"
 
 
-def plot_friction(draws: Draws, h5: Finding) -> Picture:
+def plot_friction(draws: Draws) -> Picture:
     """What bias, traces and both gain over Q+SR, with friction and lag and without."""
     picture = Picture((9, 3.8))
     names = ("bias alone", "traces alone", "both")
@@ -182,7 +177,7 @@ def plot_friction(draws: Draws, h5: Finding) -> Picture:
             colour = BLUE if name == "both" else GREY
             ax.plot(its.interval, [y, y], color=colour, lw=2)
             ax.plot(its.estimate, y, "o", color=colour, markersize=8)
-            ax.text(its.estimate, y - 0.16, number(its.estimate), color=colour, ha="center")  # fmt: skip
+            ax.text(its.estimate, y - 0.16, signed(its.estimate), color=colour, ha="center")  # fmt: skip
         ax.axvline(0, color=GREY, lw=0.8)
         ax.set_title(f"{title}: Q+SR earns {plainly(found['Q+SR'])}", fontsize=10.5)
         ax.set_xlabel("gain over Q+SR, reward a step")
@@ -190,5 +185,10 @@ def plot_friction(draws: Draws, h5: Finding) -> Picture:
     axes[0].set_yticks(range(len(names)), ["bias (Q+QBIASSR)", "traces (TOSL+SR)", "both (TOSL+QBIASSR)"])  # fmt: skip
     axes[0].set_ylim(2.5, -0.6)
     n, robots = (draws.sizes[f"friction {what}"] for what in ("settings", "robots"))
-    below = f"wander_1k, mean of {n} random settings, {robots} robots each with friction; 95 % intervals."
-    return headed(picture, friction_title(h5, draws.effects("friction")), below)
+    others = draws.sizes["robots"]
+    below = (
+        f"wander_1k, mean of {n} random settings, {robots} robots each with friction and lag, {others} on the ideal"
+        " robot; 95 % intervals."
+    )
+    traces = [draws.effects(world)["traces alone"] for world in titles]
+    return headed(picture, friction_title(*traces), below)

@@ -8,7 +8,7 @@ import numpy as np
 from how_much_tuning import Study
 from how_much_tuning_tests import Part
 
-TRIES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64)
+TRIES = (1, 2, 4, 8, 16, 32, 64)
 
 
 class Price(NamedTuple):
@@ -23,8 +23,8 @@ class Price(NamedTuple):
     high: np.ndarray
 
     def worth(self, score: float) -> int | None:
-        """How many random tries score more than this; None if all of them score less."""
-        better = np.flatnonzero(self.estimate > score)
+        """How many random tries surely score more than this: the interval lies above; None if no number does."""
+        better = np.flatnonzero(self.low > score)
         return self.tries[better[0]] if len(better) else None
 
 
@@ -93,12 +93,18 @@ def luck(study: Study, method: str) -> float:
 
 
 def said(part: Part) -> str:
-    """A number and its interval."""
+    """A number with its sign, and its interval."""
     low, high = part.interval
-    return f"{part.estimate:+.2f} [{low:+.2f}, {high:+.2f}]".replace("-", "−")
+    return f"{signed(part.estimate)} [{signed(low)}, {signed(high)}]"
 
 
 def plainly(part: Part) -> str:
     """The same without a plus sign, for what is no difference."""
     low, high = part.interval
     return f"{part.estimate:.2f} [{low:.2f}, {high:.2f}]".replace("-", "−")
+
+
+def signed(value: float) -> str:
+    """A number with its sign; zero has none."""
+    text = f"{value:+.2f}"
+    return "0.00" if float(text) == 0 else text.replace("-", "−")

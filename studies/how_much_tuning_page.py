@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from how_much_tuning_numbers import (
     said,
 )
 from how_much_tuning_tests import SR, Draws, Finding, findings, less
-from how_much_tuning_text import PAGE
+from how_much_tuning_text import PAGE, VERDICT
 from how_much_tuning_worlds import settings_of
 
 from rlrobot_edu.files import write_whole
@@ -67,21 +68,21 @@ def of_methods(draws: Draws) -> str:
 
 
 def of_tasks(draws: Draws) -> str:
-    """What tuning gains for each task, with the bias and without; and the scale in reward a step."""
+    """Score of TOSL+SR and TOSL+QBIASSR by task, and what the scale means in reward a step."""
     study = draws.study
     rows = []
     for task in study.worlds:
-        low, high = study.ends(task)
-        cells = [task, f"{low:.2f}", f"{high:.2f}".replace("-", "−")]
-        for kind in ("paper's", "winner"):
-            for method in (SR, OURS):
-                cells.append(f"{draws.judged(task, method, kind).estimate:.2f}")
+        cells = [task, " / ".join(f"{end:.2f}" for end in study.ends(task))]
+        for kind in ("paper's", "others'", "winner"):
+            if kind in study.kinds(task, OURS):
+                both = [draws.judged(task, method, kind).estimate for method in (SR, OURS)]  # fmt: skip
+                cells.append(" / ".join(f"{score:.2f}" for score in both))
+            else:
+                cells.append("–")
         ours, sr = (draws.judged(task, method, "winner") for method in (OURS, SR))
-        cells.append(said(less(task, ours, sr)))
-        rows.append([cell.replace("-", "−") for cell in cells])
-    head = ["world", "score 0 is", "score 1 is", "SR, paper's", "QBIASSR, paper's"]
-    head += ["SR, tuned", "QBIASSR, tuned", "tuned: QBIASSR less SR"]
-    return table(head, rows)
+        rows.append([*cells, said(less(task, ours, sr))])
+    head = ["world", "reward a step at 0 / 1", "the paper's", "tuned on the other five", "tuned"]  # fmt: skip
+    return table([*head, "tuned: QBIASSR less SR"], rows)
 
 
 def of_settings(study: Study) -> str:
@@ -103,7 +104,7 @@ def pictures(draws: Draws, found: list[Finding]) -> dict[str, Picture]:
         "tuning_maps": plot_maps(draws, by_name["H6"]),
         "tuning_price": plot_price(draws),
         "tuning_regret": plot_regret(draws, by_name["H3"]),
-        "tuning_friction": plot_friction(draws, by_name["H5"]),
+        "tuning_friction": plot_friction(draws),
     }
 
 
@@ -111,34 +112,81 @@ def numbers(draws: Draws, found: list[Finding]) -> dict[str, str]:
     """The numbers of the prose, by name."""
     study = draws.study
     by_name = {its.name: its for its in found}
-    effects = {world: draws.effects(world) for world in ("friction", "wander_1k")}
-    its_price = price(study, OURS)
+    verdicts = [its.verdict for its in found]
+    friction, ideal = (draws.effects(world) for world in ("friction", "wander_1k"))
+    curve = price(study, OURS)
     paper = draws.over_tasks(OURS, "paper's")
-    tuned = less(
-        "tuned", draws.over_tasks(OURS, "winner"), draws.over_tasks(SR, "winner")
-    )
-    ours, sr = (draws.regret(method, "paper's") for method in (OURS, SR))
-    of_all = {name: len(array.ravel()) for name, array in study.parts.items()}
+    tries = curve.worth(paper.interval[1])
+
+    def bias(kind: str) -> str:
+        return said(less(kind, draws.over_tasks(OURS, kind), draws.over_tasks(SR, kind)))  # fmt: skip
+
+    def best_of(k: int | None) -> str:
+        return "–" if k is None else f"{curve.estimate[curve.tries.index(k)]:.2f}"
+
+    settings = settings_of(study.plan)
+
+    def winners(method: str) -> str:
+        worlds = [*study.plan["wandering"], *study.plan["arms"]]
+        chosen = [settings[int(study.winner(world, method))] for world in worlds]
+        *first, last = [f"{its['temperature']:.2f}" for its in chosen]
+        return f"{', '.join(first)} and {last}"
+
+    tuned = {}
+    for world in study.plan["wandering"]:
+        ours, sr = (draws.judged(world, method, "winner") for method in (OURS, SR))
+        tuned[f"tuned_{world}"] = said(less(world, ours, sr))
     return {
-        "runs": f"{sum(of_all.values()):,}",
-        "tries": str(its_price.worth(paper.estimate)),
+        "runs": f"{sum(array.size for array in study.parts.values()):,}",
+        "tries": counted(tries),
+        "winners_ours": winners(OURS),
+        "winners_sr": winners(SR),
+        "best_of_tries": best_of(tries),
+        "best_of_one": best_of(1),
+        "best_of_two": best_of(2),
+        "best_of_four": best_of(4),
         "paper": plainly(paper),
         "beaten": f"{100 * beaten_by_the_papers(study, OURS):.0f}",
         "luck": f"{luck(study, OURS):.2f}",
-        "tuned": said(tuned),
-        "regret_ours": plainly(ours),
-        "regret_sr": plainly(sr),
-        "best_of_two": f"{its_price.estimate[1]:.2f}",
-        "rank_ours": plainly(draws.rank_correlation(OURS)),
-        "rank_sr": plainly(draws.rank_correlation(SR)),
-        "bias_alone": said(effects["friction"]["bias alone"]),
-        "traces_alone": said(effects["friction"]["traces alone"]),
-        "both": said(effects["friction"]["both"]),
-        "traces_ideal": said(effects["wander_1k"]["traces alone"]),
-        "hold": str(sum(its.verdict == "holds" for its in found)),
-        **{name: said(its.parts[0]) for name, its in by_name.items()},
+        "tuned": bias("winner"),
+        **tuned,
+        "at_papers": bias("paper's"),
+        "regret_ours": plainly(draws.regret(OURS, "paper's")),
+        "regret_sr": plainly(draws.regret(SR, "paper's")),
+        "others_ours": plainly(draws.regret(OURS, "others'")),
+        "others_sr": plainly(draws.regret(SR, "others'")),
+        "others_score_ours": plainly(draws.over_tasks(OURS, "others'")),
+        "others_score_sr": plainly(draws.over_tasks(SR, "others'")),
+        "fewest_judges": str(min(study.plan["sizes"]["judging robots"].values())),
+        "most_judges": str(max(study.plan["sizes"]["judging robots"].values())),
+        "rank_ours": said(draws.rank_correlation(OURS)),
+        "rank_sr": said(draws.rank_correlation(SR)),
+        "traces_friction": said(friction["traces alone"]),
+        "traces_ideal": said(ideal["traces alone"]),
+        "interaction_ideal": said(ideal["interaction"]),
+        "H4": said(by_name["H4"].parts[0]),
+        "H5": said(by_name["H5"].parts[0]),
         "H5_more": said(by_name["H5"].parts[1]),
+        "hold": counted(verdicts.count("holds")),
+        "opposite": counted(verdicts.count("the opposite holds")),
+        "not_shown": counted(verdicts.count("not shown")),
     }
+
+
+def counted(n: int | None) -> str:
+    """A small number in words."""
+    words = ("none", "one", "two", "three", "four", "five", "six", "seven")
+    return words[n] if n is not None and n < len(words) else str(n)
+
+
+def verdict(its: Mapping[str, str]) -> str:
+    """The three sentences of the verdict, in one line."""
+    return " ".join(VERDICT.format(**its).split())
+
+
+def wrapped(text: str) -> str:
+    """A paragraph in lines of 120 characters."""
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def page(study: Study) -> tuple[str, Mapping[str, Picture]]:
@@ -150,8 +198,10 @@ def page(study: Study) -> tuple[str, Mapping[str, Picture]]:
         name: f"![{picture.alt}](../pictures/{name}.png)"
         for name, picture in drawn.items()
     }
+    its = numbers(draws, found)
     text = PAGE.format(
-        **numbers(draws, found),
+        **its,
+        verdict=wrapped(verdict(its)),
         **shown,
         of_hypotheses=of_hypotheses(found, draws),
         of_methods=of_methods(draws),

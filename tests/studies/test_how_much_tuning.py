@@ -191,18 +191,21 @@ def test_a_title_says_what_the_test_of_its_hypothesis_says():
         return tests.Finding("H", [part], corrected, corrected)
 
     low, high = (tests.Part("", value, np.full(9, value)) for value in (-0.4, 0.3))
-    found = {name: tests.Part(name, 1.0, np.ones(9)) for name in ("both", "bias alone", "traces alone")}  # fmt: skip
     for title in (
         lambda its: figures.map_title(its, high, low),
         lambda its: figures.regret_title(its, high, low),
-        lambda its: figures.friction_title(its, found),
     ):
         said = [title(finding(p, x)) for p, x in ((0.01, 1.0), (0.01, -1.0), (0.5, 1.0))]  # fmt: skip
         assert len(set(said)) == 3 and "not shown" in said[2]
-    curve = numbers.Price((1, 2, 4), np.array([0.5, 0.7, 0.8]), *np.zeros((2, 3)))
-    assert "best of 2 random" in figures.price_title(curve, 0.6)
-    assert figures.price_title(curve, 0.4).startswith("One random setting")
-    assert "up to 4" in figures.price_title(curve, 0.9)
+    said = [figures.friction_title(*pair) for pair in ((high, low), (high, high), (low, low))]  # fmt: skip
+    assert "cost on an ideal" in said[0] and "not shown to cost" in said[1]
+    assert said[2].startswith("That traces pay")
+    lows = np.array([0.5, 0.7, 0.8])
+    curve = numbers.Price((1, 2, 4), lows + 0.1, lows, lows + 0.2)
+    score = {x: tests.Part("", x, np.full(9, x)) for x in (0.4, 0.6, 0.9)}
+    assert "best of two random" in figures.price_title(curve, score[0.6])
+    assert figures.price_title(curve, score[0.4]).startswith("One random setting")
+    assert "up to 4" in figures.price_title(curve, score[0.9])
 
 
 def test_the_papers_setting_is_the_default_of_an_agent():
