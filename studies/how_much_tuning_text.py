@@ -3,8 +3,8 @@
 # Three sentences, which lesson 15 has, too
 VERDICT = """\
 Tuned for each task, the paper's method with its bias, TOSL+QBIASSR, scores {tuned} more than without it, TOSL+SR;
-nearly all of this comes from wander_1k and wander_4k ({tuned_wander_1k} and {tuned_wander_4k}). The bias does not spare the
-tuning: the paper's setting loses {regret_ours} of the score with it and {regret_sr} without, and the best of
+nearly all of this comes from wander_1k and wander_4k ({tuned_wander_1k} and {tuned_wander_4k}). The bias does not
+spare the tuning: the paper's setting loses {regret_ours} of the score with it and {regret_sr} without, and the best of
 {tries} random settings ({best_of_tries}) beats the paper's ({paper}). For with the bias, settings that suit wandering
 suit arms less: the rank correlation of their scores is {rank_ours}, without the bias {rank_sr}."""
 
@@ -31,6 +31,7 @@ them, and a pilot with other settings and robots had already looked at most of t
 | score | 0 for random actions, 1 for the best setting of any method, in each task |
 | tuned | the best of {n_settings} settings, chosen by some robots and judged by others |
 | regret | the score that a setting loses to the one tuned for the task |
+| rank correlation | 1 where two tasks put the settings in the same order, −1 where in the opposite one |
 
 ## Seven hypotheses
 
@@ -59,7 +60,8 @@ So a few tries are worth a lot: one random setting of TOSL+QBIASSR scores {best_
 
 *Mean score of the six tasks. "Tuned on the other five" stands for a new task, for which nobody tunes.*
 
-These settings are best on all six tasks. γ is near the lowest that was tried, so an even lower one may be better:
+These settings are best on all six tasks. In three of them γ is near the lowest that was tried, so an even lower one may
+be better:
 
 {of_settings}
 
@@ -78,8 +80,9 @@ Score by task, TOSL+SR / TOSL+QBIASSR:
 {tuning_friction}
 
 With friction and lag, traces alone gain {traces_friction} a step; on ideal robots the gain is {traces_ideal}. These
-two gains are described, and were not tested. Bias and traces together gain more than the two gains of each alone add up to: by {H5} with
-friction, and by {interaction_ideal} without. That friction makes this larger is not shown ({H5_more}), so H5 is not.
+two gains are described, and were not tested. Bias and traces together gain more than the two gains of each alone add up
+to: by {H5} with friction, and by {interaction_ideal} without. That friction makes this larger is not shown
+({H5_more}), so H5 is not.
 
 ## How it was done
 

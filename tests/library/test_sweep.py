@@ -41,6 +41,7 @@ def test_the_scores_depend_on_the_seed_and_not_on_the_number_of_cores(wander_mod
     assert not np.array_equal(one.scores, small(wander_model, seed=2).scores)
 
 
+@pytest.mark.long
 def test_a_robots_task_gives_the_same_numbers_in_other_processes():
     one, two = (
         small("arm_1k", episodes=1, engine="kinematic", n_jobs=n) for n in (1, 2)

@@ -1,6 +1,7 @@
 """The registered study of tuning: a tiny one from nothing to its page, an interrupt, its statistics, and its page."""
 
 import itertools
+import json
 import re
 import subprocess
 
@@ -17,11 +18,18 @@ from scipy import stats
 import rlrobot_edu as rl
 
 PLAN = worlds.REGISTERED
+WORLDS = (
+    "wander_simple",
+    "wander_1k",
+    "wander_4k",
+    "arm_1k",
+    "new ground",
+)  # of a tiny study
 
 
 def tiny(**sizes):
     """The registered plan in small: fewer tasks, settings, robots and steps; every stage is there."""
-    few = dict.fromkeys(("wander_simple", "wander_1k", "arm_1k", "new ground"), 3)
+    few = dict.fromkeys(WORLDS, 3)
     its = {
         "settings": 4, "robots": 2, "candidates": 2, "choosing robots": 2, "judging robots": few,
         "friction settings": 2, "friction robots": 2, "hold-out robots": {"maze": 1, "arm_4k": 2},
@@ -30,8 +38,7 @@ def tiny(**sizes):
     return {
         **PLAN,
         "sizes": its | sizes,
-        "tasks": ["wander_simple", "wander_1k", "arm_1k"],
-        "wandering": ["wander_1k"],
+        "tasks": list(WORLDS[:4]),
         "arms": ["arm_1k"],
         "elsewhere": ["wander_simple", "arm_1k"],
         "lengths": {name: [60, None] for name in PLAN["lengths"]}
@@ -77,7 +84,7 @@ class Pretended:
 
 
 LARGER = {"settings": 32, "robots": 4, "candidates": 3, "choosing robots": 8, "friction settings": 16,
-          "judging robots": dict.fromkeys(("wander_simple", "wander_1k", "arm_1k", "new ground"), 20),
+          "judging robots": dict.fromkeys(WORLDS, 20),
           "hold-out robots": {"maze": 4, "arm_4k": 8}, "draws": 400}  # fmt: skip
 
 
@@ -248,6 +255,56 @@ def test_the_page_is_what_its_data_say():
     assert (page.DOCS / "studies" / "how_much_tuning.md").read_text("utf-8") == text
     assert all((page.DOCS / "pictures" / f"{name}.png").is_file() for name in pictures)
     assert not re.search(r"\bnan\b|\{", text)
+
+
+@needs_data
+def test_what_people_wrote_is_what_the_tests_show():
+    """The sentences of the page and of README that a number alone does not change."""
+    draws = tests.Draws(study.read(PLAN, study.DATA))
+    found = {its.name: its.verdict for its in tests.findings(draws)}
+    assert found == {
+        "H1": "holds", "H2": "holds", "H3": "the opposite holds", "H4": "the opposite holds",
+        "H5": "not shown", "H6": "holds", "H7": "not shown",
+    }  # fmt: skip
+    its = draws.study
+    for method, is_cold in ((study.OURS, True), (tests.SR, False)):
+        warm = [worlds.settings_of(PLAN)[int(its.winner(world, method))]["temperature"]
+                for world in (*PLAN["wandering"], *PLAN["arms"])]  # fmt: skip
+        assert (max(warm[:2]) < 0.1 and min(warm[2:]) > 3) == is_cold
+    # nearly all of what the bias gains when tuned comes from the two wandering tasks
+    gains = {
+        task: draws.judged(task, study.OURS, "winner").estimate
+        - draws.judged(task, tests.SR, "winner").estimate
+        for task in PLAN["tasks"]
+    }
+    assert sum(gains[task] for task in PLAN["wandering"]) > 0.9 * sum(gains.values())
+    # a setting tuned on the other five loses much in wander_simple and with both arms
+    for task in PLAN["tasks"]:
+        others = draws.judged(task, study.OURS, "others'").estimate
+        assert (others < 0.6) == (task in ("wander_simple", *PLAN["arms"]))
+    # at the paper's setting the bias does not score less; by that of the others it does
+    by_kind = {kind: tests.less(kind, draws.over_tasks(study.OURS, kind), draws.over_tasks(tests.SR, kind))
+               for kind in ("paper's", "others'")}  # fmt: skip
+    assert by_kind["paper's"].interval[0] > 0 > by_kind["others'"].interval[1]
+    # the best of two random settings surely scores more than the paper's
+    paper = draws.over_tasks(study.OURS, "paper's").interval[1]
+    assert numbers.price(its, study.OURS).worth(paper) == 2
+    # both together gain more than each alone adds up to, with friction and without
+    assert all(part.interval[0] > 0 for part in draws.few_interactions.values())
+    by_name = {part.name: part.interval[0] for part in draws.held_out}
+    assert {name for name, low in by_name.items() if low < 0} == {"ten random mazes", "arm_4k, PyBullet"}  # fmt: skip
+    common = [worlds.settings_of(PLAN)[int(its.common(method))] for method in study.METHODS]  # fmt: skip
+    assert [setting["gamma"] < 0.52 for setting in common] == [False, True, True, True]
+
+
+@needs_data
+def test_lesson_15_says_what_the_page_says():
+    its = study.read(PLAN, study.DATA)
+    draws = tests.Draws(its)
+    said = page.verdict(page.numbers(draws, tests.findings(draws)))
+    lesson = study.HERE.parent / "notebooks/15_reproduce_the_paper.ipynb"
+    cells = json.loads(lesson.read_text("utf-8"))["cells"]
+    assert any(said in "".join(cell["source"]) for cell in cells)
 
 
 @needs_data
