@@ -15,7 +15,7 @@
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
 #                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)
-# make atlas  run what studies/tuning_registered.json says; writes docs/studies/how_much_tuning.md (25 minutes on two quiet cores;
+# make atlas  run what studies/tuning_registered.json says; writes docs/studies/how_much_tuning.md (under an hour on two busy cores;
 #             stop it when you like, the same call goes on)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
