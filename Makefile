@@ -11,7 +11,7 @@
 # make bench  measure how fast it is, MushroomRL too (fetched for it alone); writes studies/benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
-# make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
+# make reproduce  run the paper's experiments; writes docs/reproduction/ and docs/results.md (40 minutes on two quiet cores; QUICK=--quick: five;
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
 #                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)

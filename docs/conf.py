@@ -2,7 +2,9 @@
 
 import os
 import re
+from html import escape, unescape
 from pathlib import Path
+from textwrap import shorten
 from typing import Any
 
 from docutils import nodes
@@ -64,7 +66,7 @@ suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stepper"],
-    "docs/method": ["docs/notation"],
+    "docs/method": ["docs/notation", "docs/when_similarity_helps"],
     "docs/grading": ["notebooks/homework/*"],
     "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],
@@ -124,6 +126,37 @@ def with_levels(
             )
 
 
+LONGEST = 200  # characters of a description
+MOST = 8  # paragraphs that it is taken from
+
+
+def _is_picture(paragraph: nodes.paragraph) -> bool:
+    return any(isinstance(child, nodes.image) for child in paragraph.children)
+
+
+def with_card(
+    app: Sphinx,
+    page: str,
+    template: str,
+    context: dict[str, Any],
+    doctree: nodes.document | None,
+) -> None:
+    """Title and description, which a search engine shows, and a card where somebody shares a link to the page."""
+    if doctree is None:
+        return
+    paragraphs = [
+        each for each in doctree.findall(nodes.paragraph) if not _is_picture(each)
+    ]
+    text = " ".join(" ".join(each.astext() for each in paragraphs[:MOST]).split())
+    described = escape(shorten(text, LONGEST, placeholder=" …") or project)
+    title = escape(unescape(re.sub("<[^>]*>", "", context.get("title") or project)))
+    context["metatags"] = context.get("metatags", "") + (
+        f'<meta name="description" content="{described}">'
+        f'<meta property="og:type" content="website"><meta property="og:site_name" content="{project}">'
+        f'<meta property="og:title" content="{title}"><meta property="og:description" content="{described}">'
+    )
+
+
 # A minus that follows nothing but an opening bracket or another sign belongs to its number
 SIGN = re.compile(r"(<mo[^>]*>(?!&#x00029;|[\])|])[^<]+</mo>)<mo>(&#x02212;</mo>)")
 
@@ -141,6 +174,7 @@ def write_math(writer: HTML5Translator, node: nodes.math | nodes.math_block) -> 
 
 def setup(app: Sphinx) -> None:
     app.connect("html-page-context", with_levels, priority=900)  # after the theme
+    app.connect("html-page-context", with_card)
     app.add_html_math_renderer("mathml", (write_math, None), (write_math, None))
     app.connect("source-read", without_links_to_folders)
     app.connect("source-read", with_pages_below)

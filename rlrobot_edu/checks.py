@@ -83,7 +83,7 @@ def check_count(
     if is_whole(number) and int(number) >= least:
         return int(number)
     expected = "None or a" if or_none else "a"
-    given = _in_a_line(f"{number!r:.200}")
+    given = in_a_line(f"{number!r:.200}")
     raise ValueError(
         f"{name} must be {expected} whole number of at least {least}, got {given}"
     )
@@ -99,6 +99,8 @@ def check_between(
     name: str, number: float, low: float, high: float, unit: str = ""
 ) -> None:
     """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
+    if isinstance(number, np.generic):
+        number = number.item()  # a small float of NumPy overflows beside 1e100
     if not (isinstance(number, Real) and low <= number <= high):
         limits = f"at least {low:g} and at most {high:g}"
         raise ValueError(
@@ -146,14 +148,14 @@ def all_in_range(numbers: np.ndarray, n: float) -> bool:
 def first_difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     """The first fact, by name, that differs `there`, in a `place` such as "file"; empty if none does."""
     for name in there | here:
-        was = _in_a_line(there.get(name, "missing"))
-        given = _in_a_line(here.get(name, "missing"))
+        was = in_a_line(there.get(name, "missing"))
+        given = in_a_line(here.get(name, "missing"))
         if was != given:
             return f"{name} is {was:.200} in the {place}, {given:.200}"
     return ""
 
 
-def _in_a_line(given: object) -> str:
+def in_a_line(given: object) -> str:
     return " ".join(str(given).split())
 
 
@@ -168,8 +170,8 @@ def describe_error(error: BaseException, names: Iterable[str] | None = None) -> 
     """What went wrong in a task's own code; for a missing key also the existing `names`."""
     if isinstance(error, KeyError) and names is not None:
         known = ", ".join(str(name) for name in names)
-        return f"there is no {error}; there are {_in_a_line(known)}"
-    return f"{type(error).__name__}: {_in_a_line(error):.500}"
+        return f"there is no {error}; there are {in_a_line(known)}"
+    return f"{type(error).__name__}: {in_a_line(error):.500}"
 
 
 def check_parts(what: str, parts: Iterable[tuple[str, object]]) -> None:

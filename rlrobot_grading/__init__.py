@@ -42,7 +42,7 @@ has one, in this order:
 4. Two of the known mistakes at once.
 5. Notebook: an argument is taken from there, not from what the function is given.
 6. One change: in every case it does what the right function does with one thing in it changed.
-7. Events: the first call that differs in the order in which a loop calls the functions that it is given.
+7. Events: the first call that differs, and does harm, of those that a loop makes of the functions that it is given.
 8. Memory: more of a table changes than should, or always so many times too much.
 9. Code: an argument is never read.
 10. Cases: it is wrong just where an argument is True, or 0, or negative.

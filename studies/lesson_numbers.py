@@ -1,8 +1,8 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
-Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 exact steps and values and a
-number of agents, in lesson 08 the median error over a journey, in lessons 11 to 13 also a number of robots, in lesson
-18 also what one robot lost. It takes seven minutes of two cores.
+Each is a mean with half of its 95 % interval (Student's t), of robots, or a difference of two (Welch); in lesson 06
+exact steps and values and a number of agents, in lesson 08 the median error over a journey, in lessons 11 to 13 also a
+number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -56,6 +56,28 @@ def lesson_07() -> list[Row]:
                 rows.append(
                     ("07", f"{label}, walls {walls}", steps, *mean_and_half(at_steps))
                 )
+    return rows
+
+
+def lesson_07_geometry() -> list[Row]:
+    """What λ changes on a hundred ideal robots of geometry alone: differences, and half of Welch's interval."""
+    settings = {lam: {"method": "SL+SR", "lam": lam} for lam in (0, 0.5, 0.9)}
+    runs = rl.compare(
+        "wander_1k",
+        {f"λ = {lam}": method for lam, method in settings.items()},
+        100,
+        engine="kinematic",
+        loop_evasion=False,
+        progress=False,
+    )
+    rows: list[Row] = []
+    for ahead, behind, steps in ((0.9, 0, 1000), (0, 0.9, 3600), (0.5, 0, 3600)):
+        x = runs[f"λ = {ahead}"].curves[:, steps - 1]
+        y = runs[f"λ = {behind}"].curves[:, steps - 1]
+        ends = stats.ttest_ind(x, y, equal_var=False).confidence_interval()
+        of = f"λ = {ahead} less λ = {behind}, walls slide"
+        half = float(ends.high - ends.low) / 2
+        rows.append(("07, geometry", of, steps, float(x.mean() - y.mean()), half))
     return rows
 
 
@@ -449,6 +471,7 @@ def lesson_18() -> list[Row]:
 if __name__ == "__main__":
     lessons = (
         lesson_07,
+        lesson_07_geometry,
         lesson_04,
         lesson_05,
         lesson_06,

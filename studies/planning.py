@@ -281,8 +281,9 @@ Written by `python studies/planning.py`. An agent with a planner remembers its s
 after each real one: [Dyna-Q](../../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
 [prioritized sweeping](../../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All
 other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
-repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by
-Holm for all tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.
+repetitions in that one model, so nothing is shown of another recording; *robot*: the simulated one, {robot}
+repetitions. p is Tukey's, of the three groups in a row, corrected by Holm for all tests of both tables; **bold** is
+significantly better than no planner, *italic* significantly worse.
 
 ## What we found
 

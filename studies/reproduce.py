@@ -4,7 +4,8 @@ from argparse import ArgumentParser
 from pathlib import Path
 
 from paper.report import write_page
-from paper.run import reproduce
+from paper.run import SEED, reproduce
+from results_page import write_results
 
 if __name__ == "__main__":
     parser = ArgumentParser(description=__doc__)
@@ -19,6 +20,12 @@ if __name__ == "__main__":
         help="of the robots, as kinematic; into a folder of its own",
     )
     parser.add_argument(
+        "--seed",
+        type=int,
+        default=SEED,
+        help="of all comparisons; another one than the report's writes into a folder of its own",
+    )
+    parser.add_argument(
         "--page",
         action="store_true",
         help="run nothing; write the tables anew from averages.csv",
@@ -27,4 +34,7 @@ if __name__ == "__main__":
     if given.page:
         write_page(Path("docs/reproduction"), {}, has_prose=True)
     else:
-        reproduce(given.quick, engine=given.engine)
+        reproduce(given.quick, engine=given.engine, seed=given.seed)
+    is_report = not given.quick and not given.engine and given.seed == SEED
+    if is_report:
+        write_results()

@@ -75,10 +75,15 @@ SLOW_FILES = [
     "lite",
     "site",
     "grade",
-    "base_tasks",
+    "platforms",
     "howto",
+    "base_tasks",
+    "workshop",
+    "compiled_loop",
     "show",
     "pages",
+    "agent",
+    "notebooks",
 ]
 
 

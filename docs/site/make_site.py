@@ -31,8 +31,13 @@ SHOWN = [
     "studies/**/*", "tasks/*", "datasets/**/*", "rlrobot_*/**/*.py", "tests/**/*.py", "docs/lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
-TO_THE_SITE = """<!doctype html>
+ABOUT = (
+    "Learn tabular reinforcement learning on simulated robots, in Jupyter notebooks."
+)
+TO_THE_SITE = f"""<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU</title><link rel="icon" href="_static/favicon.svg">
+<meta name="description" content="{ABOUT}"><meta property="og:type" content="website">
+<meta property="og:title" content="RLROBOT-EDU"><meta property="og:description" content="{ABOUT}">
 <meta http-equiv="refresh" content="0; url=docs/index.html"><a href="docs/index.html">RLROBOT-EDU</a></html>
 """
 

@@ -8,6 +8,7 @@ import os
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -43,7 +44,8 @@ CHOOSE = [
 ]
 
 
-def packages(platform: str, python: str) -> set[str] | None:
+@cache
+def packages(platform: str, python: str) -> frozenset[str] | None:
     """Names of what would be installed there; None where a package has no wheel."""
     there = ["--python-platform", PLATFORMS[platform], "--python-version", python]
     done = subprocess.run(
@@ -58,7 +60,7 @@ def packages(platform: str, python: str) -> set[str] | None:
     return (
         None
         if done.returncode
-        else set(re.findall(r"^[\w-]+", done.stdout, re.MULTILINE))
+        else frozenset(re.findall(r"^[\w-]+", done.stdout, re.MULTILINE))
     )
 
 

@@ -131,12 +131,71 @@ def plot_few(
     return figure
 
 
-def games_howell(x: np.ndarray, y: np.ndarray, groups: int = 3) -> float:
-    """p of two of several groups whose numbers spread differently, arrays (n,). Source: Games & Howell (1976)."""
-    a, b = stats.sem(x) ** 2, stats.sem(y) ** 2
-    df = (a + b) ** 2 / (a**2 / (len(x) - 1) + b**2 / (len(y) - 1))
-    q = abs(x.mean() - y.mean()) / np.sqrt((a + b) / 2)
-    return float(stats.studentized_range.sf(q, groups, df))
+def two_intervals(
+    groups: Mapping[str, np.ndarray], first: str, second: str
+) -> dict[str, tuple[float, float]]:
+    """The simultaneous 95 % interval of first less second by each of the two tests, low and high."""
+    labels = list(groups)
+    i, j = labels.index(first), labels.index(second)
+    found = {}
+    for test, alike in (("Tukey", True), ("Games and Howell", False)):
+        outcome = stats.tukey_hsd(*groups.values(), equal_var=alike)
+        ends = outcome.confidence_interval(0.95)
+        found[test] = float(ends.low[i, j]), float(ends.high[i, j])
+    return found
+
+
+def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
+    """Each robot as a dot, and the difference of each pair with its interval by both tests. groups: arrays (n,)"""
+    picture = Picture(figsize=(9.0, 3.6))
+    left, right = picture.subplots(1, 2)
+    rng = np.random.default_rng(0)
+    for row, x in enumerate(groups.values()):
+        beside = row + rng.uniform(-0.25, 0.25, len(x))
+        left.plot(x, beside, ".", color=GREY, markersize=4)
+        left.plot([x.mean()] * 2, [row - 0.35, row + 0.35], color=BLUE, linewidth=2)
+    name_rows(left, list(groups))
+    left.set_xlabel("final average reward; line: mean")
+    looks = {"Tukey": (VERMILION, "s", -0.14), "Games and Howell": (BLUE, "o", 0.14)}
+    names, apart, told = [], [], []
+    for row, pair in enumerate(Tukey.of(groups).pairs):
+        names.append(f"{pair.first} less\n{pair.second}")
+        if pair.tests_disagree:
+            apart.append(f"{pair.first} and {pair.second}")
+        ends = two_intervals(groups, pair.first, pair.second)
+        for test, (low, high) in ends.items():
+            colour, marker, shift = looks[test]
+            right.errorbar(
+                pair.difference,
+                row + shift,
+                xerr=(high - low) / 2,
+                fmt=marker,
+                color=colour,
+                capsize=3,
+                label=test if row == 0 else None,
+            )
+        tukey, games_howell = (
+            f"{low:.2f} to {high:.2f}" for low, high in ends.values()
+        )
+        told.append(
+            f"{pair.first} less {pair.second}: {tukey} by Tukey, {games_howell} by Games and Howell"
+        )
+    name_rows(right, names)
+    right.set_ylim(len(names) - 0.5, -0.5)
+    right.axvline(0, color=BLACK, linewidth=1)
+    right.set_xlabel("difference, 95 % interval")
+    right.grid(alpha=0.3, axis="x")
+    legend_below(picture, 2)
+    title = "Both tests say the same of every pair"
+    if apart:
+        title = f"The two tests disagree on {' and on '.join(apart)}"
+    picture.suptitle(title)
+    spreads = [f"{method} {x.std(ddof=1):.2f}" for method, x in groups.items()]
+    picture.alt = (
+        f"Left, the final average rewards of each method's robots; SDs: {', '.join(spreads)}. "
+        f"Right, 95 % intervals of the differences. {'; '.join(told)}."
+    )
+    return picture
 
 
 def step_p(before: Score, after: Score, n: int) -> float:

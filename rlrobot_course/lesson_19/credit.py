@@ -10,10 +10,10 @@ import numpy as np
 from rlrobot_course.lesson_19.linear import Linear, plain
 from rlrobot_edu.checks import check_count, check_index
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.algorithm import NO_ACTION
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 from rlrobot_edu.learning.size import Env
-from rlrobot_edu.learning.templates.step import NO_ACTION
 from rlrobot_edu.learning.traces import forget
 
 

@@ -48,6 +48,11 @@ def in_order(
 class Choice:
     """choose(q, s) without chance."""
 
+    @property
+    def __signature__(self) -> inspect.Signature:
+        """The names of its arguments, as Python tells them."""
+        return inspect.signature(self._action)
+
     def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
         return self._action(*in_order("choose", self._action, arguments, by_name))
@@ -134,6 +139,11 @@ class Update:
 
     def __init__(self) -> None:
         self.given: list[list[Any]] = []
+
+    @property
+    def __signature__(self) -> inspect.Signature:
+        """The names of its arguments, as Python tells them."""
+        return inspect.signature(self.learn_from)
 
     def __repr__(self) -> str:
         calls = [f"({', '.join(map(show, one))})" for one in self.given]

@@ -178,12 +178,15 @@ class Comparison(Tabled, Mapping[str, Runs]):
         return Anova.of(list(self.final.values()))
 
     def tukey(self) -> Tukey:
-        """Tukey's test of all pairs of methods.
+        """Tukey's test of all pairs of methods, and beside it that of Games and Howell.
+
+        Tukey's test takes all methods to spread alike, the other one does not.
 
         Returns
         -------
         Tukey
-            The pairs, with the size of each difference; it shows itself as a table.
+            The pairs, with the size of each difference; it shows itself as a table, in
+            which ≠ marks a pair on which the two tests disagree.
 
         Raises
         ------

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 from rlrobot_edu.keywords import suggests_keywords
 
+NO_ACTION = -1  # a' where there is none: after a terminal state, or in an imagined step
+
 
 @suggests_keywords
 class Algorithm(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.checks import all_in_range, check_parts
+from rlrobot_edu.checks import LARGEST_NUMBER, all_in_range, check_parts
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.resume import ResumePoint
@@ -267,7 +267,8 @@ class History:
         yield "origin", isinstance(self.origin, str)
         yield "seconds", isinstance(self.seconds, float) and self.seconds >= 0
         yield "before", type(self.before.steps) is int and self.before.steps >= 0
-        yield "before", np.isfinite(self.before.reward)
+        most = self.before.steps * LARGEST_NUMBER
+        yield "before", abs(self.before.reward) <= most
         n_states = self.size.n_states
         n_actions = self.size.n_actions
         limits = {
@@ -285,6 +286,8 @@ class History:
             is_left_out = name in ("s", "a", "s_next") and column.size == 0
             yield name, is_left_out or column.shape == (n,)
             yield name, np.isfinite(column).all()
+            if name == "r":
+                yield name, (np.abs(column) <= LARGEST_NUMBER).all()
             if name in limits:
                 yield name, all_in_range(column, limits[name])
 

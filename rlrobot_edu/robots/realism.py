@@ -11,7 +11,7 @@ from rlrobot_edu.checks import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.task.robot_cards import LASERS, RobotCard
+from rlrobot_edu.task.robot_cards import LASERS, WHEELS, RobotCard
 
 
 @suggests_keywords
@@ -83,13 +83,14 @@ class Realism:
         """
         has_lasers = card.sensors.keys() >= set(LASERS)
         turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
-        in_pymunk = engine == "pymunk"
-        not_in_pymunk = "it needs a robot on wheels that pymunk simulates"
+        is_base = card.commands.keys() == set(WHEELS)
+        meets_walls = is_base and engine in ("pymunk", "kinematic")
+        no_walls = "it needs a base with engine='pymunk' or engine='kinematic'"
         for name, is_met, why_not in (
             ("laser_noise", has_lasers, "this robot has no lasers"),
             ("wheel_slip", turns, "this robot has neither wheels nor joints that turn"),
-            ("lag", in_pymunk, not_in_pymunk),
-            ("wall_friction", in_pymunk, not_in_pymunk),
+            ("lag", meets_walls, no_walls),
+            ("wall_friction", meets_walls, no_walls),
         ):
             if getattr(self, name) and not is_met:
                 raise ValueError(f"{name} has nothing to act on: {why_not}")
@@ -97,6 +98,13 @@ class Realism:
             raise ValueError(
                 f"lag must be below {step_time:g} s, a control step, got {self.lag}; see delay"
             )
+
+
+def realistic(robot: Robot, card: RobotCard, realism: Realism) -> Robot:
+    """The robot with `realism`; it is the same one if there is nothing to add to what it simulates itself."""
+    if realism.laser_noise or realism.wheel_slip or realism.delay:
+        return RealisticRobot(robot, card, realism)
+    return robot
 
 
 class RealisticRobot(SimulatedRobot):

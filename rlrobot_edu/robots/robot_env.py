@@ -12,7 +12,7 @@ import numpy as np
 
 from rlrobot_edu.checks import check_index, check_name
 from rlrobot_edu.learning.kernel_world import KernelWorld
-from rlrobot_edu.robots.realism import Realism, RealisticRobot
+from rlrobot_edu.robots.realism import Realism, realistic
 from rlrobot_edu.robots.robot import KernelRobot, LinkedRobot, Robot
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
@@ -101,8 +101,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                 engine = default_engine(task.robot)
             if realism is not None:
                 realism.check(ROBOTS[task.robot], engine, task.step_time)
-                # lag and wall friction act within pymunk; `RealisticRobot` adds the rest
-                if engine == "pymunk":
+                # the base simulates these itself; `realistic` adds the rest
+                if realism.lag or realism.wall_friction:
                     options["realism"] = realism
             self._make_robot = _maker(task, engine, options)
         self.engine = engine
@@ -127,7 +127,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         robot = self._make_robot()
         if self._realism is None:
             return robot
-        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+        return realistic(robot, ROBOTS[self.task.robot], self._realism)
 
     @cached_property
     def _camera(self) -> Any:
@@ -309,14 +309,14 @@ def default_engine(robot: str) -> Engine:
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If it is not, one line on stderr names its replacement."""
+    """Whether PyBullet is installed. If it is not, one line names its replacement."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        print(
-            f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.",
-            file=sys.stderr,
-        )
+        # A notebook shows stderr in red, as if something had failed.
+        stream = sys.stdout if "ipykernel" in sys.modules else sys.stderr
+        note = "Note: arms are geometry alone (engine='kinematic') and touch nothing"
+        print(f"{note}: {error}.", file=stream)
         return False
     return True
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PIL import Image
 
-from rlrobot_edu.checks import check_count
+from rlrobot_edu.checks import check_between, check_count, check_numbers
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
@@ -45,7 +45,8 @@ class Film(Displayed):
     Raises
     ------
     ValueError
-        If there are no frames.
+        If `frames` is no list of scenes, or empty, if the rewards are no numbers, or the notes no texts, if there are
+        more or fewer of them than frames, or if `seconds_per_frame` is not between 0.001 and 1000.
     """
 
     frames: list[Scene]
@@ -54,8 +55,31 @@ class Film(Displayed):
     notes: Sequence[str] = ()
 
     def __post_init__(self) -> None:
+        self._check_list("frames", self.frames, Scene, "scenes")
         if not self.frames:
             raise ValueError("a film without steps shows nothing; film at least 1 step")
+        check_numbers("rewards", self.rewards)
+        self._check_length("rewards", self.rewards)
+        check_between("seconds_per_frame", self.seconds_per_frame, 0.001, 1000)
+        self._check_list("notes", self.notes, str, "texts")
+        if self.notes:
+            self._check_length("notes", self.notes)
+
+    def _check_list(self, name: str, given: Any, kind: type, kinds: str) -> None:
+        """Raises ValueError unless it is a list, or a tuple, of things of this kind."""
+        # a scene is a tuple, too
+        is_list = isinstance(given, list | tuple) and not isinstance(given, Scene)
+        if not is_list or not all(isinstance(thing, kind) for thing in given):
+            raise ValueError(
+                f"{name} of a film must be a list of {kinds}, got {given!r:.200}"
+            )
+
+    def _check_length(self, name: str, given: Sequence[object]) -> None:
+        """Raises ValueError unless there is one for each frame."""
+        if len(given) != len(self.frames):
+            raise ValueError(
+                f"got {len(given)} {name} for {len(self.frames)} scenes; give one for each"
+            )
 
     @classmethod
     def of(cls, shots: Iterable[tuple[Scene, float]]) -> "Film":

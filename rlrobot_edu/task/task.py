@@ -16,6 +16,7 @@ from rlrobot_edu.checks import (
     check_table,
     describe_error,
     file_and_line,
+    in_a_line,
 )
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
@@ -235,7 +236,7 @@ class Task:
         except (Exception, SystemExit) as error:
             mistake = describe_error(error, given[-1])
             raise ValueError(
-                f"{file_and_line(self.path, error)}: {what} failed: {mistake}"
+                f"{file_and_line(self.path, error)}: {in_a_line(what)} failed: {mistake}"
             ) from error
 
     def __getstate__(self) -> bytes:

@@ -15,8 +15,13 @@ from typing import Any
 COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as these programs' are written
 
 
-def page_html(title: str, feed: dict[str, Any], program: str, style: str) -> str:
-    """One HTML page, on which ``standalone(feed, place)`` of the program shows its data in an element of the page."""
+def page_html(
+    title: str, description: str, feed: dict[str, Any], program: str, style: str
+) -> str:
+    """One HTML page, on which ``standalone(feed, place)`` of the program shows its data in an element of the page.
+
+    title, description: of the page, also for a card that shows a link to it
+    """
     parts = {
         "style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style)),
         "script": _bare(program),
@@ -25,7 +30,7 @@ def page_html(title: str, feed: dict[str, Any], program: str, style: str) -> str
     text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
     packed = base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")
     return Template(read_text("page_file.html")).substitute(
-        title=escape(title), packed=packed
+        title=escape(title), description=escape(description), packed=packed
     )
 
 

@@ -15,7 +15,7 @@ import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from types import CodeType, FrameType
+from types import BuiltinFunctionType, CodeType, FrameType
 from typing import Any
 
 import numpy as np
@@ -106,7 +106,11 @@ def ended_in_time(answer: Function, *arguments: Any) -> Any:
     looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked at, and then
     each step of the machine, one step later every time: one of them lies outside the ``try``.
     What never ends within one call of something written in C, as ``max(itertools.count())``, is not ended.
+    A profiler or a tracer that was set before is set again. A debugger wants to look at each line itself, and its user
+    may take as long as they like: then there is no limit.
     """
+    if _is_debugged():
+        return answer(*arguments)
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
     computed, waited, countdown, swallowed = (
         time.process_time(),
@@ -155,8 +159,27 @@ def ended_in_time(answer: Function, *arguments: Any) -> Any:
         try:
             return answer(*arguments)
         finally:
-            sys.setprofile(before_profile)
-            sys.settrace(before)
+            is_as_before = sys.getprofile() is before_profile
+            # until both are off a call of a Python function would be looked at
+            if not is_as_before:
+                sys.setprofile(None)
+            sys.settrace(None)
+            if not is_as_before:
+                _set_again(sys.setprofile, before_profile)
+            _set_again(sys.settrace, before)
+
+
+def _is_debugged() -> bool:
+    """Whether a debugger such as JupyterLab's is attached: it puts a function of its own in the place of settrace."""
+    return not isinstance(sys.settrace, BuiltinFunctionType)
+
+
+def _set_again(set_it: Callable[[Any], None], before: Any) -> None:
+    """Set the profiler or tracer again that was set before. One written in C, as %prun's, is no function."""
+    if before is None or callable(before):
+        set_it(before)
+    else:
+        before.enable()
 
 
 @contextmanager

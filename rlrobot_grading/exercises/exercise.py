@@ -29,7 +29,7 @@ from rlrobot_grading.answers.values import (
     safely,
     show,
 )
-from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.mistake import Mistake, hinted, offering_hints, with_ids
 from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.hints.detectors import find_hint
 from rlrobot_grading.hints.errors import error_hint
@@ -64,6 +64,7 @@ class Exercise:
         fraction change
     witnesses: by id, wrong answers as learners write them that must be recognised so
     keep: called in a notebook with this exercise and a right answer; returns a sentence for the verdict
+    name: as a notebook calls it, in ``check.NAME``
     """
 
     # whether all right answers return the same, so that a wrong one tells what it does
@@ -82,6 +83,7 @@ class Exercise:
     another: Callable[[np.random.Generator, Case], Case] | None = None
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
     keep: Keep | None = None
+    name: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
@@ -98,7 +100,9 @@ class Exercise:
             f"Your function is tried in {len(self.tape)} {self._unit}s …"
         ):
             verdict = self.judge(answer)
-        if not verdict or self.keep is None:
+        if not verdict:
+            return offering_hints(verdict, self.name, self.hints)
+        if self.keep is None:
             return verdict
         told = self.keep(self, answer)
         return replace(verdict, gained=f"{verdict.gained} {told}".strip())

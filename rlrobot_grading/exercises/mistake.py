@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
+from rlrobot_grading.answers.notebook import is_notebook
 from rlrobot_grading.exercises.verdict import Verdict
+
+_offered: set[str] = set()  # exercises whose hints have been pointed at: once is enough
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,20 @@ def wrong_choices(
         for one, i in zip(wrong, first, strict=True)
     }
     return {"as_shown": shown, **told}
+
+
+def offering_hints(verdict: Verdict, name: str, hints: Sequence[str]) -> Verdict:
+    """The verdict; in a notebook the first on a wrong answer whose cause is not known says where there are hints.
+
+    name: of the exercise, as in ``check.NAME``; hints: what `hinted` is given
+    """
+    is_bare = verdict.status == "wrong" and not verdict.hint
+    is_told = name in _offered or os.environ.get("RLROBOT_EDU_HINTS") == "0"
+    if not is_bare or is_told or not (name and hints and is_notebook()):
+        return verdict
+    _offered.add(name)
+    told = f"If you are stuck, write check.{name}.hint() in a new cell."
+    return replace(verdict, text=f"{verdict.text} {told}")
 
 
 def hinted(hints: Sequence[str], number: int) -> Verdict:

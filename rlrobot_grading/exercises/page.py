@@ -102,6 +102,7 @@ def _with_page(
     ]
     return replace(
         exercise,
+        name=page.stem,
         task=text[page.stem],
         hints=[line.partition(". ")[2] for line in sections["Hints"]],
         gained=text.get("Result", ""),

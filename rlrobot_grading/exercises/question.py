@@ -18,7 +18,7 @@ from rlrobot_grading.answers.values import (
     same,
     show,
 )
-from rlrobot_grading.exercises.mistake import Mistake, hinted, with_ids
+from rlrobot_grading.exercises.mistake import Mistake, hinted, offering_hints, with_ids
 from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.hints.evidence import Hint
 from rlrobot_grading.hints.formula import Formula
@@ -27,7 +27,6 @@ from rlrobot_grading.hints.suspicions import unlike
 ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
 DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it
 COMMA = "a point, not a comma, stands before the digits of a fraction: 0.5, not 0,5."
-MANY = 5  # numbers, of which it is told how many are right
 FURTHER = 0.05  # how far rounding may take it, before it is another number
 
 
@@ -40,6 +39,7 @@ class Question:
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
     witnesses: by id, wrong answers that must be recognised so
+    name: as a notebook calls it, in ``check.NAME``
     formula: given as `right`, it makes the value, and tells of a wrong number by which change of it that comes about
     Numbers may be rounded to three digits, as lessons print them, unless that is a known mistake. Letters may
     come in any order, as text or as a list.
@@ -53,6 +53,7 @@ class Question:
     gained: str = ""
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
     formula: Formula | None = None
+    name: str = ""
 
     def __post_init__(self) -> None:
         if isinstance(self.right, Formula):
@@ -62,6 +63,9 @@ class Question:
 
     def __call__(self, answer: Any, *more: Any) -> Verdict:
         """Judge `answer`; never raises."""
+        return offering_hints(self._judged(answer, *more), self.name, self.hints)
+
+    def _judged(self, answer: Any, *more: Any) -> Verdict:
         if more and self._has_comma((answer, *more)):
             return Verdict("wrong", "These are two numbers.", hint=COMMA, id="form")
         if more:
@@ -118,8 +122,7 @@ class Question:
             told = safely("", self.formula.told, answer, ROUNDED)
             if told:
                 return Hint("formula", told)
-        told = safely("", self._how_many, answer)
-        return Hint("form" if told else "", told)
+        return Hint("", "")
 
     def hint(self, number: int = 1) -> Verdict:
         """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""
@@ -180,20 +183,6 @@ class Question:
             and isinstance(answer, list | tuple)
             and [type(part) for part in answer] == [int, int]
         )
-
-    def _how_many(self, answer: Any) -> str:
-        """How many of several numbers are right."""
-        right, mine = (
-            np.asarray(self.right, dtype=float),
-            np.asarray(answer, dtype=float),
-        )
-        fit = sum(
-            same(r, m, ROUNDED)
-            for r, m in zip(np.ravel(right), np.ravel(mine), strict=True)
-        )
-        if right.size < MANY or right.shape != mine.shape:
-            return ""
-        return f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
 
     def _word_looked_at(self, answer: Any) -> str:
         """What is wrong with the form of an answer that should be a word."""

@@ -8,5 +8,6 @@ Outcome    (outcome.py)      what came of it, as averages.csv has it
 Verdict    (verdicts.py)     in what the two agree
 
 Begin with paper.py and experiments.py; worlds.py changes one thing of a task or a model, to show a cause. run.py runs
-all of it (``make reproduce``); tables.py and figures.py make what report.py puts into the page. People write the rest.
+all of it (``make reproduce``); tables.py, tally.py (the paper's pairs, counted by several tests) and figures.py make
+what report.py puts into the page. People write the rest.
 """

@@ -98,6 +98,18 @@ PRELIMINARIES = (
     ("exploration", "How to explore?", ("TOSL+SR", "TOSL+EG"), "TOSL+SR"),
 )  # fmt: skip
 
+# Values that are tried once more where walls hold the robot, λ with the paper's method, too
+WITH_WALLS = [
+    one
+    for one in PRELIMINARIES
+    if one[0] in ("lambda", "alpha", "gamma", "temperature")
+]
+_LAMBDA = PRELIMINARIES[1]
+_OF_QBIASSR = {
+    label: its | {"method": "TOSL+QBIASSR"} for label, its in _LAMBDA[2].items()
+}
+WITH_WALLS.append(("lambda_qbiassr", _LAMBDA[1], _OF_QBIASSR, _LAMBDA[3]))
+
 
 def _preliminary(
     on_model: bool, key: str, title: str, methods, best: str
@@ -227,6 +239,13 @@ EXPERIMENTS = (
     ),
     _preliminary(False, *PRELIMINARIES[0])._replace(
         key="cause_walls_algorithms", title="Walls that hold the robot: which algorithm?", realism=Realism.vrep(),
+    ),
+    *(
+        _preliminary(False, *one)._replace(
+            key=f"cause_walls_{one[0]}", title=f"Walls that hold the robot: {one[1]}", realism=Realism.vrep(),
+            repetitions=(12, 4),
+        )
+        for one in WITH_WALLS
     ),
     *(
         Experiment(

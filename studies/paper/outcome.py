@@ -1,5 +1,6 @@
 """What came of an experiment: the final average reward of each repetition, as averages.csv has it, and tests of it."""
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -7,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from scipy import stats
+from scipy import special, stats
 
 from paper.experiments import Experiment, Length
 from paper.paper import PaperPair
@@ -25,12 +26,17 @@ Finals = Mapping[str, np.ndarray]
 
 
 class Judged(NamedTuple):
-    """A pair of the paper, what its better method gains here, p of Tukey's test of that, and the verdict."""
+    """A pair of the paper, what its better method gains here, our test of the two, and the verdict by Tukey's p."""
 
     pair: PaperPair
     gain: float
-    p: float
+    ours: Pair
     verdict: Verdict
+
+    @property
+    def p(self) -> float:
+        """Of Tukey's test."""
+        return self.ours.p
 
 
 @dataclass(frozen=True)
@@ -57,15 +63,18 @@ class Outcome:
             for label, x in self.final[length or self.longest].items()
         }
 
+    def tested(self, first: str, second: str, length: Length | None = None) -> Pair:
+        """Our tests of these two methods, whichever of them is named first in it."""
+        for pair in self.pairs[length or self.longest]:
+            if {pair.first, pair.second} == {first, second}:
+                return pair
+        raise ValueError(f"{self.experiment.key} has no pair of {first} and {second}")
+
     def pair(
         self, first: str, second: str, length: Length | None = None
     ) -> tuple[float, float]:
         """Mean of the first less that of the second method, and p of Tukey's test."""
-        pair = next(
-            p
-            for p in self.pairs[length or self.longest]
-            if {p.first, p.second} == {first, second}
-        )
+        pair = self.tested(first, second, length)
         return (pair.difference if pair.first == first else -pair.difference), pair.p
 
     def judged(self, length: Length | None = None) -> list[Judged]:
@@ -73,7 +82,8 @@ class Outcome:
         found = []
         for its in self.experiment.pairs:
             gain, p = self.pair(its.better, its.worse, length)
-            found.append(Judged(its, gain, p, verdict(gain, p, its.p)))
+            ours = self.tested(its.better, its.worse, length)
+            found.append(Judged(its, gain, ours, verdict(gain, p, its.p)))
         return found
 
     def value(self) -> ValueVerdict:
@@ -102,6 +112,19 @@ def half_width(anova: Anova, n: int) -> float:
     """The same from an analysis of variance with `n` repetitions a group."""
     critical = stats.studentized_range.ppf(0.95, anova.df_between + 1, anova.df_within)
     return float(critical) * float(np.sqrt(anova.ms_within / n))
+
+
+def detectable(groups: Finals, power: float = 0.8) -> float:
+    """The smallest difference of two means that Tukey's test finds with this probability, if all spread alike.
+
+    The groups have one size.
+    """
+    anova = Anova.of(list(groups.values()))
+    n, methods = len(next(iter(groups.values()))), anova.df_between + 1
+    range_needed = stats.studentized_range.ppf(0.95, methods, anova.df_within)
+    t_needed = float(range_needed) / math.sqrt(2)
+    shift = float(special.nctdtrinc(anova.df_within, 1 - power, t_needed))
+    return shift * math.sqrt(2 * anova.ms_within / n)
 
 
 def significant_with(

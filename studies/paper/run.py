@@ -47,6 +47,7 @@ def reproduce(
     stores: str | Path = "results",
     only: Collection = (),
     engine: str = "",
+    seed: int = SEED,
 ) -> Path:
     """Run all experiments of the paper and write averages, figures and the tables of the report; returns its path.
 
@@ -55,8 +56,10 @@ def reproduce(
         out. Empty: each robot's own. Experiments in sample models are the same with any
     stores: folder of the finished repetitions; a call that was stopped goes on from there
     only: keys of the experiments to run, see `experiments.EXPERIMENTS`; none: all
+    seed: of all comparisons; another one than the report's has a folder of its own, likewise
     """
-    words = [*filter(None, [engine, "quick" if quick else ""])]
+    another = "" if seed == SEED else f"seed_{seed}"
+    words = [*filter(None, [engine, another, "quick" if quick else ""])]
     folder, stores = (
         Path(folder, *words),
         Path(stores, "_".join(["reproduction", *words])),
@@ -75,7 +78,7 @@ def reproduce(
         for number, experiment in enumerate(wanted, start=1):
             bar.set_description(f"{number} of {len(wanted)}: {experiment.key}")
             try:
-                result = _run(experiment, quick, stores, engine)
+                result = run_experiment(experiment, quick, stores, engine, seed)
             except (LookupError, ImportError) as reason:
                 skipped[experiment.key] = str(reason.args[0])
                 bar.write(f"{experiment.key} is skipped: {skipped[experiment.key]}")
@@ -93,11 +96,12 @@ def reproduce(
         "command": "python studies/reproduce.py"
         + " --quick" * quick
         + f" --engine {engine}" * bool(engine)
+        + (f" --seed {seed}" if another else "")
     }
     about |= {
-        "versions": _versions(),
+        "versions": _versions(seed),
         "skipped": skipped,
-        "seconds a step": [] if only or engine else measure_costs(),
+        "seconds a step": [] if only or engine or another else measure_costs(),
     }
     write_whole(folder / "averages.csv", _as_csv(averages))
     write_whole(folder / "environment.json", json.dumps(about, indent=1) + "\n")
@@ -137,7 +141,9 @@ def measure_costs(repetitions: int = 30, steps: int = 3600) -> list[float]:
     return np.median(times[1:], axis=0).tolist()
 
 
-def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comparison:
+def run_experiment(
+    experiment: Experiment, quick: bool, stores: Path, engine: str, seed: int = SEED
+) -> Comparison:
     """The comparison. Raises LookupError or ImportError if the task is not here, or cannot be run so."""
     if experiment.task not in available_tasks():
         raise LookupError(f"the task {experiment.task} is not here")
@@ -164,43 +170,42 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
     number, unit = experiment.lengths[-1]
     repetitions = experiment.repetitions[quick]
     result = compare(
-        world, experiment.methods, repetitions, **{unit: number}, seed=SEED, store=stores / experiment.key,
+        world, experiment.methods, repetitions, **{unit: number}, seed=seed, store=stores / experiment.key,
         realism=experiment.realism, engine=None if experiment.on_model else engine or None,
     )  # fmt: skip
     if not experiment.faulty:
         return result
     faulty = _faulty_runs(
-        world, repetitions, number, stores / f"{experiment.key}_faulty"
+        world, repetitions, number, stores / f"{experiment.key}_faulty", seed
     )
     return Comparison(world, {**result, FAULTY: faulty})
 
 
 def _faulty_runs(
-    model: SampleModel, repetitions: int, steps: int, folder: Path
+    model: SampleModel, repetitions: int, steps: int, folder: Path, seed: int
 ) -> Runs:
     """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
     facts = {
         "methods": {FAULTY: "Q+SR"},
         "version": __version__,
         **facts_of(model),
-        "seed": SEED,
+        "seed": seed,
         "steps": steps,
     }
     store, seeds = (
         Store(folder, facts),
-        np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions),
+        np.random.SeedSequence(seed, spawn_key=(1,)).spawn(repetitions),
     )
     store.begin(model)
     jobs = {
-        (FAULTY, i): partial(_faulty_run, model, steps, seed)
-        for i, seed in enumerate(seeds)
+        (FAULTY, i): partial(faulty_run, model, steps, one)
+        for i, one in enumerate(seeds)
     }
     return run(jobs, threads=False, store=store)[FAULTY]
 
 
-def _faulty_run(
-    model: SampleModel, steps: int, seed: np.random.SeedSequence
-) -> History:
+def faulty_run(model: SampleModel, steps: int, seed: np.random.SeedSequence) -> History:
+    """One repetition of Q-learning with the fault of the paper's program."""
     agent_seed, env_seed = copy(seed).spawn(2)
     agent, env = (
         Agent(model, "Q+SR", seed=agent_seed),
@@ -253,10 +258,10 @@ def _as_csv(rows: list[tuple]) -> str:
     return text.getvalue()
 
 
-def _versions() -> dict[str, str]:
+def _versions(seed: int) -> dict[str, str]:
     packages = ("numpy", "scipy", "numba", "gymnasium", "joblib", "pymunk")
     return {
-        "rlrobot_edu": __version__, "seed": str(SEED),
+        "rlrobot_edu": __version__, "seed": str(seed),
         "platform": f"{platform.system()} {platform.machine()}", "python": platform.python_version(),
         **{name: metadata.version(name) for name in packages},
     }  # fmt: skip

@@ -8,13 +8,15 @@ from scipy import stats
 
 from paper import paper
 from paper.experiments import FAULTY, PRELIMINARIES, Experiment
-from paper.outcome import Outcome, significant_with
+from paper.outcome import Outcome, detectable, significant_with
+from paper.tally import lost_by_holm, tally_table
 from paper.verdicts import DIRECTION, LEVEL
-from rlrobot_edu.experiments.statistics import Anova, shown_p
+from rlrobot_edu.experiments.statistics import Anova, marked_p, shown_p
 from rlrobot_edu.experiments.tables import Table
 
 Outcomes = Mapping[str, Outcome]
 SR, Q = paper.THREE[1:]
+LOST = "†"  # the mark of a pair that is not significant after Holm's correction
 CHANGES = (
     "walls",
     "contact",
@@ -31,6 +33,7 @@ def tables(outcomes: Outcomes) -> dict[str, str]:
         made[f"set-ups of {task}"] = set_ups_table(outcomes, task)
         made[f"changes in {task}"] = changes_table(outcomes, task)
     made |= {
+        "tally": tally_table(outcomes),
         "TOSL against Q-learning": order_table(outcomes),
         "few repetitions": few_table(outcomes),
     }
@@ -50,14 +53,17 @@ def set_up(experiment: Experiment) -> str:
 
 def pairs_table(outcomes: Outcomes, task: str) -> Table:
     """The paper's differences of this task, and ours at each length."""
-    rows = []
+    rows, lost = [], lost_by_holm(outcomes)
     for o in (outcomes[f"robot_{task}"],) if f"robot_{task}" in outcomes else ():
         for length, groups in o.final.items():
-            n = len(next(iter(groups.values())))
-            rows += [[
-                str(length), f"{its.better} less {its.worse}", paper.difference(task, its), its.q, its.p,
-                gain, n, shown_p(p), str(verdict),
-            ] for its, gain, p, verdict in o.judged(length)]  # fmt: skip
+            for one in o.judged(length):
+                its, ours = one.pair, one.ours
+                is_lost = (task, str(length), its.name) in lost
+                rows.append([
+                    str(length), f"{its.better} less {its.worse}", paper.difference(task, its), its.q, its.p,
+                    one.gain, detectable(groups), shown_p(ours.p), marked_p(ours.games_howell, ours.tests_disagree),
+                    f"{one.verdict} {LOST}" if is_lost else str(one.verdict),
+                ])  # fmt: skip
     columns = [
         "length",
         "pair",
@@ -65,8 +71,9 @@ def pairs_table(outcomes: Outcomes, task: str) -> Table:
         "its Q",
         "its p",
         "ours",
-        "our n",
+        "detectable",
         "our p",
+        "Games-Howell p",
         "verdict",
     ]
     return Table(f"{task}: differences of mean final average rewards", columns, rows)
@@ -111,9 +118,10 @@ def changes_table(outcomes: Outcomes, task: str) -> Table:
             before = outcomes[f"robot_{task}"].judged(length)
             for was, now in zip(before, changed.judged(length), strict=True):
                 if was.verdict.is_opposite or was.verdict.name != now.verdict.name:
+                    p = marked_p(now.p, now.ours.tests_disagree)
                     rows.append([
                         set_up(changed.experiment), str(length), f"{was.pair.better} less {was.pair.worse}",
-                        was.gain, now.gain, shown_p(now.p), str(was.verdict), str(now.verdict),
+                        was.gain, now.gain, p, str(was.verdict), str(now.verdict),
                     ])  # fmt: skip
     columns = [
         "what is changed",
@@ -136,9 +144,10 @@ def order_table(outcomes: Outcomes) -> Table:
             o.experiment.methods
         ) <= set(paper.THREE):
             q = FAULTY if o.experiment.faulty else Q
-            means, (difference, p) = o.means(), o.pair(SR, q)
+            means, ours = o.means(), o.tested(SR, q)
+            p = marked_p(ours.p, ours.tests_disagree)
             rows.append(
-                [set_up(o.experiment), means[SR], means[q], difference, shown_p(p)]
+                [set_up(o.experiment), means[SR], means[q], means[SR] - means[q], p]
             )
     return Table(
         "TOSL+SR and Q+SR in wander_1k", ["set-up", SR, Q, f"{SR} less {Q}", "p"], rows
@@ -180,7 +189,7 @@ def values_table(outcomes: Outcomes) -> Table:
             means = ", ".join(
                 f"{label}: {mean:.2f}" for label, mean in o.means().items()
             )
-            name, best, loss, p = o.value()
+            name, best, loss, ours = o.value()
             rows.append(
                 [
                     title,
@@ -189,20 +198,33 @@ def values_table(outcomes: Outcomes) -> Table:
                     f"{chosen} is {name}",
                     best,
                     loss or None,
-                    None if p is None else shown_p(p),
+                    detectable(o.final[o.longest]),
+                    None if ours is None else marked_p(ours.p, ours.tests_disagree),
                 ]
             )
-    columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
+    columns = [
+        "question",
+        "on the",
+        "means",
+        "verdict",
+        "best",
+        "better by",
+        "detectable",
+        "p",
+    ]
     return Table("The values that the paper chose", columns, rows)
 
 
 def methods_table(outcomes: Outcomes) -> Table:
     """The methods that the paper chose."""
     rows = [
-        [title, where, pair.name, gain, shown_p(p), str(verdict)]
-        for title, where, o in _preliminary(outcomes) for pair, gain, p, verdict in o.judged()
+        [
+            title, where, one.pair.name, one.gain, detectable(o.final[o.longest]),
+            marked_p(one.p, one.ours.tests_disagree), str(one.verdict),
+        ]
+        for title, where, o in _preliminary(outcomes) for one in o.judged()
     ]  # fmt: skip
-    columns = ["question", "on the", "pair", "difference", "p", "verdict"]
+    columns = ["question", "on the", "pair", "difference", "detectable", "p", "verdict"]
     return Table("The methods that the paper chose", columns, rows)
 
 
@@ -212,6 +234,7 @@ def _preliminary(outcomes: Outcomes) -> Iterable[tuple[str, str, Outcome]]:
         for name, where in (
             (f"preliminary_{key}", "model"), (f"preliminary_{key}_robot", "robot"),
             (f"cause_walls_{key}", "robot that walls hold"),
+            (f"cause_walls_{key}_qbiassr", "same with TOSL+QBIASSR"),
         ):  # fmt: skip
             if name in outcomes:
                 yield title, where, outcomes[name]

@@ -5,11 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.experiments.statistics import Pair
+from rlrobot_edu.experiments.statistics import LEVEL, Pair
 
 AGREES, DIRECTION, UNDECIDED = "agrees", "agrees in direction", "undecided"
 OPPOSITE, REVERSED = "opposite, not significant", "significantly the opposite"
-LEVEL = 0.05
 
 
 class Verdict(NamedTuple):
@@ -72,13 +71,13 @@ BEST, AS_GOOD, BEATEN = (
 class ValueVerdict(NamedTuple):
     """Whether a value that the paper chose is the best here.
 
-    name: BEST, AS_GOOD or BEATEN; best: which is; loss: by how much it is better; p: of the two in Tukey's test
+    name: BEST, AS_GOOD or BEATEN, by Tukey's p; best: which is; loss: by how much it is better; pair: the two, tested
     """
 
     name: str
     best: str
     loss: float = 0.0
-    p: float | None = None
+    pair: Pair | None = None
 
 
 def of_value(
@@ -90,5 +89,5 @@ def of_value(
         return ValueVerdict(BEST, best)
     pair = next(p for p in pairs if {p.first, p.second} == {best, chosen})
     return ValueVerdict(
-        BEATEN if pair.p < LEVEL else AS_GOOD, best, abs(pair.difference), pair.p
+        BEATEN if pair.p < LEVEL else AS_GOOD, best, abs(pair.difference), pair
     )

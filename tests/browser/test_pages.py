@@ -102,6 +102,10 @@ def opened(browser, tmp_path):
     """Saves a thing's page and opens it; it must ask for nothing but itself, and say nothing on the console."""
     pages, faults, asked = [], [], set()
 
+    def note(text):
+        if "GL Driver Message" not in text:  # a slow machine without a graphics card
+            faults.append(text)
+
     def opened(thing, *arguments, link="", **settings):
         thing.save(tmp_path / "page.html", *arguments)
         page = browser.new_page(
@@ -109,7 +113,7 @@ def opened(browser, tmp_path):
         )
         pages.append(page)
         page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on("console", lambda said: faults.append(said.text))
+        page.on("console", lambda said: note(said.text))
         page.on(
             "request",
             lambda request: asked.add(request.url.split("#")[0].split(",")[0]),
@@ -160,8 +164,23 @@ def explored(page, numbers, link: str) -> None:
         assert np.allclose(drawn, [numbers.sr[a], numbers.qbiassr[a]], atol=0.02)
 
 
-def all_columns(page) -> None:
-    page.get_by_role("button", name="All columns").click()
+def test_the_explorer_opens_with_all_columns_and_its_finding_in_large_type(opened):
+    """Without a state, at the one of the paper's example; the probability that the bias raises most is told."""
+    explorer = BiasExplorer("worked_example", TABLES)
+    numbers = explorer.numbers
+    assert explorer.task.states.decode(explorer.state)["theta"].reading == 90
+    page = opened(explorer)
+    explored(page, numbers, "21-1")
+    a = int((numbers.qbiassr - numbers.sr).argmax())
+    name = ("advance", "spin left", "spin right")[a]
+    finding = page.locator(".rl-finding b")
+    shares = f"{100 * numbers.sr[a]:.0f} % → {100 * numbers.qbiassr[a]:.0f} %"
+    assert finding.inner_text() == f"{name} {shares}"
+    size = finding.evaluate("(e) => parseFloat(getComputedStyle(e).fontSize)")
+    body = page.locator(".said").evaluate(
+        "(e) => parseFloat(getComputedStyle(e).fontSize)"
+    )
+    assert size >= 1.8 * body
 
 
 def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(
@@ -171,6 +190,7 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
     numbers, names = explorer.numbers, ("advance", "spin left", "spin right")
     best = int(numbers.bias.argmax())
     page = opened(explorer)
+    page.get_by_role("button", name="Build it up").click()
     for stage in range(5):
         blocks = [
             name for name in names if page.get_by_role("group", name=name).is_visible()
@@ -218,7 +238,6 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
 
 def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(opened):
     page = opened(BiasExplorer("worked_example", TABLES, state=13))
-    all_columns(page)
     # of each curve its ends on the screen, and beside it the middle of what it should meet
     ends = page.locator(".rl-action").first.evaluate(
         """(block) => {
@@ -244,7 +263,6 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#17")
     assert page.evaluate("location.hash") == "#17-1"
-    all_columns(page)
     for s in range(24):
         page.click(f".rl-states button[value='{s}']")
         assert page.get_attribute(f"button[value='{s}']", "aria-pressed") == "true"
@@ -277,7 +295,6 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     q = explorer.q
     page = opened(explorer)
-    all_columns(page)
     explored(page, explorer.numbers, "13-1")
     before = page.inner_text("main")
     for s, name, a in ((13, "advance", 0), (19, "spin right", 2)):
@@ -290,7 +307,6 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     explorer.widget.tables = [q.tolist(), explorer.widget.tables[1]]
     explored(page, explorer.numbers, "13-1")
     saved = opened(explorer)  # now it has the edits
-    all_columns(saved)
     explored(saved, explorer.numbers, "13-1")
     page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("")
     page.keyboard.press("Tab")
@@ -325,7 +341,6 @@ def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
         }""",
         told,
     )
-    page.get_by_role("button", name="All columns").first.click()
     page.locator("button[value='4']").first.click()
     assert page.evaluate("told.state") == 4, "the kernel is told"
     page.evaluate("model.set('table', 1)")
@@ -340,7 +355,6 @@ def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
 def test_a_link_leads_to_a_state_and_a_table(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#7-2")
-    all_columns(page)
     explorer.widget.state, explorer.widget.table = 7, 1
     explored(page, explorer.numbers, "7-2")
     for link, now in (
@@ -369,7 +383,6 @@ def nine_actions() -> BiasExplorer:
 @pytest.mark.parametrize("width", [400, 1000])
 def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     page = opened(nine_actions(), viewport={"width": width, "height": 800})
-    all_columns(page)
     assert page.evaluate("document.documentElement.scrollWidth") == width
     picture = page.get_by_role("region", name="Four columns")
     picture.get_by_role("spinbutton").nth(7).focus()
@@ -461,6 +474,9 @@ def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_
     page.close()
 
 
+OUTLINE = ("heading-order", "landmark-one-main", "page-has-heading-one", "region")
+
+
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1300), ("dark", 400)])
 def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     axe = pytest.importorskip(
@@ -469,11 +485,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     things = [
         (stepper_of(at=25), [30], "!!window.stepper"),
-        (
-            explorer,
-            [],
-            "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))",
-        ),
+        (explorer, [], "!!document.querySelector('.rl-bias')"),
         (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
     ]
     for thing, arguments, is_there in things:
@@ -490,7 +502,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
         serious = [
             each
             for each in found.response["violations"]
-            if each["impact"] in ("serious", "critical")
+            if each["impact"] in ("serious", "critical") or each["id"] in OUTLINE
         ]
         assert not serious, [
             (each["id"], [node["html"][:200] for node in each["nodes"]][:3])

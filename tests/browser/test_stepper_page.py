@@ -94,6 +94,47 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     until(page, "document.querySelector('details').open && !stepper.player")
 
 
+def test_a_key_counts_at_once_and_play_at_the_end_begins_again(opened):
+    page = opened(stepper_of(at=30))
+    page.keyboard.press("ArrowLeft")
+    stands(page, 29)
+    page.keyboard.press("End")
+    stands(page, 30)
+    page.click("button[name=play]")
+    until(page, "stepper.player !== null && stepper.tape.t < 10")
+    until(page, "stepper.tape.t > stepper.tape.first")
+
+
+def test_no_label_of_a_cell_lies_on_the_robot(opened):
+    page = opened(stepper_of(at=30))
+    overlaps = """() => {
+      const inner = (e) => e.getBoundingClientRect(), robot = inner(document.querySelector("polygon[fill='#0072b2']"));
+      const chips = [...document.querySelectorAll(".world .chip rect")].map(inner);
+      const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+      return [chips.length, chips.filter((chip) => meet(chip, robot)).length, robot.width];
+    }"""
+    chips, on_it, width = page.evaluate(overlaps)
+    assert chips > 0 and on_it == 0 and width > 20
+
+
+def test_a_change_is_written_so_that_it_can_be_seen(opened):
+    """Where the old and the new value look the same, the cell says by how much they differ."""
+    env = rl.make_env("wander_1k", seed=0, engine="kinematic")
+    page = opened(rl.Stepper(rl.Agent("wander_1k", "TOSL+SR", seed=0), env, at=40))
+    cells = """[...document.querySelectorAll("td.new")].map((e) => {
+      const [told, now] = [e.querySelector("small").textContent, e.lastChild.textContent];
+      return [told, now];
+    })"""
+    seen = []
+    for t in range(20, 41):
+        page.evaluate(f"stepper.go({t})")
+        seen += page.evaluate(cells)
+    assert all(told != f"{now} → " for told, now in seen)
+    assert any("→" not in told for told, _ in seen), "none looked the same"
+    assert page.evaluate("writerFor(1.2804, 1.2801)(1.2804)") == "1.2804"
+    assert page.evaluate("writerFor(0.5, 0.7)(0.5)") == "0.500"
+
+
 def test_a_link_leads_to_its_step_and_a_wrong_one_to_what_was_shown(opened):
     page = opened(stepper_of(at=5), 30, link="#31")
     stands(page, 30)  # there are no more
@@ -300,7 +341,7 @@ def notebook(browser):
 def test_held_keys_wait_for_the_kernel_and_what_is_there_needs_none(notebook):
     one = notebook(stepper_of(at=12))
     page = one.page
-    page.click(".rl-view .q h4")
+    page.click(".rl-view .q h2")
     assert page.evaluate("document.activeElement.className") == "rl-keys"
     for _ in range(5):
         page.keyboard.down("ArrowRight")  # held

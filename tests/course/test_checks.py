@@ -560,9 +560,9 @@ def answer(env, q, pick, learn, steps):
 EVENTS = {
     "state = env.reset() if done or cut else after": "yours never calls update",
     "learn(q, state, action, reward, after, done); state = env.reset() if done or cut else state":
-        "the argument s of choose is 0 in a call in which it should be 1",
+        "in call 3 of choose, s is 0 and should be 1",
     "learn(q, state, action, reward, after, done or cut); state = env.reset() if done or cut else after":
-        "the argument terminated of update is True in a call in which it should be False",
+        "in call 2 of update, terminated is True and should be False",
 }  # fmt: skip
 
 

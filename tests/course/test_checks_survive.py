@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import collections
+import cProfile
 import datetime
 import decimal
 import fractions
@@ -315,6 +316,62 @@ def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():
         check(raiser(KeyboardInterrupt()))
     with pytest.raises(KeyboardInterrupt):
         check(lambda *_: evil(error=KeyboardInterrupt))
+
+
+def endless(*_):
+    while True:
+        pass
+
+
+def counts(x, cuts):
+    return sum(x > cut for cut in cuts)
+
+
+def noted_after_the_check():
+    return None
+
+
+@pytest.mark.parametrize("answer", [counts, endless])
+def test_a_profiler_written_in_c_goes_on_after_a_check(answer, monkeypatch):
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.1)
+    profiler = cProfile.Profile()
+    profiler.enable()
+    try:
+        verdict = exercises("lesson_01")["bin_of"](answer)
+        noted_after_the_check()
+    finally:
+        profiler.disable()
+    assert bool(verdict) == (answer is counts), verdict
+    noted = [entry.code for entry in profiler.getstats()]
+    assert noted_after_the_check.__code__ in noted
+
+
+@pytest.mark.parametrize("answer", [counts, endless])
+def test_functions_that_profile_and_trace_are_set_again_after_a_check(
+    answer, monkeypatch
+):
+    monkeypatch.setattr("rlrobot_grading.answers.limits.SECONDS", 0.1)
+
+    def look(frame, event, argument):
+        return None
+
+    traced, profiled = sys.gettrace(), sys.getprofile()
+    sys.setprofile(look)
+    sys.settrace(look)
+    try:
+        exercises("lesson_01")["bin_of"](answer)
+        after = sys.gettrace(), sys.getprofile()
+    finally:
+        sys.settrace(traced)
+        sys.setprofile(profiled)
+    assert after == (look, look)
+
+
+def test_a_debugger_that_is_attached_is_not_asked_to_step_aside(monkeypatch):
+    asked = []
+    monkeypatch.setattr(sys, "settrace", lambda function: asked.append(function))
+    assert exercises("lesson_01")["bin_of"](counts)
+    assert not asked
 
 
 def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):

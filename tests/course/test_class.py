@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import os
 import re
 import shutil
@@ -28,12 +29,29 @@ HOSTILE = (
     "import mmap\nmuch = mmap.mmap(-1, 1 << 34)",
     "import subprocess\nsubprocess.Popen(['sleep', '1000'], start_new_session=True)",
 )
+CHANGES_THE_GRADER = (
+    "import pathlib, rlrobot_grading\n"
+    "for path in pathlib.Path(rlrobot_grading.__file__).parent.rglob('*.py'):\n"
+    "    open(path, 'a').write('#')"
+)
 HARMFUL_ALONE = (  # without a guard these end or change the grader itself: only where there is one
     "import glob, os, signal\nfor p in glob.glob('/proc/[0-9]*/cmdline'):\n"
     "    if b'class_points' in open(p, 'rb').read():\n        os.kill(int(p.split('/')[2]), signal.SIGKILL)",
-    "from rlrobot_grading.marking import marking\nopen(marking.__file__, 'a').write('#')",
+    CHANGES_THE_GRADER,
 )
 ANSWER = re.compile(r"^check\.(\w+)\(\1\)\s*\Z", re.MULTILINE)
+
+
+def test_the_program_that_changes_the_grader_opens_each_of_its_files():
+    opened = []
+
+    def note(path, mode):
+        opened.append((path, mode))
+        return io.StringIO()
+
+    exec(CHANGES_THE_GRADER, {"open": note})
+    package = ROOT / "rlrobot_grading"
+    assert {(path, "a") for path in package.rglob("*.py")} <= set(opened)
 
 
 @pytest.mark.long

@@ -15,10 +15,12 @@ from test_checks import EVERY, exercises, learner
 from rlrobot_course.exercises.parts import Design
 from rlrobot_grading.answers import notebook
 from rlrobot_grading.answers.source import uses_chance
+from rlrobot_grading.exercises import mistake as mistakes
 from rlrobot_grading.exercises.exercise import Exercise
 from rlrobot_grading.exercises.question import Question
 from rlrobot_grading.hints.as_if import one_change_of
 from rlrobot_grading.hints.detectors import DETECTORS
+from rlrobot_grading.hints.evidence import Hint
 from rlrobot_grading.hints.pieces import SHORT
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -397,3 +399,112 @@ def test_a_check_that_takes_long_says_that_it_works(seconds, monkeypatch):
                 break
             notebook.threading.Event().wait(0.05)
     assert shell.said == ([] if seconds else [("working", False), ("", True)])
+
+
+SARSA = """
+def answer(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    {}
+    for _ in range(steps):
+"""
+LOOPS = {
+    "an update that comes late": (
+        SARSA.format("old = None")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        if old is not None:
+            update(q, *old, s, a, False)
+        old = s, a, r
+        a_next = choose(q, s_next)
+        if terminated or truncated:
+            update(q, s, a, r, s_next, a_next, terminated)
+            s, old = env.reset(), None
+            a_next, s_next = choose(q, s), s
+        s, a = s_next, a_next
+""",
+        "update too late: it is due after choose, and env.step comes first. At the very end it is missing",
+    ),
+    "an end that is looked at half; that nothing is chosen there does no harm": (
+        SARSA.format("")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        if not terminated:
+            a_next = choose(q, s_next)
+            update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+""",
+        "after env.step yours calls env.reset, where update is due",
+    ),
+    "arguments by name, in another order": (
+        SARSA.format("")
+        + """
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(s=s_next, q=q)
+        update(q, terminated=terminated, a_next=a_next, s_next=s_next, s=s, a=a, r=-r)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+""",
+        "in call 1 of update, r is -10 and should be 10",
+    ),
+}
+
+
+@pytest.mark.parametrize("which", LOOPS)
+def test_of_a_loop_the_first_call_that_does_harm_is_told(which):
+    source, said = LOOPS[which]
+    assert said in told("lesson_06", "sarsa_learn", source)
+
+
+UNKNOWN = {
+    "fall": ("lesson_06", "fall", 0.77),
+    "softmax": (
+        "lesson_04",
+        "softmax",
+        "def answer(x, temperature):\n    return np.cos(x * temperature + 0.3)",
+    ),
+}
+
+
+@pytest.mark.parametrize("which", UNKNOWN)
+def test_a_wrong_answer_without_a_known_cause_is_shown_the_way_to_hints_once(
+    which, monkeypatch
+):
+    lesson, name, answer = UNKNOWN[which]
+    if isinstance(answer, str):
+        answer = learner(answer)
+    monkeypatch.setattr(mistakes, "_offered", set())
+    monkeypatch.setattr(mistakes, "is_notebook", lambda: True)
+    check = exercises(lesson)[name]
+    monkeypatch.setattr("rlrobot_grading.exercises.exercise.is_notebook", lambda: True)
+    monkeypatch.setattr(type(check), "hint_on", lambda *_: Hint("", ""), raising=False)
+    first, second = check(answer), check(answer)
+    assert f"write check.{name}.hint()" in first.text and not first.hint
+    assert "hint()" not in second.text
+    monkeypatch.setattr(mistakes, "_offered", set())
+    monkeypatch.setenv("RLROBOT_EDU_HINTS", "0")
+    assert "hint()" not in check(answer).text, "homework may have none"
+
+
+def test_the_letters_of_an_answer_are_not_told_one_by_one():
+    question = exercises("lesson_09")["heats"]
+    hints = {question(letters).hint for letters in ("AF", "CF", "AC", "ABCF", "ACDF")}
+    assert len(hints) == 4, "what is to be looked at is told, not in which letter"
+    for hint in hints:
+        assert not re.search(r"\b[A-E]\b", hint)
+
+
+def test_of_several_numbers_it_is_not_told_how_many_are_right():
+    question = exercises("lesson_11")["bins"]
+    assert question((1, 2, 0, 3, 3)).hint == question((0, 1, 1, 0, 0)).hint == ""
+
+
+@pytest.mark.parametrize("divided", ["", " / temperature"])
+def test_shares_without_an_exponential_are_told_so(divided):
+    source = f"def answer(x, temperature):\n    y = (x - x.min()){divided}\n    return y / y.sum()"
+    assert told("lesson_04", "softmax", source).startswith("the exponential is missing")

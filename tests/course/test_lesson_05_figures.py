@@ -1,10 +1,15 @@
-"""Lesson 05's figures: similar states differ in one input, and draws are counted."""
+"""Lesson 05's figures: similar states differ in one input, and draws are counted; and its table of biases by hand."""
+
+import json
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_05.figures import plot_draws, plot_similar_states
+from rlrobot_edu.widgets.kernels import bias_of
 
 TASK = rl.load_task("worked_example")
 STATES = TASK.states
@@ -56,3 +61,21 @@ def test_the_bars_of_the_draws_count_each_action():
         "1 bumps without the bias, 0 with it" in figure.axes[0].get_title()
         and "right 1" in figure.alt
     )
+
+
+def test_the_table_by_hand_has_the_librarys_bias():
+    notebook = Path(__file__).parents[2] / "notebooks/05_qbiassr.ipynb"
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    (cell,) = [x for x in cells if x["source"][0].startswith("**By hand.**")]
+    rows = re.findall(
+        r"^\| ([-−\d, ]+) \|.*\| (.+) \| (.+) \| (.+) \|$",
+        "".join(cell["source"]),
+        re.M,
+    )
+    assert len(rows) == 3
+    for values, means, bias, total in rows:
+        q = np.array([[float(x.replace("−", "-"))] for x in values.split(",")])
+        assert bias_of(q, (2, 2), 0) == float(bias)
+        assert q[0] + bias_of(q, (2, 2), 0) == float(total)
+        by_first, by_second = (float(x) for x in means.split(" and "))
+        assert (by_first, by_second) == (q[[0, 2]].mean(), q[[0, 1]].mean())

@@ -10,10 +10,11 @@ from scipy import stats
 from rlrobot_course.lesson_15.figures import (
     PAPER,
     draws_of_few,
-    games_howell,
     plot_report,
+    plot_two_tests,
     set_ups,
     shuffled_f,
+    two_intervals,
 )
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
@@ -43,14 +44,32 @@ def test_few_agents_scatter_as_the_formula_says():
         assert found.mean() == pytest.approx(a.mean() - b.mean(), abs=0.1)
 
 
-def test_games_howell_is_scipys():
-    rng = np.random.default_rng(2)
-    groups = [
-        rng.normal(mean, sd, n)
-        for mean, sd, n in ((1, 0.5, 8), (1.5, 2, 12), (0, 1, 5))
-    ]
-    theirs = stats.tukey_hsd(*groups, equal_var=False).pvalue
-    assert games_howell(groups[0], groups[1]) == pytest.approx(theirs[0, 1], rel=1e-6)
+def test_the_two_intervals_are_those_of_the_formulas():
+    """Oracle: critical range times the uncertainty, from one mean square for all pairs or from the pair's variances."""
+    groups = set_ups()["wander_simple, 300 steps"][1]
+    n = 100
+    variances = {method: x.var(ddof=1) for method, x in groups.items()}
+    for a, b in combinations(groups, 2):
+        found = two_intervals(groups, a, b)
+        uncertain = np.sqrt(sum(variances.values()) / 3 / n)
+        half = stats.studentized_range.ppf(0.95, 3, 3 * n - 3) * uncertain
+        u, v = variances[a] / n, variances[b] / n
+        df = (u + v) ** 2 * (n - 1) / (u**2 + v**2)
+        own = stats.studentized_range.ppf(0.95, 3, df) * np.sqrt((u + v) / 2)
+        difference = groups[a].mean() - groups[b].mean()
+        for test, expected in (("Tukey", half), ("Games and Howell", own)):
+            low, high = found[test]
+            assert (high - low) / 2 == pytest.approx(expected, rel=1e-3)
+            assert (high + low) / 2 == pytest.approx(difference)
+
+
+def test_the_picture_of_two_tests_names_the_pair_on_which_they_disagree():
+    groups = set_ups()["wander_simple, 300 steps"][1]
+    picture = plot_two_tests(groups)
+    assert picture.get_suptitle().endswith("disagree on TOSL+QBIASSR and TOSL+SR")
+    assert "TOSL+QBIASSR less TOSL+SR: -0.73 to 0.13 by Tukey" in picture.alt
+    two = {method: groups[method] for method in ("TOSL+SR", "Q+SR")}
+    assert "Both tests say the same" in plot_two_tests(two).get_suptitle()
 
 
 def test_the_papers_differences_are_those_of_the_report_and_each_set_up_is_drawn():

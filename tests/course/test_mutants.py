@@ -93,14 +93,19 @@ def mutants(right):
 
 
 def survivors(exercise: Exercise) -> list[str]:
-    """What is different in the mutants that do in every case what is right."""
+    """What is different in the mutants that do in every case what is right.
+
+    No mutant needs a time limit, because `made` ends its loops. With one, the mutants take twice as long.
+    """
     with np.errstate(all="ignore"):
         return [
             re.split(" in “|: “", said)[0]
             for said, mutant in mutants(exercise.right)
             if all(
                 map(
-                    lambda right, case: right.equals(exercise.outcome(mutant, case)),
+                    lambda right, case: right.equals(
+                        exercise.outcome(mutant, case, endless=True)
+                    ),
                     exercise.expected,
                     exercise.cases,
                 )

@@ -3,13 +3,23 @@
 import json
 import shutil
 import subprocess
+from importlib.resources import files
 
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets.playground.cliff import cliff_model
-from rlrobot_edu.widgets.playground.page import METHODS, TASKS, simulation_script
+from rlrobot_edu.widgets.playground.page import (
+    AGES,
+    DAY,
+    LUCKS,
+    METHODS,
+    SCORES,
+    SHOWS,
+    TASKS,
+    simulation_script,
+)
 from rlrobot_edu.widgets.playground.worlds import cells_world
 
 STEPS = 10_000
@@ -56,11 +66,9 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
 def test_each_method_learns_to_the_last_bit_what_the_library_learns():
     pairs = [
         ("wander_1k", "TOSL+QBIASSR"),
-        *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example")),
+        *((task, "Q+EG") for task in (*TASKS, "cliff")),
     ]
-    pairs += [("wander_simple", method) for method in METHODS] + [
-        ("navigation_1k", "TOSL+QBIASSR")
-    ]
+    pairs += [("navigation_1k", method) for method in METHODS]
     told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
     for task, method in pairs:
         np.testing.assert_array_equal(
@@ -84,11 +92,113 @@ def test_sliders_and_luck_are_the_librarys_parameters_and_seed():
 @needs_node
 def test_a_wall_that_was_moved_changes_what_comes():
     wall = [0.5, 0.0, 0.5, 90]  # across its way
-    settings = {"task": "wander_simple", "method": "Q+RANDOM"}
+    settings = {"task": "wander_1k", "method": "Q+RANDOM"}
     told = lived(
         ("as it was", settings, 500), ("moved", {**settings, "walls": [wall]}, 500)
     )
     assert told["as it was"]["sum"] != told["moved"]["sum"]
+
+
+SCORED = """
+const told = {};
+for (const [name, task, luck, steps] of JOBS) {
+  const run = new Run({ ...about.parameters, luck, task, method: "TOSL+QBIASSR" }, null);
+  const { atMost } = run.world.score, counts = [], rewards = [];
+  for (let t = 0; t < steps; t++) {
+    run.step();
+    const { r, terminated } = run.simulation.last;
+    counts.push(atMost === null ? terminated : r <= atMost);
+    rewards.push(r);
+  }
+  const { score, curve } = run, points = curve.of("counts"), means = curve.of("rewards");
+  told[name] = { first: score.first, last: score.last, points, means, counts: counts.map(Number), rewards };
+}
+console.log(JSON.stringify(told));
+"""
+
+
+def scored(*jobs):
+    """Score and curve of runs, each a name, a task, a seed and a number of steps, and what happened in each step."""
+    folder = files("rlrobot_edu.widgets.playground")
+    shown = [
+        folder.joinpath(name).read_text("utf-8") for name in ("curve.js", "run.js")
+    ]
+    script = [simulation_script(), *shown, f"const JOBS = {json.dumps(jobs)};", SCORED]
+    done = subprocess.run(
+        ["node", "-"],
+        input="\n".join(script),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return json.loads(done.stdout)
+
+
+@pytest.mark.long
+@needs_node
+def test_each_point_of_the_curve_is_the_score_of_that_step():
+    """Counted anew from what happened: the first and the last ten minutes, and all in between."""
+    told = scored(("hour", "wander_1k", 0, 3600), ("day", "wander_1k", 0, DAY))
+    for name, end in (("hour", 3600), ("day", DAY)):
+        run = told[name]
+        assert run["points"][0] == [600, run["first"]]
+        assert run["points"][-1] == [end, run["last"]]
+        assert len(run["points"]) <= 241
+        for what, points in (("counts", run["points"]), ("rewards", run["means"])):
+            happened = np.array(run[what])
+            for step, value in points:
+                before = happened[step - 600 : step]
+                expected = before.sum() if what == "counts" else before.mean()
+                assert value == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.long
+@needs_node
+def test_a_task_is_there_because_learning_shows_in_most_seeds_and_the_page_opens_with_the_first():
+    jobs = []
+    for task, ages in AGES.items():
+        jobs += [(f"{task} {seed}", task, seed, ages[1][0]) for seed in range(LUCKS)]
+    told = scored(*jobs)
+    for task in AGES:
+        shows = []
+        for seed in range(LUCKS):
+            first, last = (
+                told[f"{task} {seed}"]["first"],
+                told[f"{task} {seed}"]["last"],
+            )
+            is_arrivals = SCORES[task]["atMost"] is None
+            shows.append(
+                last >= max(2 * first, 2) if is_arrivals else 2 * last <= first
+            )
+        assert sum(shows) == SHOWS[task] >= LUCKS / 2
+        assert shows[0]
+
+
+DIGITS = """
+console.log(JSON.stringify([
+  [0, 1e-9, 0.002, -0.00213, 0.05, 0.53, -12.3, 123.4].map(number),
+  apart(1.2804, 1.2801), apart(-0.00001, 0.00002), apart(0.5, 0.5), apart(1, 2),
+]));
+"""
+
+
+@needs_node
+def test_numbers_have_the_digits_that_show_what_has_changed():
+    folder = files("rlrobot_edu.widgets.playground")
+    numbers_js = folder.joinpath("numbers.js").read_text("utf-8")
+    done = subprocess.run(
+        ["node", "-"],
+        input=numbers_js + DIGITS,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    numbers, near, signs, same, far = json.loads(done.stdout)
+    assert numbers == [
+        "0.00", "0.00", "0.0020", "−0.0021", "0.050", "0.53", "−12.30", "123.4",
+    ]  # fmt: skip
+    assert near == ["1.2804", "1.2801"] and same == ["0.50", "0.50"]
+    assert signs == ["−0.00001", "0.00002"] and far == ["1.00", "2.00"]
 
 
 def test_what_the_worked_example_does_stands_in_its_table():
@@ -136,6 +246,8 @@ def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
 def test_a_task_or_method_that_the_page_does_not_have_is_refused_with_those_that_it_has():
     with pytest.raises(ValueError, match=r"the playground has no task 'clif'.*cliff"):
         rl.playground(task="clif")
+    with pytest.raises(ValueError, match="the playground has no task 'wander_simple'"):
+        rl.playground(task="wander_simple")
     with pytest.raises(
         ValueError, match=r"the playground has no method 'SARSA'.*SARSA\+EG"
     ):

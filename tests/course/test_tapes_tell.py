@@ -21,10 +21,11 @@ FUNCTIONS = [
 
 
 def is_right(exercise: Exercise, answer) -> bool:
-    """Whether an answer is right, without a hint where it is not."""
+    """Whether an answer is right. It is tried up to its first wrong case, and gets no hint."""
     if type(exercise) is RewardExercise:  # its cases are not what it is judged by
         return bool(exercise.judge(answer))
-    return exercise.share(answer) == 1
+    cases = zip(exercise.expected, exercise.cases, strict=True)
+    return all(right.equals(exercise.outcome(answer, case)) for right, case in cases)
 
 
 def rounded(value, digits: int):

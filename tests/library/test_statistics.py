@@ -50,7 +50,7 @@ PAPER_TUKEY = [
 
 
 def inference(p: float) -> str:
-    return Pair("A", "B", 0.0, 0.0, p, Interval(0.0, 0.0, 0.0)).inference
+    return Pair("A", "B", 0.0, 0.0, p, p, Interval(0.0, 0.0, 0.0)).inference
 
 
 @pytest.fixture
@@ -99,6 +99,66 @@ def test_tukey_agrees_with_scipy_for_groups_of_different_sizes(groups):
     expected = stats.tukey_hsd(*groups.values()).pvalue
     p_values = [pair.p for pair in Tukey.of(groups).pairs]
     assert p_values == pytest.approx([expected[0, 1], expected[0, 2], expected[1, 2]])
+
+
+def range_beyond(q: float, groups: int, df: float) -> float:
+    """P(studentized range > q), as a double integral: over the normal numbers, then over their estimated SD."""
+    z, s = np.linspace(-9, 9, 2001), np.linspace(1e-6, 6, 2001)
+    density = 2 * df * s * stats.chi2.pdf(df * s**2, df)
+    between = stats.norm.cdf(z) - stats.norm.cdf(z - q * s[:, None])
+    below = groups * np.trapezoid(stats.norm.pdf(z) * between ** (groups - 1), z)
+    return float(np.trapezoid(density * (1 - below), s))
+
+
+UNEQUAL = {
+    "few that scatter": (5, 3.0),
+    "many that hardly do": (40, 0.3),
+    "some": (12, 1.0),
+}
+
+
+@pytest.mark.parametrize("shift", [0.0, 1.0, 3.0])
+@pytest.mark.parametrize("names", [list(UNEQUAL)[:2], list(UNEQUAL)])
+def test_games_howell_is_the_studentized_range_with_each_pairs_own_spread(names, shift):
+    """Oracle: Games & Howell (1976), with Welch's and Satterthwaite's degrees of freedom."""
+    rng = np.random.default_rng(8)
+    groups = {}
+    for i, name in enumerate(names):
+        n, sd = UNEQUAL[name]
+        groups[name] = rng.normal(i * shift, sd, n)
+    for pair in Tukey.of(groups).pairs:
+        x, y = groups[pair.first], groups[pair.second]
+        a, b = x.var(ddof=1) / len(x), y.var(ddof=1) / len(y)
+        df = (a + b) ** 2 / (a**2 / (len(x) - 1) + b**2 / (len(y) - 1))
+        q = abs(x.mean() - y.mean()) / np.sqrt((a + b) / 2)
+        expected = range_beyond(q, len(names), df)
+        assert pair.games_howell == pytest.approx(expected, abs=1e-5)
+        if len(names) == 2:
+            welch = stats.ttest_ind(x, y, equal_var=False).pvalue
+            assert pair.games_howell == pytest.approx(welch, abs=1e-6)
+
+
+def test_a_pair_on_which_the_two_tests_disagree_is_marked_and_explained():
+    noise = np.linspace(-1, 1, 10)
+    groups = {"narrow": noise, "beside it": noise + 2, "wide": 30 * noise}
+    first, *others = Tukey.of(groups).pairs
+    assert first.games_howell < 1e-4 and first.p > 0.5 and first.tests_disagree
+    assert not any(pair.tests_disagree for pair in others)
+    table = Tukey.of(groups).table()
+    assert "≠: the tests disagree" in table.caption
+    marked = [row for row in table.rows if "≠" in str(row[4])]
+    assert [row[0] for row in marked] == ["narrow vs beside it"]
+    for text in (str(table), table._repr_html_(), in_markdown(table)):
+        assert text.count("≠") == 2
+    alike = Tukey.of({"a": noise, "b": noise + 2})
+    assert "≠" not in str(alike)
+
+
+def test_the_table_of_two_tests_is_no_wider_than_a_notebook():
+    rng = np.random.default_rng(7)
+    names = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")
+    lines = str(Tukey.of({name: rng.normal(0, 1, 10) for name in names})).splitlines()
+    assert max(map(len, lines)) <= 110
 
 
 def test_two_methods_tested_by_anova_tukey_and_t_agree(groups):
@@ -296,6 +356,21 @@ def test_taking_rounding_out_changes_nothing_by_more_than_rounding_and_twice_is_
             np.abs(after - before).max() <= sum(map(len, groups)) * ROUNDING * largest
         )
         assert np.array_equal(after, again)
+
+
+def test_games_howell_of_constant_groups_follows_from_the_other_group_or_from_nothing():
+    rng = np.random.default_rng(0)
+    groups = {"a": np.full(3, 0.1), "b": np.full(4, 0.1), "c": np.full(3, 0.2)}
+    groups["varies"] = rng.normal(0.5, 1, 6)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        pairs = {pair[:2]: pair.games_howell for pair in Tukey.of(groups).pairs}
+    assert np.isnan(pairs["a", "b"]) and pairs["a", "c"] == pairs["b", "c"] == 0
+    x = groups["varies"]
+    q = np.sqrt(2) * abs(x.mean() - 0.1) / stats.sem(x)
+    expected = stats.studentized_range.sf(q, 4, 5)
+    assert pairs["a", "varies"] == pytest.approx(expected)
+    assert pairs["b", "varies"] == pytest.approx(expected)
 
 
 @pytest.mark.filterwarnings(

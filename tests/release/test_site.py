@@ -107,6 +107,21 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
         assert f"{dataset.parent.name}/README.html" in datasets
 
 
+def test_each_page_has_a_description_and_a_card_for_who_shares_a_link(site, pages):
+    made_by_sphinx = [site / "docs" / f"{name}.html" for name in ("index", "method")]
+    alone = [site / "index.html", site / "docs/a_robot_learns.html"]
+    lessons_made = [site / "notebooks/05_qbiassr.html"]
+    steppers = sorted((site / "docs/steppers").glob("*.html"))
+    for path in [*made_by_sphinx, *alone, *lessons_made, *steppers]:
+        text = path.read_text(encoding="utf-8")
+        for name in (
+            'name="description"',
+            'property="og:title"',
+            'property="og:description"',
+        ):
+            assert re.search(rf'<meta {name} content="[^"]{{10,}}"', text), (path, name)
+
+
 def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
     lives = {folder: 0 for folder in LIVE}
     for notebook in lessons(ROOT).values():
@@ -347,7 +362,6 @@ def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, br
         page.goto(f"{address}/notebooks/05_qbiassr.html")
         page.locator("iframe.explorers").scroll_into_view_if_needed()
         explorer = page.frame_locator("iframe.explorers")
-        explorer.get_by_role("button", name="All columns").click()
         explorer.get_by_role("button", name=re.compile(r"^13\b")).click()
         explorer.get_by_text("State 13 (").first.wait_for()
     finally:

@@ -120,9 +120,11 @@ def fresh(task, method="TOSL+QBIASSR", **robot):
     )
 
 
-def learned(compiling, first, task, steps, method="TOSL+QBIASSR", **length):
+def learned(
+    compiling, first, task, steps, method="TOSL+QBIASSR", realism=None, **length
+):
     """Agent, environment and history of so many steps; compiled if there are at least `first`."""
-    agent, env = fresh(task, method)
+    agent, env = fresh(task, method, realism=realism)
     compiling(first)
     return agent, env, rl.learn(agent, env, steps, keep=True, progress=False, **length)
 
@@ -167,6 +169,16 @@ def test_compiled_or_not_an_agent_lives_the_same_life_and_its_robot_stands_at_th
     whole = learned(compiling, 1, task, 2500, method)
     assert not plain_steps
     assert told(*whole) == told(*learned(compiling, NEVER, task, 2500, method))
+
+
+@pytest.mark.parametrize("task", ["wander_1k", "navigation_1k"])
+def test_where_walls_hold_and_commands_are_late_it_is_compiled_too(
+    task, compiling, plain_steps
+):
+    vrep = {"realism": rl.Realism.vrep()}
+    whole = learned(compiling, 1, task, 2500, **vrep)
+    assert not plain_steps
+    assert told(*whole) == told(*learned(compiling, NEVER, task, 2500, **vrep))
 
 
 def test_it_stops_and_goes_on_where_the_plain_loop_would(compiling):

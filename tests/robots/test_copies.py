@@ -30,6 +30,9 @@ WORLDS = {
     "the base without an engine": partial(
         rl.make_env, "wander_1k", 3, engine="kinematic"
     ),
+    "that base where walls hold": partial(
+        rl.make_env, "wander_1k", 3, engine="kinematic", realism=rl.Realism.vrep()
+    ),
     "the giraff": partial(rl.make_env, "giraff_wander_simple", 3),
     "a base with noise": partial(rl.make_env, "wander_simple", 3, realism=NOISE),
     "a base with lag and friction": partial(

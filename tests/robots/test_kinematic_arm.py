@@ -242,6 +242,19 @@ def test_without_pybullet_the_kinematic_arm_stands_in_and_says_so_once_and_who_a
     assert "engine='kinematic'" in run.stderr and len(run.stderr.splitlines()) == 1
 
 
+def test_in_a_notebook_the_note_is_no_error():
+    """There stderr is shown in red."""
+    program = (
+        "import sys, types\nsys.modules['ipykernel'] = types.ModuleType('x')" + WITHOUT
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert run.stderr == ""
+    notes = [line for line in run.stdout.splitlines() if line.startswith("Note: arms")]
+    assert len(notes) == 1 and "engine='kinematic'" in notes[0]
+
+
 def test_nobody_can_change_the_joints_of_all_arms():
     joint = joints()["arm"]
     with pytest.raises(ValueError, match="read-only"):

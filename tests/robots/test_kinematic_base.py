@@ -342,17 +342,6 @@ def test_it_reads_and_is_drawn_as_the_base_in_pymunk():
         assert its.pose == pytest.approx(mine.pose, abs=1e-6)
 
 
-@pytest.mark.parametrize("weakness", ["lag", "wall_friction"])
-def test_what_only_pymunk_can_simulate_is_refused_in_one_sentence(weakness):
-    with pytest.raises(
-        ValueError,
-        match=f"{weakness} has nothing to act on: it needs a robot on wheels that pymunk",
-    ):
-        rl.make_env(
-            "wander_1k", engine="kinematic", realism=rl.Realism(**{weakness: 0.1})
-        )
-
-
 def test_a_robot_without_a_hull_is_refused():
     with pytest.raises(ValueError, match="this chassis is a disc"):
         rl.make_env("wander_1k", engine="kinematic", chassis=GIRAFF).reset()

@@ -7,6 +7,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.chassis import PIONEER
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
@@ -97,8 +98,13 @@ def test_a_delayed_robot_does_what_it_was_told_some_steps_ago():
     assert np.array_equal(late[2:], prompt[:-2])
 
 
-def test_with_a_lag_the_former_command_acts_first_and_the_robot_stands_still_before_the_first_one():
-    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(lag=0.25)).robot
+@pytest.mark.parametrize("engine", ["pymunk", "kinematic"])
+def test_with_a_lag_the_former_command_acts_first_and_the_robot_stands_still_before_the_first_one(
+    engine,
+):
+    robot = rl.make_env(
+        "wander_simple", seed=0, engine=engine, realism=rl.Realism(lag=0.25)
+    ).robot
     robot.reset(np.random.default_rng(0))
     ways = [
         robot.act({"left_wheel": speed, "right_wheel": speed})["x"]
@@ -109,9 +115,10 @@ def test_with_a_lag_the_former_command_acts_first_and_the_robot_stands_still_bef
     )
 
 
-def test_delay_and_lag_add_up():
+@pytest.mark.parametrize("engine", ["pymunk", "kinematic"])
+def test_delay_and_lag_add_up(engine):
     robot = rl.make_env(
-        "wander_simple", seed=0, realism=rl.Realism(lag=0.25, delay=1)
+        "wander_simple", seed=0, engine=engine, realism=rl.Realism(lag=0.25, delay=1)
     ).robot
     robot.reset(np.random.default_rng(0))
     ways = [
@@ -125,9 +132,10 @@ def test_vreps_preset_is_a_lag_and_friction_and_no_noise():
     assert rl.Realism.vrep() == rl.Realism(lag=0.1, wall_friction=0.72)
 
 
+@pytest.mark.parametrize("engine", ["pymunk", "kinematic"])
 @pytest.mark.parametrize("realism", [rl.Realism(delay=1), rl.Realism(lag=0.9)])
-def test_a_reset_forgets_commands_that_were_on_their_way(realism):
-    robot = rl.make_env("wander_simple", seed=0, realism=realism).robot
+def test_a_reset_forgets_commands_that_were_on_their_way(realism, engine):
+    robot = rl.make_env("wander_simple", seed=0, engine=engine, realism=realism).robot
     rng = np.random.default_rng(0)
     robot.reset(rng)
     robot.act({"left_wheel": 1.0, "right_wheel": 1.0})
@@ -230,6 +238,7 @@ def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):
         rl.make_env("wander_1k", **{weakness: size})
 
 
-def test_a_robot_itself_refuses_a_lag_longer_than_its_step():
+@pytest.mark.parametrize("kind", [MobileBase, KinematicBase])
+def test_a_robot_itself_refuses_a_lag_longer_than_its_step(kind):
     with pytest.raises(ValueError, match=r"lag must be below 0\.5 s, a control step"):
-        MobileBase("square_2x2", 0.5, realism=rl.Realism(lag=5.0))
+        kind("square_2x2", 0.5, realism=rl.Realism(lag=5.0))

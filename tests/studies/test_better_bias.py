@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from better_bias_methods import LINEAR, RELATIVES, add_alike, pool
 from coarse import COARSE, near_or_not
+from test_headlines import ROOT
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import new_memory
@@ -309,3 +310,20 @@ def test_who_sees_little_tells_the_lowest_bin_of_each_input_from_the_rest():
         np.unravel_index(np.flatnonzero(agent.q.any(axis=1)), task.states.shape)
     )
     assert used.shape[1] > 2 and used.max() == 1
+
+
+def test_the_verdicts_of_the_page_speak_of_the_worlds_that_count():
+    """Which these are, and who is ahead there and elsewhere, after correction."""
+    found = json.loads((ROOT / "studies/better_bias.json").read_text(encoding="utf-8"))
+    first, _, changed = tests.REGISTERED["families"]
+    rows = [*tests.family(found, first), *tests.family(found, changed)]
+    counts = {
+        row.world for row in rows if tests.pays_no_circle(found, row.world).high < 0
+    }
+    assert {"wander_1k", "wander_4k, new ground"} == counts & {
+        *tests.REGISTERED["families"][first]["worlds"]
+    }
+    ahead = {row.world: row.sign for row in rows if row.second == "QBIASSR"}
+    elsewhere = [sign for world, sign in ahead.items() if world not in counts]
+    assert (sum(elsewhere), len(elsewhere)) == (6, 7)
+    assert {world for world in counts if not ahead[world]} == {"wander_1k, new ground"}

@@ -56,7 +56,10 @@ def test_every_experiment_asks_about_methods_it_runs_often_enough():
             experiment.methods
         )
         assert experiment.best is None or experiment.best in experiment.methods
-        assert experiment.repetitions[0] >= (200 if experiment.on_model else 30)
+        least = 200 if experiment.on_model else 30
+        if experiment.realism and experiment.best:
+            least = 12  # values of the parameters, once more where walls hold the robot
+        assert experiment.repetitions[0] >= least
         if experiment.key.startswith("robot_") and experiment.pairs:
             assert experiment.repetitions[0] >= paper.repetitions(experiment.task)
         assert {length.unit for length in experiment.lengths} <= {"steps", "episodes"}

@@ -7,6 +7,7 @@ import better_bias
 import better_bias_page
 import better_bias_worlds
 import blind_study
+import intervals
 import kinematic_arm
 import numpy as np
 import planning
@@ -28,6 +29,7 @@ DOCS = ROOT / "docs"
         ("kinematic_arm.md", kinematic_arm.PAGE), ("kinematic_arm.md", kinematic_arm.TEXT),
         ("kinematic_arm.md", kinematic_arm.CHOICE), ("kinematic_arm.md", kinematic_arm.ENDS),
         ("vrep_comparison.md", vrep_comparison.PAGE), ("blind.md", blind_study.PAGE),
+        ("intervals.md", intervals.PAGE),
     ],
 )  # fmt: skip
 def test_a_page_says_what_its_script_would_write(page, template):
@@ -35,6 +37,27 @@ def test_a_page_says_what_its_script_would_write(page, template):
     assert [
         part for part in re.split(r"\{[^{}]*\}", template) if words(part) not in text
     ] == []
+
+
+@pytest.mark.long
+def test_the_intervals_hold_the_mean_as_often_as_their_page_says():
+    name = "arm_1k, robot, 30 episodes, Q+SR"
+    population = intervals.populations()[name]
+    found = [intervals.coverage(name, population, n) for n in intervals.SIZES]
+    row = " | ".join(map(str, intervals.worst(found).rows[0][2:]))
+    text = (DOCS / "studies/intervals.md").read_text(encoding="utf-8")
+    assert f"| {row} |" in text
+
+
+def test_the_intervals_of_a_bell_curve_hold_its_mean():
+    population = np.random.default_rng(0).normal(3.0, 2.0, 2000)
+    held = intervals.coverage("bell curve", population, 30).held
+    assert all(0.9 < share < 0.98 for share in held.values())
+
+
+def test_the_intervals_of_equal_numbers_are_that_number():
+    found = intervals.coverage("one number", np.full(20, 0.1), 5)
+    assert set(found.held.values()) == {1.0}
 
 
 INDEX = (DOCS / "studies/index.md").read_text(encoding="utf-8")

@@ -4,10 +4,18 @@ import gymnasium
 import numpy as np
 import pytest
 from in_markdown import in_markdown
-from paper import paper, tables, verdicts
+from paper import paper, tables, tally, verdicts
 from paper.experiments import by_key
-from paper.outcome import Outcome, half_width, interval, shuttles, significant_with
+from paper.outcome import (
+    Outcome,
+    detectable,
+    half_width,
+    interval,
+    shuttles,
+    significant_with,
+)
 from paper.worlds import PreviousAction, lucky_pairs, without_lucky_loops
+from scipy import stats
 from worlds import recording_of
 
 import rlrobot_edu as rl
@@ -109,6 +117,57 @@ def test_half_the_width_of_an_interval_is_the_difference_that_is_just_significan
     for shift, significant in ((0.999 * just, False), (1.001 * just, True)):
         pair = Tukey.of({**middle, "a": middle["a"] + shift}).pairs[0]
         assert (pair.p < 0.05) == significant
+
+
+def test_a_detectable_difference_is_found_in_four_of_five_experiments():
+    rng = np.random.default_rng(3)
+    n, times = 12, 4000
+    groups = {name: rng.normal(size=n) for name in "abc"}
+    sd = Anova.of(list(groups.values())).ms_within ** 0.5
+    shift = detectable(groups) / sd
+    a, b, c = rng.normal(size=(3, times, n))
+    variances = [x.var(axis=1, ddof=1) for x in (a, b, c)]
+    within = np.mean(variances, axis=0)
+    critical = stats.studentized_range.ppf(0.95, 3, 3 * n - 3)
+    difference = np.abs(a.mean(axis=1) + shift - b.mean(axis=1))
+    found = np.sum(difference > critical * np.sqrt(within / n))
+    assert found / times == pytest.approx(0.8, abs=0.02)
+
+
+def test_holm_rejects_what_the_textbooks_steps_do():
+    """Oracle: the step-down procedure: the i-th smallest of m against 0.05 / (m - i), until one is not below."""
+    rng = np.random.default_rng(4)
+    for _ in range(50):
+        p = rng.uniform(0, 0.03, size=9) * rng.choice([0.1, 1, 9], size=9)
+        rejected = set()
+        for i, one in enumerate(np.argsort(p)):
+            if p[one] >= 0.05 / (9 - i):
+                break
+            rejected.add(int(one))
+        assert {i for i, q in enumerate(tally.holm(p)) if q < 0.05} == rejected
+    assert tally.holm([0.01, 0.04, 0.03]) == pytest.approx([0.03, 0.06, 0.06])
+
+
+def test_a_look_is_marked_as_lost_only_when_many_others_are_taken():
+    (length,) = by_key("robot_wander_1k").lengths
+    noise = np.linspace(-1, 1, 30)
+    groups = {
+        label: noise + shift
+        for label, shift in zip(paper.THREE, (0.42, 0, -3), strict=True)
+    }
+    outcome = Outcome(by_key("robot_wander_1k"), {length: groups})
+    alone = {"robot_wander_1k": outcome}
+    assert outcome.judged()[0].p < 0.05 and not tally.lost_by_holm(alone)
+    dull = {label: noise for label in paper.THREE}
+    others = {}
+    for task in ("wander_4k", "arm_1k", "arm_4k", "navigation_1k"):
+        experiment = by_key(f"robot_{task}")
+        finals = {length: dull for length in experiment.lengths}
+        others[f"robot_{task}"] = Outcome(experiment, finals)
+    lost = tally.lost_by_holm({**alone, **others})
+    assert lost == {("wander_1k", "3600 steps", f"{QBIASSR} over {SR}")}
+    row = tables.pairs_table({**alone, **others}, "wander_1k").rows[0]
+    assert row[-1] == "agrees †"
 
 
 def test_few_repetitions_find_less_and_all_of_them_find_what_the_test_finds():

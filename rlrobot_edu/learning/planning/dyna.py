@@ -1,10 +1,8 @@
 """Dyna-Q (Sutton 1990): between two real steps, learn from some that were met before, as if they happened again."""
 
 from rlrobot_edu.jit.dispatcher import compiled
-from rlrobot_edu.learning.algorithm import Planner
+from rlrobot_edu.learning.algorithm import NO_ACTION, Planner
 from rlrobot_edu.learning.algorithms import q_learning
-
-NO_ACTION = -1
 
 
 @compiled

@@ -7,6 +7,7 @@ The numbers `u` are drawn by the caller of the loop, one uniform number in [0, 1
 """
 
 from rlrobot_edu.jit.dispatcher import compiled
+from rlrobot_edu.learning.algorithm import NO_ACTION
 from rlrobot_edu.learning.algorithms.q_learning import update
 from rlrobot_edu.learning.loop_evasion import watch_for_loops
 from rlrobot_edu.learning.selections.softmax import (
@@ -14,7 +15,6 @@ from rlrobot_edu.learning.selections.softmax import (
 )
 
 ON_POLICY = False
-NO_ACTION = -1  # after a terminal state there is nothing to choose
 
 
 @compiled

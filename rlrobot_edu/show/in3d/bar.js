@@ -35,6 +35,7 @@ function begin() {
     viewer.controls.dispose();
     take(camera);
     Object.assign(viewer.controls, {enableZoom: false, maxPolarAngle: 0.49 * Math.PI});
+    aimAtTarget(viewer.controls, camera);
   };
   viewer.set_3d_pane_size = () => {
     const {clientWidth: w, clientHeight: h} = view;
@@ -46,14 +47,37 @@ function begin() {
   const load = viewer.set_animation.bind(viewer);
   viewer.set_animation = (animations, options) => {
     rate = animations[0]?.clip.fps ?? rate;
+    animations.forEach(jumpIfBeam);
     load(animations, options);
     for (const action of viewer.animator.actions) action.play();
     viewer.animator.playing = false;  // the time is this bar's
     last = Math.round(viewer.animator.duration * rate);
     time.max = last + 1;
+    if (!playing) at = last;  // without motion it opens with the whole way
     followLink();
   };
   new ResizeObserver(viewer.set_3d_pane_size).observe(view);
+}
+
+// The controls keep their target in the frame of Cameras/default, but turn the camera as if that were the world's.
+function aimAtTarget(controls, camera) {
+  const update = controls.update.bind(controls);
+  controls.update = () => {
+    const hasMoved = update();
+    if (!camera.parent) return hasMoved;  // it is not in the scene yet
+    camera.parent.updateWorldMatrix(true, false);
+    camera.lookAt(camera.parent.localToWorld(controls.target.clone()));
+    return hasMoved;
+  };
+}
+
+// A laser measures at whole steps: between two of them its beam stays as it was measured.
+function jumpIfBeam({path, clip}) {
+  if (!path.includes("beams")) return;  // a list of names
+  for (const track of clip.tracks) {
+    track.interpolation = MeshCat.THREE.InterpolateDiscrete;
+    for (const key of track.keys) key.time -= 0.001;  // of a step: three.js rounds times, and a beam must not come late
+  }
 }
 
 // Meshcat's commands, and the rewards of the steps: the last ones of `steps`
@@ -97,7 +121,11 @@ function go(step) {
 }
 const moves = {
   first: () => go(1), back: () => go(number() - 1), step: () => go(number() + 1), last: () => go(last + 1),
-  play: () => { playing = !playing; settle(); },
+  play: () => {
+    playing = !playing;
+    if (!playing) at = Math.min(Math.round(at), last);  // what is told is true of whole steps
+    settle();
+  },
 };
 const keys = {ArrowLeft: "back", ArrowRight: "step", " ": "play", Home: "first", End: "last"};
 function followLink() {
@@ -128,29 +156,31 @@ addEventListener("hashchange", followLink);
 const chasing = () => chase.getAttribute("aria-pressed") === "true";
 const yaw = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 let heading = 0, height = 0, whole;
-function follow(seconds) {  // meshcat's camera looks at the origin of Cameras/default, which moves with the robot
+function follow(seconds) {  // the camera's frame, Cameras/default, moves with the robot
   const {position: {x, y, z}, quaternion} = body(), aim = node(["Cameras", "default"]);
   const turn = Math.atan2(Math.sin(yaw(quaternion) - heading), Math.cos(yaw(quaternion) - heading));
   heading += turn * (1 - Math.exp(-2.5 * seconds));
-  aim.position.set(x, y, Math.max(z, height / 2));
+  aim.position.set(x, y, Math.max(z, 0.4 * height));
   aim.rotation.set(0, 0, heading);
 }
 chase.onclick = () => {
   chase.setAttribute("aria-pressed", !chasing());
   chase.textContent = chasing() ? "Whole room" : "Chase camera";
-  const {camera} = viewer, aim = node(["Cameras", "default"]), robot = node(["meshcat", "robot"]);
+  const {camera, controls} = viewer, aim = node(["Cameras", "default"]), robot = node(["meshcat", "robot"]);
   viewer.set_dirty();
   if (!chasing()) {
     aim.position.copy(whole.aim);
     aim.rotation.set(0, 0, 0);
     camera.position.copy(whole.eye);
+    controls.target.copy(whole.target);
     return;
   }
-  whole = {aim: aim.position.clone(), eye: camera.position.clone()};
+  whole = {aim: aim.position.clone(), eye: camera.position.clone(), target: controls.target.clone()};
+  controls.target.set(0, 0, 0);
   heading = yaw(body().quaternion);
   height = new MeshCat.THREE.Box3().setFromObject(robot).max.y;
   const rolls = robot.children.some(({name}) => name.endsWith("_wheel"));
-  const back = rolls ? 1.1 + 0.8 * height : 1.6 * height, from = rolls ? Math.PI : -1.2;  // from behind an arm would hide its own gripper
+  const back = rolls ? 1.1 + 0.8 * height : 1.8 * height, from = rolls ? Math.PI : -1.2;  // from behind an arm would hide its own gripper
   camera.position.set(back * Math.cos(from), 0.6 * back, -back * Math.sin(from));
   follow(0);
 };

@@ -27,13 +27,21 @@ from rlrobot_edu.widgets.bias_explorer.widget import (
 from rlrobot_edu.widgets.bias_explorer.words import state_words, vector
 from rlrobot_edu.widgets.page_file import page_html
 
+TITLE = "How similar states advise a robot in its next choice"
+DESCRIPTION = (
+    "A robot that hardly knows a state takes the mean of what it learned in similar ones. See which states these are, "
+    "change their values, and see how the choice changes."
+)
+PAPER_STATE = {"X": 1, "Y": 1, "theta": 90, "d": 1}  # below algorithm 2
+
 
 @suggests_keywords
 class BiasExplorer(Displayed):
     """One state of a small task in four columns: values, means of the sets, bias and probabilities; choose and edit.
 
-    A reader builds the columns up with a button or the keys ← and →: the first three for one action, the fourth for
-    all, because a probability compares all actions.
+    It opens with all columns and, in large type, the action whose probability the bias raises most. A reader builds the
+    columns up with a button or the keys ← and →: the first three for one action, the fourth for all, because a
+    probability compares all actions.
 
     Parameters
     ----------
@@ -42,8 +50,9 @@ class BiasExplorer(Displayed):
     tables : Mapping[str, ndarray or Agent]
         By name, arrays (n_states, n_actions) or trained agents. Their values are copied: edits change the copy.
         What is shown is the paper's bias, whatever selection such an agent has.
-    state : int
-        The state shown first.
+    state : int, optional
+        The state shown first; without one it is the paper's example, (X, Y, θ, d) = (1, 1, 90°, 1), in a task with
+        these inputs, else state 0.
 
     Raises
     ------
@@ -61,10 +70,12 @@ class BiasExplorer(Displayed):
         self,
         task: Task | str,
         tables: Mapping[str, np.ndarray | Agent],
-        state: int = 0,
+        state: int | None = None,
     ) -> None:
         self.task = load_task(task)
         marks_of(self.task)  # raises ValueError for a task that is too large
+        if state is None:
+            state = _first_state(self.task)
         values, self._scales = _read_tables(self.task, tables)
         self.task.states.bins(state)  # raises ValueError if there is no such state
         data = about(self.task, values, self._scales, Parameters.temperature)
@@ -119,8 +130,8 @@ class BiasExplorer(Displayed):
             name: getattr(self.widget, name)
             for name in ("about", "state", "table", "tables", "stage")
         }
-        title = f"Which states bias the choice in {self.task.name}"
-        write_whole(path, page_html(title, feed, script(), style()))
+        page = page_html(TITLE, DESCRIPTION, feed, script(), style())
+        write_whole(path, page)
 
     def picture(self, stage: int = 4) -> Picture:
         """The four columns as a picture, or the first of them.
@@ -158,6 +169,13 @@ class BiasExplorer(Displayed):
     def __repr__(self) -> str:
         where = f"state {self.state} ({state_words(self.task, self.state)})"
         return f"<BiasExplorer of {self.task.name}, {self.table}, {where}: bias {vector(self.numbers.bias)}>"
+
+
+def _first_state(task: Task) -> int:
+    """The state of the paper's example, or 0 in a task with other inputs."""
+    if {variable.name for variable in task.inputs} != PAPER_STATE.keys():
+        return 0
+    return task.states.encode(PAPER_STATE)
 
 
 def _read_tables(

@@ -102,7 +102,7 @@ class ExplorerWidget(anywidget.AnyWidget):
     tables = traitlets.List().tag(sync=True)
     state = traitlets.Int().tag(sync=True)
     table = traitlets.Int().tag(sync=True)
-    stage = traitlets.Int().tag(sync=True)
+    stage = traitlets.Int(4).tag(sync=True)
 
     def __init__(self, about: dict[str, Any], state: int) -> None:
         self._esm = script() + "\nexport default { render };"

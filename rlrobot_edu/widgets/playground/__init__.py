@@ -8,7 +8,8 @@ Read in this order:
 - `new_simulation.js`: a simulation of given settings; `rlrobot_edu/widgets/javascript/simulation.js`: its steps;
 - `run.js`: a simulation with its score and its floor; `walls.js`: walls inside a room;
 - `page.html`, `style.css`: the looks; `room.js`, `cells.js` and `curve.js` draw it;
-- `page.js`: time, and words; `settings.js`: sliders and the link; `pointer.js`: dragging; `buttons.js`: buttons;
+- `page.js`: time, and words; `numbers.js`: numbers with the decimals that they need;
+- `settings.js`: sliders and the link; `pointer.js`: dragging; `buttons.js`: buttons;
 - `theme.js`: colours and height within another page; `host_page.js`: the part of that page;
   `page_frame`: the frame in a notebook.
 """

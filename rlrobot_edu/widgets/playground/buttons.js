@@ -6,10 +6,11 @@ document.onkeydown = (event) => {
   play(!playing);
 };
 find("play").onclick = () => play(!playing);
-find("again").onclick = () => change();
-find("race").onclick = () => {
-  isRacing = !isRacing;
-  change();
+find("again").onclick = () => goTo(0);
+find("race").onchange = () => {
+  racing = find("race").value;
+  before = null;
+  liveAnew();
 };
 for (const stage of find("stages").children) stage.onclick = () => goTo(Number(stage.value));
 find("kind").append(new Option("bumps", "counts"), new Option("reward", "rewards"));
@@ -21,11 +22,8 @@ followTheme(() => {
 });
 find("head").open = innerWidth >= 680 && !isFramed;
 readLink();
-begin();
+liveAnew();
 showSettings();
-if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-  while (yours.simulation.t < 3600) live(3600 - yours.simulation.t, MOST_MS); // an hour of its life, at once
-  play(false);
-}
+if (matchMedia("(prefers-reduced-motion: reduce)").matches) play(false);
 keepLink();
 requestAnimationFrame(frame);

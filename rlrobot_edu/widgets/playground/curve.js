@@ -1,37 +1,29 @@
 // The curve: what it was paid, and how often it bumped, as it learns.
 
-// Means in windows of equal length, never more than LENGTH of them: when they are full, two become one.
+// The score as it was: now and then one point, never more than LENGTH of them; when they are full, every second one goes.
 class Curve {
-  constructor() {
-    Object.assign(this, { rewards: [], counts: [], window: 20, reward: 0, count: 0, n: 0, called: "" });
+  constructor(score) {
+    Object.assign(this, { score, points: [], gap: 20, called: "" });
   }
 
-  add(r, counts) {
-    this.reward += r;
-    this.count += counts ? 1 : 0;
-    if (++this.n < this.window) return;
-    this.rewards.push(this.reward / this.n);
-    this.counts.push((PERIOD * this.count) / this.n);
-    this.reward = this.count = this.n = 0;
-    if (this.rewards.length < Curve.LENGTH) return;
-    const halved = (means) => means.filter((_, i) => i % 2).map((mean, i) => (mean + means[2 * i]) / 2);
-    [this.rewards, this.counts] = [halved(this.rewards), halved(this.counts)];
-    this.window *= 2;
+  // The score of a period has been counted up to here.
+  note() {
+    const { t } = this.score;
+    if (t !== PERIOD && (t < PERIOD || t % this.gap)) return;
+    this.points.push(this.score.now);
+    if (this.points.length < Curve.LENGTH) return;
+    this.gap *= 2;
+    this.points = this.points.filter((point) => point.t === PERIOD || point.t % this.gap === 0);
   }
 
   get steps() {
-    return this.rewards.length * this.window;
+    return this.points.at(-1)?.t ?? 0;
   }
 
-  // Points [step, mean]; each is the mean of the windows in the PERIOD before it, or of five of them. At first a count
-  // is what there has been so far: the curve says the number that stands beside it.
-  points(kind) {
-    const means = this[kind], wide = Math.max(5, Math.round(PERIOD / this.window));
-    let sum = 0;
-    return means.map((mean, i) => {
-      sum += mean - (i >= wide ? means[i - wide] : 0);
-      return [(i + 1) * this.window, sum / (kind === "counts" ? wide : Math.min(i + 1, wide))];
-    });
+  // Points [step, value in the PERIOD before it]; the last one is the score of now.
+  of(kind) {
+    const all = this.score.t > this.steps && this.steps ? [...this.points, this.score.now] : this.points;
+    return all.map((point) => [point.t, point[kind]]);
   }
 }
 Curve.LENGTH = 240;
@@ -41,7 +33,7 @@ Curve.LENGTH = 240;
 function drawCurves(canvas, kind, now, other, [called, timeOf], colours) {
   const { context, width, height } = sharp(canvas), curves = other ? [other, now] : [now];
   const steps = Math.max(2 * PERIOD, ...curves.map((curve) => curve.steps));
-  const lines = curves.map((curve) => curve.points(kind)), all = lines.flat().map(([, mean]) => mean);
+  const lines = curves.map((curve) => curve.of(kind)), all = lines.flat().map(([, mean]) => mean);
   const low = Math.min(0, ...all), high = Math.max(kind === "counts" ? 5 : 0.5, ...all), span = high - low;
   const left = 34, bottom = height - 22, right = width - 8, top = 26;
   const x = (step) => left + ((right - left) * step) / steps, y = (r) => bottom - ((bottom - top) * (r - low)) / span;

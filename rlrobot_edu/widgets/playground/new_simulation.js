@@ -5,7 +5,7 @@ function newSimulation({ task, method, luck, alpha, gamma, lam, temperature, eps
   const own = { select: kernels[`select_${i}`], learn_step: kernels[`learn_step_${i}`] };
   const all = { ...kernels, ...own, reward: kernels[`reward_${task}`], goal: kernels[`goal_${task}`] };
   const random = about.lucks[luck]; // agent and world draw numbers of their own
-  const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, pcg64(random.world));
+  const made = new { BaseWorld, ModelWorld }[world.kind](world, all, pcg64(random.world));
   if (walls && made.walls) made.build(allWalls(made, walls));
   const parameters = { ...about.defaults, alpha, gamma, lam, temperature, epsilon, r_max: world.rMax };
   const memory = newMemory(world.shape, world.nActions, parameters, all);

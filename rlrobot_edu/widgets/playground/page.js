@@ -6,19 +6,19 @@ const MOST_MS = 12; // of learning in a frame, so that the picture stays smooth
 const LEAP_MS = 30; // the same, on the way to a stage
 const FRAMES = 60; // a second, for which the speeds are set
 const TELL_MS = 200, FLOOR_MS = 600; // between two times that words and numbers, or the floor, are renewed
-const STAGES = [["a beginner", "a beginner"], ["after an hour", "after 3,600 steps"], ["after a day", "after 86,400 steps"]];
-const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1 : 2).replace(/^-(?=.*[1-9])/, "−").replace("-", "");
+const capital = (text) => text[0].toUpperCase() + text.slice(1);
 const say = (text) => { spoken.textContent = text; };
 
-let colours = coloursNow(), yours, rival = null, before = null, isRacing = false;
+let colours = coloursNow(), yours, rival = null, before = null, racing = ""; // racing: the method of the rival
 let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0, painted = 0;
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
 const runs = () => (rival ? [yours, rival] : [yours]);
 
-// Begin a simulation with the present settings; in a race another, with those of the paper.
+// Begin a simulation with the present settings; in a race another, with another method.
 function begin() {
   yours = new Run(settings, walls);
-  rival = isRacing ? new Run({ ...settings, ...PAPER }, walls) : null;
+  if (racing === settings.method) racing = "";
+  rival = racing ? new Run({ ...settings, method: racing }, walls) : null;
   for (const run of runs()) run.ground = document.createElement("canvas");
   [owed, leap, since] = [0, null, { moment: performance.now(), t: 0 }];
   chosen = NOTHING;
@@ -29,30 +29,40 @@ function begin() {
 
 // What the page looks like for this task, before anything has been learned.
 function shape() {
-  const { bounds, drawn, story, score, stepTime, commands } = yours.world;
+  const { bounds, drawn, story, rule, score, ages, stepTime, commands } = yours.world;
   const [wide, high] = bounds
     ? [bounds[2] - bounds[0], bounds[3] - bounds[1]]
     : [0, 1].map((axis) => 1 + Math.max(...drawn.map(({ cell }) => cell[axis])));
   find("robots").style.setProperty("--shape", wide / high);
-  for (const id of ["tools", "legend", "handling"]) find(id).hidden = !bounds;
-  find("papers").hidden = !rival;
+  find("robots").classList.toggle("wide", wide > 2 * high);
+  for (const id of ["marks", "handling"]) find(id).hidden = !bounds;
+  find("theirs").hidden = !rival;
+  find("theirs").querySelector("figcaption").textContent = rival ? capital(called(racing)) : "";
   find("yours").querySelector("figcaption").hidden = !rival;
-  find("race").setAttribute("aria-pressed", isRacing);
   find("story").textContent = story;
-  find("called").textContent = commands ? "wheels, as the paper writes them [rad/s]" : "";
+  find("rule").textContent = rule;
+  showRivals();
+  find("called").textContent = commands ? "wheels, as the paper writes them [rad/s]" : "drawn as";
   const named = score.called, life = stepTime ? " of its life" : "";
-  find("counted").textContent = `${named[0].toUpperCase()}${named.slice(1)} in ${periodInWords()}${life}`;
-  STAGES.forEach(([inTime, inSteps], i) => { find("stages").children[i].textContent = stepTime ? inTime : inSteps; });
+  find("counted").textContent = `${capital(named)} in ${periodInWords()}${life}`;
+  ages.forEach(([age, text], i) => Object.assign(find("stages").children[i], { value: age, textContent: text }));
   find("kind").options[0].textContent = named;
+}
+
+// Begin again, and live at once to the age at which it shows what was learned.
+function liveAnew() {
+  begin();
+  live(yours.world.ages[1][0] - yours.simulation.t, Infinity);
+  changed();
 }
 
 // Begin again after a change: what was learned until now stays as the curve before, with what has changed since.
 function change(name, was) {
   if (yours.curve.steps) before = Object.assign(yours.curve, { called: was === undefined ? "" : `, with ${name} ${was}` });
   if (name === "task") before = null;
-  begin();
+  liveAnew();
   keepLink();
-  say("It starts again, with the same luck.");
+  say("It has learned anew, with the same luck.");
 }
 
 // Live so many steps, or as many as this time allows [ms].
@@ -102,13 +112,13 @@ function draw(part) {
   const isTime = performance.now() - told >= TELL_MS, isOld = performance.now() - painted >= FLOOR_MS;
   if (isOld) painted = performance.now();
   for (const run of runs()) {
-    const figure = find(run === yours ? "yours" : "papers"), canvas = figure.querySelector("canvas");
+    const figure = find(run === yours ? "yours" : "theirs"), canvas = figure.querySelector("canvas");
     if (run.floor) {
       if (isOld) drawFloor(canvas, run, markedWall(run.world), colours);
       const seen = drawRobot(canvas, run, between(run, part), chosen === ROBOT, colours);
       if (run === yours) view = seen;
     } else {
-      const seen = drawCells(canvas, run.world, run.here, run.world.arrows && ((place) => bestArrow(run, place)), colours);
+      const seen = drawCells(canvas, run.world, run.here, (place) => bestArrow(run, place), colours);
       if (run === yours) view = seen;
     }
   }
@@ -155,7 +165,7 @@ function tell() {
   tellCurve();
   const { s, a, r, sNext, delta, before: was, after } = simulation.last;
   find("update").textContent = `In state ${s} it did “${world.actions[a]}” and got r = ${String(r).replace("-", "−")}, in state ${sNext}. ` +
-    `δ = ${number(delta)}, so Q(s, a) went from ${number(was)} to ${number(after)}.`;
+    `δ = ${number(delta)}, so Q(s, a) went from ${apart(was, after).join(" to ")}.`;
   showRow(pointed);
   find("turn").disabled = chosen === NOTHING;
   find("remove").disabled = chosen < 0;
@@ -171,9 +181,8 @@ function tellScore() {
   find("at-last").textContent = isYoung ? "after some practice" : `in the last ${period}`;
   find("rival").hidden = !rival;
   if (rival) {
-    find("rival").textContent = Object.entries(PAPER).every(([name, value]) => settings[name] === value)
-      ? "Both robots have the paper’s settings, and do the same: change yours."
-      : `The paper’s robot: ${rival.score.first} at first, ${isYoung ? "?" : rival.score.last} now.`;
+    find("rival").textContent =
+      `The other robot, ${called(racing)}: ${rival.score.first} at first, ${isYoung ? "?" : rival.score.last} now.`;
   }
   const stages = [...find("stages").children], reached = stages.filter(({ value }) => Number(value) <= simulation.t).at(-1);
   for (const stage of stages) stage.toggleAttribute("aria-current", stage === reached);
@@ -181,15 +190,15 @@ function tellScore() {
 
 function tellCurve() {
   const { curve, score: { first, last }, world } = yours, kind = find("kind").value, other = rival ? rival.curve : before;
-  const recent = curve.points("rewards").at(-1), n = Math.min(yours.simulation.t, PERIOD);
-  const called = kind === "counts" ? `${world.score.called} in ${periodInWords()}` : "mean reward of a step";
-  const mean = recent ? `Mean reward of the last ${n} steps: ${number(recent[1])}.` : "It has just begun.";
-  const dashed = rival ? " Dashed: the paper’s settings." : before ? ` Dashed: the run before${before.called}.` : "";
+  const n = Math.min(yours.simulation.t, PERIOD), period = periodInWords();
+  const shown = kind === "counts" ? `${world.score.called} in the ${period} before` : `mean reward of the ${period} before`;
+  const mean = `Mean reward of the last ${n} steps: ${number(yours.score.now.rewards)}.`;
+  const dashed = rival ? ` Dashed: ${called(racing)}.` : before ? ` Dashed: the run before${before.called}.` : "";
   find("mean").textContent = mean + dashed;
-  drawCurves(curveCanvas, kind, curve, other, [called, timeOf], colours);
-  curveCanvas.setAttribute("aria-label", `Curve of ${called}: ${first} at first, ${last} now. ${mean}`);
+  drawCurves(curveCanvas, kind, curve, other, [shown, timeOf], colours);
+  curveCanvas.setAttribute("aria-label", `Curve of ${shown}: ${first} at first, ${last} now. ${mean}`);
   picture.setAttribute("aria-label", `${world.called}, seen from above: ${mean}`);
-  find("papers").querySelector("canvas").setAttribute("aria-label", "The same with the paper’s settings");
+  find("theirs").querySelector("canvas").setAttribute("aria-label", rival ? `The other robot: ${called(racing)}` : "");
 }
 
 // A state in words: the bin of each input.
@@ -206,12 +215,12 @@ function showRow(state) {
   const visits = simulation.m.visits[s].reduce((sum, n) => sum + n, 0);
   find("where").textContent = state === null ? "What it knows where it stands" : "What it knows where you point";
   find("state").textContent = `State ${s}: ${inWords(s)}. Met ${visits.toLocaleString("en")} times.`;
-  const most = Math.max(1e-9, ...q.map(Math.abs));
+  const most = simulation.m.q.reduce((high, row) => row.reduce((top, value) => Math.max(top, Math.abs(value)), high), NOTHING_YET);
   find("actions").tBodies[0].replaceChildren(...world.actions.map((action, a) => {
-    const row = document.createElement("tr"), bar = document.createElement("div"), command = world.commands ? world.commands[a] : "";
+    const row = document.createElement("tr"), bar = document.createElement("div"), command = (world.commands ?? world.arrows)[a];
     for (const text of [a === best ? `${action} (best)` : action, command, number(q[a])]) row.insertCell().textContent = text;
     bar.className = q[a] < 0 ? "bar below" : "bar";
-    bar.style.width = `${(100 * Math.abs(q[a])) / most}%`;
+    bar.style.width = Math.abs(q[a]) < NOTHING_YET ? 0 : `${(100 * Math.abs(q[a])) / most}%`;
     row.insertCell().append(bar);
     row.className = a === best ? "best" : "";
     return row;

@@ -7,8 +7,8 @@ const TILE = 0.25; // side of a piece of floor [m]
 class Run {
   constructor(settings, walls) {
     this.simulation = newSimulation(settings, walls);
-    this.curve = new Curve();
     this.score = new Score();
+    this.curve = new Curve(this.score);
     this.trail = [];
     this.bumps = [];
     this.from = null; // where it was before the last step
@@ -27,8 +27,8 @@ class Run {
   step() {
     const world = this.world, told = this.simulation.step(), { atMost } = world.score;
     const counts = atMost === null ? told.terminated : told.r <= atMost;
-    this.score.add(counts);
-    this.curve.add(told.r, counts);
+    this.score.add(counts, told.r);
+    this.curve.note();
     if (!this.floor) return;
     const [x, y, heading] = world.place;
     this.floor.met(x, y, heading, told.sNext);
@@ -52,16 +52,24 @@ class Run {
   }
 }
 
-// How often it happened (a bump, an arrival) in the first PERIOD of steps and in the last.
+// How often it happened (a bump, an arrival) in the first PERIOD of steps and in the last, and the reward of the last.
 class Score {
   constructor() {
-    Object.assign(this, { t: 0, first: 0, last: 0, recent: new Uint8Array(PERIOD) });
+    const recent = new Uint8Array(PERIOD), rewards = new Float64Array(PERIOD);
+    Object.assign(this, { t: 0, first: 0, last: 0, recent, reward: 0, rewards });
   }
 
-  add(happened) {
+  // The last PERIOD, or what there is of it: how often it happened, and the mean reward of a step.
+  get now() {
+    return { t: this.t, counts: this.last, rewards: this.reward / Math.max(1, Math.min(this.t, PERIOD)) };
+  }
+
+  add(happened, reward) {
     const at = this.t % PERIOD, one = happened ? 1 : 0;
     this.last += one - this.recent[at];
     this.recent[at] = one;
+    this.reward += reward - this.rewards[at];
+    this.rewards[at] = reward;
     if (this.t < PERIOD) this.first += one;
     this.t += 1;
   }

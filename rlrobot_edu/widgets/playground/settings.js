@@ -10,7 +10,9 @@ const VALUES = {
   temperature: { label: "T, temperature", values: [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50], of: (m) => /SR$/.test(m) },
   epsilon: { label: "ε, share of chance", values: [0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1], of: (m) => /EG$/.test(m) },
 };
-const PAPER = { ...about.parameters, method: "TOSL+QBIASSR" };
+const RIVALS = [["Q+RANDOM", "chance"], ["Q+EG", "Q-learning"], ["TOSL+SR", "the paper’s method without its bias"],
+  ["TOSL+QBIASSR", "the paper’s method"]];
+const called = (method) => RIVALS.find(([name]) => name === method)[1];
 
 const settings = { ...beginning, luck: 0, speed: 0.5, ...about.parameters };
 let walls = null; // inside the room, where they are others than those of the task
@@ -94,6 +96,13 @@ function sliders() {
       return line;
     },
   ));
+}
+
+// Who can be raced against: all but the method that the robot has itself.
+function showRivals() {
+  const rivals = RIVALS.filter(([name]) => name !== settings.method);
+  const option = ([name, text]) => new Option(text, name, false, name === racing);
+  find("race").replaceChildren(...[["", "nobody"], ...rivals].map(option));
 }
 
 function showSettings() {

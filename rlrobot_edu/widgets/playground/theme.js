@@ -1,7 +1,7 @@
 // How the page fits into what is around it: colours, and the height of a frame. In a frame see host_page.js.
 
 const NAMES = ["back", "card", "ink", "faint", "line", "floor", "wall", "chosen", "robot", "beam", "bump", "trail", "goal",
-  "box", "ghost", "value"];
+  "ghost", "value"];
 const isFramed = window !== window.parent;
 
 // The colours of style.css by their names, light or dark as they are now.

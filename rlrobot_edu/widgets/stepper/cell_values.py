@@ -14,6 +14,7 @@ from rlrobot_edu.widgets.stepper.tape import Tape
 
 _HEADING = {0: "→", 90: "↑", -90: "↓"}
 _SPIN = {90: "↺", -90: "↻"}
+ASIDE = 0.345  # of a mark from the middle of its cell [m]: beside the robot
 INPUTS = {
     "X",
     "Y",
@@ -56,7 +57,9 @@ class CellValues:
                 readings = {"X": x, "Y": y, "theta": heading, "d": int(is_blocked)}
                 s = task.states.encode(readings)
                 icons = [_icon(command, heading) for command in task.commands]
-                found.append(Place(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, s, icons))
+                found.append(
+                    Place(x - 0.5 + ASIDE * dx, y - 0.5 + ASIDE * dy, s, icons)
+                )
         return found
 
     def of(self, tape: Tape, scene: Scene) -> list[Mark]:

@@ -19,7 +19,9 @@ from rlrobot_edu.robots.cell_robot import CellRobot
 from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.javascript.program import program, rewards_of
 from rlrobot_edu.widgets.playground.worlds import (
     World,
@@ -141,11 +143,16 @@ def _world_of(env: gymnasium.Env) -> tuple[World, Kernels]:
         inputs = {variable.name for variable in task.inputs}
         if isinstance(robot, CellRobot) and inputs <= INPUTS:
             return cells_world(task), {}
-        if isinstance(robot, KinematicBase) and robot.chassis == CHASSIS[task.robot]:
+        if isinstance(robot, KinematicBase) and _is_ideal(robot, task):
             return base_world(task), {"drive": drive, "look": look, **rewards_of(task)}
     raise ValueError(
-        "a page computes the worked example, sample models and the base with engine='kinematic', not this world."
+        "a page computes the worked example, sample models and the ideal base with engine='kinematic', not this world."
     )
+
+
+def _is_ideal(robot: KinematicBase, task: Task) -> bool:
+    """Whether it is the base as simulation.js has it."""
+    return robot.chassis == CHASSIS[task.robot] and robot.realism == Realism()
 
 
 def _place(env: gymnasium.Env) -> list[float] | None:

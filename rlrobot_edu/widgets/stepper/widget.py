@@ -234,7 +234,11 @@ class Stepper(Displayed):
         data["frames"] = columns
         world = f" in {self._names.task.name}" if self._names.task else ""
         title = f"{self._tape.agent.method.name}{world}, step by step"
-        return page_html(title, data, self._script(), style())
+        description = (
+            f"Each step of a robot that learns by {self._tape.agent.method.name}: its world, its choice, the update "
+            "with the numbers of the step, and its tables."
+        )
+        return page_html(title, description, data, self._script(), style())
 
     def _script(self) -> str:
         """The page's program."""

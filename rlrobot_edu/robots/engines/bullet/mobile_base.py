@@ -41,7 +41,7 @@ class Wheels:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
         theta = math.atan2(here[1, 0], here[0, 0])
-        self._level.parts.place[:] = (here[0, 3], here[1, 3], theta)
+        self._level.parts.place[:3] = (here[0, 3], here[1, 3], theta)
         return self._level.look()
 
 

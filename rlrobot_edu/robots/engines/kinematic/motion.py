@@ -43,6 +43,13 @@ def follow_arc(place, v, omega, seconds):
 
 
 @compiled
+def put_in_range(place):
+    """Give the heading in (−π, π]."""
+    whole_turns = math.ceil(place[2] / (2 * math.pi) - 0.5)
+    place[2] = min(math.pi, place[2] - 2 * math.pi * whole_turns)
+
+
+@compiled
 def is_near(place, reach, walls, i):
     """Whether wall i is nearer to the axle than `reach` [m]."""
     dx = place[0] - walls[i, 0]
@@ -275,9 +282,7 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
                 change < CLEARANCE
             ):  # it stands still, and would for the rest of the time
                 break
-    # the heading in (−π, π]
-    whole_turns = math.ceil(place[2] / (2 * math.pi) - 0.5)
-    place[2] = min(math.pi, place[2] - 2 * math.pi * whole_turns)
+    put_in_range(place)
 
 
 @compiled

@@ -33,6 +33,14 @@ function marksHtml({ inputs }, input) {
     `<span class="rl-mark" style="background:${colour};color:${ink}">${sign}</span>`).join("");
 }
 
+// In large type: the action whose probability the bias raises most.
+function findingHtml({ actions }, { sr, qbiassr }) {
+  const gains = qbiassr.map((p, a) => p - sr[a]), a = gains.indexOf(Math.max(...gains)), whole = (p) => (100 * p).toFixed(0);
+  const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
+  return `<b>${escaped(actions[a])} <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
+    "how likely the robot is to choose this, without and with the advice of similar states";
+}
+
 // What the reader sees, in words: stage is the number of columns, and a the action of the first three.
 function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
   const { inputs, states, actions } = about, action = `<b>${escaped(actions[a])}</b>`;

@@ -2,7 +2,8 @@
 // or of a file alone; `state`, `table` (the number of one), `tables` (the values of all) and `stage` change.
 
 const ROW = 26; // height of a state's row [px]
-const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice"];
+const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice",
+  "Build it up, column by column"];
 
 // All that stays while the numbers change: a block of columns for each action, the states, the inputs.
 function explorerHtml(about) {
@@ -12,13 +13,13 @@ function explorerHtml(about) {
   return '<div class="rl-bias"><div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> ' +
     '<button name="next" title="Next (key →)"></button> <button name="all">All columns</button> ' +
     `<label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
-    '<p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
+    '<p class="rl-finding" data-from="4"></p><p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
     '<div class="rl-columns rl-heads"><b>Q of <i>s</i> and its similar states</b><b data-from="2">mean of each set</b>' +
     '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
     `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div><div class="rl-chooser">` +
-    "<h4>The state: click one, or choose its inputs</h4>" +
+    "<h2>The state: click one, or choose its inputs</h2>" +
     `<div class="rl-states" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
-    `<div class="rl-inputs">${choices.join(" ")}</div><h4>The values of Q: edit them in the first column</h4>` +
+    `<div class="rl-inputs">${choices.join(" ")}</div><h2>The values of Q: edit them in the first column</h2>` +
     `<label>Q-table <select name="table">${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
     '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div></div></div>';
 }
@@ -35,7 +36,7 @@ function actionHtml({ inputs, shape }, name, a) {
     `color:${inputs[input].ink}"`}><span></span><input type="number" step="any"></label>`;
   const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <data></data></span>`;
   const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
-  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h4>${escaped(name)}</h4>` +
+  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h2>${escaped(name)}</h2>` +
     `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${inputs.map(mean).join("")}</div>` +
     `${lines(3, all.map((i) => [meanOf(i), height / 2, i]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
@@ -84,6 +85,7 @@ class Explorer {
     this.root.onclick = ({ target }) => {
       const steps = { back: -1, next: 1, all: 4 };
       if (target.name === "reset") this.set("tables", this.withTable(this.about.originals[model.get("table")].q));
+      else if (target.name === "next" && model.get("stage") === 4) this.set("stage", 0);
       else if (target.name in steps) this.step(steps[target.name]);
       else if (target.closest(".rl-states button")) this.set("state", +target.closest("button").value);
     };
@@ -159,7 +161,8 @@ class Explorer {
     this.inputs.forEach((select, i) => { select.value = about.states[s].bins[i]; });
     this.blocks.forEach((block, a) => this.showAction(block, a, s, stage, found));
     for (const each of this.later) each.style.visibility = stage < each.dataset.from ? "hidden" : "";
-    Object.assign(named.next, { textContent: NEXT[stage] ?? "All columns are shown", disabled: stage === 4 });
+    named.next.textContent = NEXT[stage];
+    this.root.querySelector(".rl-finding").innerHTML = findingHtml(about, found);
     named.back.disabled = !stage;
     named.action.value = action;
     for (const each of [named.all, named.action.parentNode]) each.hidden = stage === 4;

@@ -5,7 +5,7 @@ function comparisonHtml(about, was, other, from) {
   const { t } = other, both = [["As it was", was], ["What if", other]];
   const columns = both.map(([name, tape]) => {
     const its = aboutAt(about, tape.frame), most = largest(tape.q, about.rMax), shown = windowOf(tape);
-    return `<section class="q"><h4>${name}, step ${t}: ${escaped(its.algorithm)}</h4>` +
+    return `<section class="q"><h2>${name}, step ${t}: ${escaped(its.algorithm)}</h2>` +
       `<div class="world">${worldHtml(its, tape, most)}</div>${qHtml(its, tape, shown, [])}</section>`;
   });
   return `${sumsHtml(was, other, from)}<div class="both">${columns.join("")}</div>`;

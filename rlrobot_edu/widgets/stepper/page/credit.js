@@ -141,8 +141,8 @@ function stepPaidHtml(about, tape, k) {
     const share = paid[x][b], kind = x === s && b === a ? ' class="pair"' : "";
     return share ? `<td${kind} style="background:${tint(share, most)}">${short(share)}</td>` : `<td class="dot">·</td>`;
   };
-  return `<section class="traces"><h4>What step ${k} has paid, cell by cell: a = ${escaped(named(about.names, a))} in s = ${s}, ` +
-    `r = ${given(r)} ${goHtml(k)}</h4>${blocks(about, cell, windowOf(tape), null)}</section>`;
+  return `<section class="traces"><h2>What step ${k} has paid, cell by cell: a = ${escaped(named(about.names, a))} in s = ${s}, ` +
+    `r = ${given(r)} ${goHtml(k)}</h2>${blocks(about, cell, windowOf(tape), null)}</section>`;
 }
 
 // Where the steps that paid were taken: circles, the larger the more, blue for what raised the number.

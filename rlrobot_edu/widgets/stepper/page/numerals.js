@@ -19,6 +19,14 @@ function number(x) { // 12.35, 0.905, −0.002
   return tidy(size >= 0.01 ? x.toFixed(3) : general(x, 2));
 }
 
+// How to write two numbers so that they are told apart: as above, or with more decimals.
+function writerFor(was, now) {
+  if (was === now || number(was) !== number(now)) return number;
+  let decimals = 4;
+  while (decimals < 12 && was.toFixed(decimals) === now.toFixed(decimals)) decimals += 1;
+  return (x) => tidy(x.toFixed(decimals));
+}
+
 function short(x) { // six signs at most: 12.3, 0.90, −0.021, 4e−5; a plain 0 is exactly 0
   const size = Math.abs(x);
   if (size >= 1e5 || (size > 0 && size < 0.0005)) return tidy(x.toExponential(0));

@@ -5,7 +5,7 @@ const GIVEN = ["α", "γ", "(1 − α)", "1", "r"]; // numbers that somebody set
 
 const named = ({ actions }, a) => (actions[a] === String(a) ? `${a}` : `${a} (${actions[a]})`);
 const pane = (kind, heading, content, note = "") =>
-  `<section class="${kind}"><h4>${heading}</h4>${content}${note && `<p class="note">${note}</p>`}</section>`;
+  `<section class="${kind}"><h2>${heading}</h2>${content}${note && `<p class="note">${note}</p>`}</section>`;
 
 // Whether an action follows the step shown, and the update takes its value.
 const takesNext = ({ equation }, frame) => frame && !over(frame) && equation.join("").includes("{Q(s′, a′)}");
@@ -36,7 +36,7 @@ function viewHtml(always, tape) {
   const choice = pane("choice", heading, choiceHtml(about, frame, shown));
   const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));
   const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, follows(about, tape)),
-    `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new; double frame: (s, a).`);
+    `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new, or by how much where both look the same; double frame: (s, a).`);
   const traces = about.hasTraces
     ? pane("traces", "Traces e, as this update used them", tracesHtml(about, tape, shown),
       "How much each pair shares in what is learned in this step.")
@@ -79,10 +79,12 @@ function choiceHtml({ names, isBiased }, frame, { actions }) {
 function explained(about, frame) {
   const { alpha, gamma, lam } = about.parameters, { qsa, delta, r, e, qOld } = frame;
   const after = frame.q[1][frame.q[0].indexOf(frame.s * about.nActions + frame.a)] ?? qsa, lines = [];
+  const write = writerFor(qsa, after);
   const numbers = { "α": alpha, "(1 − α)": 1 - alpha, "γ": gamma, 1: 1, r, "δ": delta, "Q(s, a)": qsa, "e(s, a)": e,
     Q_old: qOld, change: after - qsa };
   const results = { "δ": delta, "Q(s, a)": after, "e(s, a)": frame.traces[1].at(-1) };
   const change = alpha * (about.trace === "dutch" ? delta + qsa - qOld : delta);
+  const ofQ = (symbol) => (symbol === "Q(s, a)" ? write : number);
   const usual = !about.trace ? "" : `Every other pair with a trace changes by ${number(change)}·e. ` +
     `Then all traces fade to ${general(gamma * lam, 3)}·e.`;
   for (const line of about.equation) {
@@ -90,10 +92,10 @@ function explained(about, frame) {
     const terms = right.split(/(\{[^}]*\})/).flatMap((piece) => {
       if (!piece.startsWith("{")) return [...piece.replaceAll(" ", "")].map((each) => ({ symbol: each, text: each }));
       const symbol = piece.slice(1, -1), value = symbol.includes("s′") ? frame.qNext : numbers[symbol];
-      return [{ symbol, value, text: GIVEN.includes(symbol) ? given(value) : value < 0 ? `(${number(value)})` : number(value) }];
+      return [{ symbol, value, text: GIVEN.includes(symbol) ? given(value) : value < 0 ? `(${ofQ(symbol)(value)})` : ofQ(symbol)(value) }];
     });
     const result = terms.length > 1
-      ? [{ symbol: "", text: "=" }, { symbol: "", text: number(results[left]), value: results[left] }] : [];
+      ? [{ symbol: "", text: "=" }, { symbol: "", text: ofQ(left)(results[left]), value: results[left] }] : [];
     const leftSide = { symbol: left, text: left.replace("(s, a)", `(${frame.s}, ${frame.a})`) };
     lines.push([leftSide, { symbol: sign, text: sign }, ...terms, ...result]);
     numbers[left] = results[left]; // what a line has set, the next one takes

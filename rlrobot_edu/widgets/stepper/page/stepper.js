@@ -46,7 +46,7 @@ class Stepper {
       '<input class="rl-slider" type="range" aria-label="step" title="The steps that are kept"></div>' +
       '<p class="rl-error rl-said" role="status"></p><div class="rl-keys" tabindex="0" role="group" ' +
       'aria-label="Keyboard of the stepper: left and right arrow step, space plays and pauses, Home and End go to the ends">' +
-      "Keyboard (click the view, or come here with Tab): <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> play or " +
+      `Keyboard${link ? "" : " (click the view, or come here with Tab)"}: <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> play or ` +
       "pause &nbsp; <kbd>Home</kbd> <kbd>End</kbd> first and last step</div>" +
       '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><div class="rl-why rl-ask" role="group" ' +
       'aria-label="Who paid for a value?"></div><div class="rl-view rl-paid"></div><div class="rl-what-if rl-ask" role="group" ' +
@@ -93,12 +93,18 @@ class Stepper {
   }
 
   play() {
+    if (this.isOver) this.go(this.tape.first); // at the end it begins again
     this.find("play").textContent = "‖ Pause";
     const next = () => {
       if (!this.waits && !this.go(this.tape.t + 1)) this.stop();
     };
     this.player = setInterval(next, 1000 / this.find("speed").value);
     next();
+  }
+
+  // Whether the last step is shown, and nobody lives on.
+  get isOver() {
+    return !this.ask && this.tape === this.recorded && this.tape.t >= this.tape.end;
   }
 
   // Stop at once. Returns whether it went on by itself.

@@ -38,7 +38,9 @@ function qHtml(about, tape, shown, pointsAt) {
     const value = tape.q[s][a], was = old.get(s * nActions + a), kinds = [];
     let sign = "", title = "", strength = "";
     if (was !== undefined) {
-      sign = `<u>${value > was ? "▲" : "▼"}</u><small>${short(was)} → </small>`;
+      const isSame = short(was) === short(value); // when rounded: then the change itself is written
+      const told = isSame ? `${value > was ? "+" : ""}${short(value - was)}` : `${short(was)} → `;
+      sign = `<u>${value > was ? "▲" : "▼"}</u><small>${told}</small>`;
       title = ` title="by ${number(value - was)}"`;
       strength = `;--strength:${Math.max(FAINTEST_FRAME, Math.abs(value - was) / mostChanged).toFixed(1)}`;
       kinds.push("new");

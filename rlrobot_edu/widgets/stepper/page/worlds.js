@@ -1,7 +1,8 @@
 // The world of a tape as it was: a robot from above, or a state by its inputs.
 
 const MOST_BINS = 12; // an input with more is written as a number
-const CHIP = [0.36, 0.25]; // of a mark [m]; two lines of small letters fit into it
+const CHIP = [0.3, 0.25]; // of a mark [m]; two lines of small letters fit into it
+const AMONG_MARKS = 0.6; // size of a robot that is drawn between marks, so that none lies on it
 
 const worldHtml = (about, tape, most) => ({ robot: robotHtml, state: stateHtml })[about.view.kind](about, tape, most);
 const svgPoints = (xy) => xy.map(([x, y]) => `${+x.toFixed(3)},${+y.toFixed(3)}`).join(" ");
@@ -20,9 +21,10 @@ function robotHtml({ view }, tape, most) {
   const looks = tape.looks(), { place, nose, moving, beams, box } = looks.at(-1), { roles, walls, marks } = view;
   const [xMin, yMin, xMax, yMax] = view.bounds, margin = 0.03 * Math.max(xMax - xMin, yMax - yMin);
   const line = ([x1, y1, x2, y2]) => `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"/>`;
-  const length = marks ? 0.6 : 1; // of the line ahead: among marks it ends before the one there
-  const heading = place ? line([place[0], place[1], ...[0, 1].map((i) => place[i] + length * (nose[i] - place[i]))])
-    .replace("<line", '<line class="heading"') : "";
+  const size = marks ? AMONG_MARKS : 1;
+  const shrunk = ([x, y]) => (place ? [place[0] + size * (x - place[0]), place[1] + size * (y - place[1])] : [x, y]);
+  const body = moving.map(([role, points]) => [role, role === "robot" ? points.map(shrunk) : points]);
+  const heading = place ? line([place[0], place[1], ...shrunk(nose)]).replace("<line", '<line class="heading"') : "";
   const path = looks.filter((look) => look.place).map((look) => look.place);
   const says = `A room of ${(xMax - xMin).toFixed(1)} by ${(yMax - yMin).toFixed(1)} metres` + (place
     ? `, the robot at x = ${place[0].toFixed(1)}, y = ${place[1].toFixed(1)}, heading ${Math.round((place[2] * 180) / Math.PI)} degrees` : "");
@@ -32,7 +34,7 @@ function robotHtml({ view }, tape, most) {
   return `<svg viewBox="${viewBox.map((x) => x.toFixed(3)).join(" ")}" role="img" aria-label="${says.replaceAll("-", "−")}.">` +
     `<g transform="scale(1,-1)">${drawn(walls.map((points) => ["wall", points]))}${between}` +
     `<polyline class="path" points="${svgPoints(path)}"/><g class="beams">${beams.map(line).join("")}</g>` +
-    `${drawn(moving)}${heading}${litHtml(tape, (frame) => lookBefore(tape, frame)?.place)}</g>${marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : ""}</svg>`;
+    `${drawn(body)}${heading}${litHtml(tape, (frame) => lookBefore(tape, frame)?.place)}</g>${marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : ""}</svg>`;
 }
 
 // What the agent thinks of a place: the icons of the best actions there, above their value.
