@@ -15,6 +15,8 @@
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
 #                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/studies/a_better_bias.md (under an hour on two quiet cores)
+# make atlas  run what studies/tuning_registered.json says; writes docs/studies/how_much_tuning.md (under an hour on two busy cores;
+#             stop it when you like, the same call goes on)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make lite   the course for a browser, with nothing installed, in docs/lite/_build/site; `make docs` then takes it along
 #             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
@@ -62,7 +64,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons test-lowest test-newest coverage bench size soak fuzz reproduce bias-study datasets pictures notebooks docs lite release tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons test-lowest test-newest coverage bench size soak fuzz reproduce bias-study atlas datasets pictures notebooks docs lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
@@ -137,6 +139,9 @@ reproduce: $(VENV)/lab.done
 bias-study: $(VENV)/lab.done
 	$(RUN) studies/better_bias.py power
 	$(RUN) studies/better_bias.py all
+
+atlas: $(VENV)/lab.done
+	$(RUN) studies/how_much_tuning.py all
 
 datasets: $(VENV)/lab.done
 	$(RUN) datasets/make_datasets.py

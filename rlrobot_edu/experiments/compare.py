@@ -119,10 +119,10 @@ def compare(
         check_name(name, [*names_of(compare), *SETTINGS], "setting", "compare")
     seed = check_count("seed", seed, least=0)
     repetitions = check_count("repetitions", repetitions)
-    _check_jobs(n_jobs)
+    check_jobs(n_jobs)
     _check_share(share)
     world, env, robot = tried(world, engine=engine, realism=realism)
-    length = {**_length(env, steps, episodes), "keep": keep}
+    length = {**length_of(env, steps, episodes), "keep": keep}
     agents = {}
     jobs: dict[Key, Callable[[], History]] = {}
     for label, its_own in _by_label(methods).items():
@@ -205,7 +205,7 @@ def _facts_of_agents(agents: Mapping[str, Agent]) -> dict[str, Any]:
     return facts
 
 
-def _check_jobs(n_jobs: object) -> None:
+def check_jobs(n_jobs: object) -> None:
     """Raises ValueError unless this is a number of cores: 1 and more, or −1 and less for all but some."""
     if n_jobs is not None and not (is_whole(n_jobs) and n_jobs != 0):
         raise ValueError(
@@ -223,7 +223,9 @@ def _check_share(share: Any) -> None:
     )
 
 
-def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
+def length_of(
+    env: Env, steps: int | None, episodes: int | None
+) -> dict[str, int | None]:
     """Steps of each repetition, and episodes if it has any."""
     steps = check_count("steps", steps, or_none=True)
     episodes = check_count("episodes", episodes, or_none=True)

@@ -1,9 +1,9 @@
 """One repetition of an experiment, and all of them on all cores."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from copy import copy
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from joblib import Parallel, delayed
@@ -23,6 +23,8 @@ from rlrobot_edu.task.task import Task
 Key = tuple[str, int]  # of a repetition: the label of its method, and its number
 Settings = Mapping[str, Any]  # parameters of an agent, its method included
 Seed = np.random.SeedSequence
+K = TypeVar("K")  # of a job: its key
+T = TypeVar("T")  # and its result
 SETTINGS = ("method", "planner", *Parameters.__annotations__)  # of an agent
 
 
@@ -98,16 +100,11 @@ def run(
     if store is not None:
         stored = {key: store.load(*key) for key in keys}
         done = {key: kept for key, kept in stored.items() if kept is not None}
-    to_do = [delayed(_one)(key, jobs[key]) for key in keys if key not in done]
-    parallel = Parallel(
-        n_jobs,
-        prefer="threads" if threads else "processes",
-        return_as="generator_unordered",
-    )
+    to_do = {key: jobs[key] for key in keys if key not in done}
     about = {"initial": len(done), "unit": "repetition", "desc": bar}
     with progress_bar(len(keys), bar is not None, delay=0, **about) as shown:
         try:
-            for key, history in parallel(to_do):
+            for key, history in in_parallel(to_do, threads, n_jobs):
                 if store is not None:
                     label, number = key
                     store.save(label, number, history)
@@ -126,5 +123,20 @@ def run(
     }
 
 
-def _one(key: Key, job: Callable[[], History]) -> tuple[Key, History]:
+def in_parallel(
+    jobs: Mapping[K, Callable[[], T]], threads: bool, n_jobs: int
+) -> Iterator[tuple[K, T]]:
+    """Do all jobs on several cores; yield the key and the result of each as soon as it is done.
+
+    threads: whether they run in threads, see `run`
+    """
+    parallel = Parallel(
+        n_jobs,
+        prefer="threads" if threads else "processes",
+        return_as="generator_unordered",
+    )
+    yield from parallel(delayed(_one)(key, job) for key, job in jobs.items())
+
+
+def _one(key: K, job: Callable[[], T]) -> tuple[K, T]:
     return key, job()

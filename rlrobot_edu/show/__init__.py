@@ -17,4 +17,5 @@ describe.py  what all views of scenes share: the path, a description in words
 top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
 film.py      `film`, a scene from above for each step, as a GIF
 curves.py    `plot_learning`, learning curves
+map_of_settings.py  what a method earns, over two of its parameters
 """
