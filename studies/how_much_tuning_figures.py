@@ -12,20 +12,18 @@ from how_much_tuning_tests import SR, Draws, Finding, Part
 from how_much_tuning_worlds import settings_of
 
 from rlrobot_edu.show.map_of_settings import plot_settings
-from rlrobot_edu.show.palette import BLUE, GREEN, GREY, VERMILION
+from rlrobot_edu.show.palette import BLUE, GREEN, GREY, RED
 from rlrobot_edu.show.picture import Picture
 
 LOOK = {  # colour, dashes and mark of each method
-    OURS: (BLUE, "-", "o"), SR: (VERMILION, "--", "s"),
+    OURS: (BLUE, "-", "o"), SR: (RED, "--", "s"),
     "Q+SR": (GREY, ":", "^"), "Q+QBIASSR": (GREEN, "-.", "D"),
 }  # fmt: skip
-BELOW = 9.5  # letters of the line below a title [point]
 
 
 def headed(picture: Picture, title: str, below: str) -> Picture:
     """The picture with its finding, and below in grey what is plotted."""
-    picture.suptitle(title, x=0.01, ha="left", fontsize=13, fontweight="bold")
-    picture.supxlabel(below, x=0.01, ha="left", fontsize=BELOW, color="#555555")
+    picture.headline(title, below)
     picture.alt = f"{title}. {below}"
     return picture
 
@@ -56,7 +54,7 @@ def plot_maps(draws: Draws, h6: Finding) -> Picture:
             dots = plot_settings(ax, settings_of(study.plan), means, **look)
             cross = [paper["temperature"]], [paper["alpha"]], "x"
             ax.plot(*cross, color="white", markersize=11, markeredgewidth=4)
-            ax.plot(*cross, color=VERMILION, markersize=10, markeredgewidth=2)
+            ax.plot(*cross, color=RED, markersize=10, markeredgewidth=2)
             ax.set(xlabel="", ylabel="")
             if method == SR:
                 ax.set_title(task, fontsize=11)

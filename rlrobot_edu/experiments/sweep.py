@@ -142,7 +142,7 @@ class Sweep(Tabled):
         picture = Picture((6.5, 4.2), alt)
         ax = picture.subplots()
         dots = plot_settings(ax, self.settings, self.means, x, y)
-        ax.set_title(title)
+        picture.headline(title)
         picture.colorbar(dots, label="reward a step")
         return picture
 

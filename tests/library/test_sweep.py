@@ -81,7 +81,7 @@ def test_the_map_has_a_dot_for_each_setting_and_its_title_the_numbers():
     (dots,) = picture.axes[0].collections
     assert dots.get_offsets().tolist() == [[1.0, 0.1], [0.1, 0.5]]
     assert dots.get_array().tolist() == [2.0, 5.0]
-    assert "5.00" in picture.axes[0].get_title() and "3.50" in picture.alt
+    assert "5.00" in picture.finding and "3.50" in picture.alt
     with pytest.raises(ValueError, match="gama"):
         result.plot("gama")
 
