@@ -11,8 +11,11 @@ What they draw are scenes, see `rlrobot_edu.robots.scene`. Begin with top_down.p
 picture; then, in this order:
 
 palette.py   colours by what they stand for, which colour-blind readers can tell apart
+style.py     how a figure looks: letters, lines, the finding above it
+images.py    images as small files
 display.py   what a notebook asks an object for
 picture.py   figures, and the axes to draw on
+ends.py      the names of curves at their ends
 describe.py  what all views of scenes share: the path, a description in words
 top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
 film.py      `film`, a scene from above for each step, as a GIF
