@@ -19,6 +19,7 @@ POINTS = 400  # of a curve; a picture shows no more
 BEGINNING = 0.02
 DOTS = 40  # repetitions; more are too many to be seen one by one
 
+LONGEST_NAME = 24  # characters beside the end of a curve; longer ones need a legend
 HEROES = ("yours", "TOSL+QBIASSR")  # whom the lessons are about
 
 # Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
@@ -159,10 +160,13 @@ def plot_curves(
         ax.dataLim.intervaly = min(kept), max(kept)
     ax.grid(axis="y")
     ax.margins(x=0)
-    if shown is ax:
-        ax.legend()
-    else:
+    longest = max(len(name) for name, _ in curves)
+    if isinstance(shown, Picture) and longest <= LONGEST_NAME:
         name_ends(ax, ends)
+    elif isinstance(shown, Picture):
+        shown.legend(loc="outside lower center")
+    else:
+        ax.legend()
     return shown
 
 
