@@ -151,6 +151,8 @@ def plot_curves(
         name, repetitions = curve
         mean = repetitions[:, -1].mean()
         ends.append(End(float(mean), f"{name}\n{mean:.2f}", colour))
+        if isinstance(shown, Picture) and 1 < len(repetitions) <= DOTS:
+            _dot(ax, repetitions, colour)
     if optimum is not None:
         label = f"best achievable: {optimum:.2f}"
         ax.axhline(optimum, color=BLACK, linewidth=1, label=label)
@@ -244,9 +246,12 @@ def _draw(ax: Axes, curve: Curve, colour: str, dashes: Dashes) -> list[float]:
         name = f"{name} ({n} repetitions{alike})"
     label = plain(name)
     ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=2.2, label=label)
-    if 1 < n <= DOTS:
-        at_end = np.full(n, length)
-        ax.plot(at_end, repetitions[:, -1], "o", color=colour, markersize=4, alpha=0.6)
-        ax.lines[-1].set(clip_on=False, zorder=3, label="")
     is_later = steps > BEGINNING * length
     return [*low[is_later].tolist(), *high[is_later].tolist()]
+
+
+def _dot(ax: Axes, repetitions: np.ndarray, colour: str) -> None:
+    """A dot for each repetition, at its end."""
+    n, length = repetitions.shape
+    (dots,) = ax.plot(np.full(n, length), repetitions[:, -1], "o", color=colour)
+    dots.set(markersize=4, alpha=0.6, clip_on=False, zorder=3)
