@@ -75,6 +75,6 @@ def few_colours(image: Image.Image, colours: int) -> Image.Image:
     return palette
 
 
-def _are_near(a: tuple[int, int, int], b: tuple[int, int, int]) -> bool:
+def _are_near(a: tuple[int, ...], b: tuple[int, ...]) -> bool:
     """Whether two colours can hardly be told apart."""
     return max(abs(x - y) for x, y in zip(a, b, strict=True)) < NEAR

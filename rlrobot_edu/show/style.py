@@ -7,7 +7,9 @@ import matplotlib as mpl
 from matplotlib import font_manager
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.legend import Legend
+from matplotlib.rcsetup import cycler
 from matplotlib.text import Text
 
 from rlrobot_edu.show.palette import CURVES, LIGHT
@@ -25,7 +27,7 @@ for file in sorted(Path(__file__).with_name("fonts").glob("*.ttf")):
 # Where the first has no such sign (↗ ● ⟶), matplotlib takes it from the second.
 FONTS = ["Source Sans Pro", "DejaVu Sans"]
 
-SETTINGS: dict[str, Any] = {
+SETTINGS: Any = {
     "font.family": FONTS,
     "font.size": LETTERS,
     "axes.titlesize": LETTERS,
@@ -56,7 +58,7 @@ SETTINGS: dict[str, Any] = {
     "figure.facecolor": LIGHT["paper"],
     "axes.facecolor": LIGHT["paper"],
     "savefig.facecolor": LIGHT["paper"],
-    "axes.prop_cycle": mpl.cycler(color=[colour for colour, _ in CURVES]),
+    "axes.prop_cycle": cycler(color=[colour for colour, _ in CURVES]),
 }
 
 
@@ -86,7 +88,7 @@ def set_headline(figure: Figure, finding: str, note: str = "") -> None:
     """Write the finding above a figure, in bold, and in grey below it what is plotted; both as wide as the figure."""
     width, height = figure.get_size_inches() * DPI
     room = width - 2 * EDGE
-    y = EDGE
+    y: float = EDGE
     looks = [(finding, HEADLINE, "bold", "ink"), (note, LETTERS, "normal", "faint")]
     for text, size, weight, colour in looks:
         if not text:
@@ -102,18 +104,18 @@ def set_headline(figure: Figure, finding: str, note: str = "") -> None:
             va="top",
             linespacing=1.2,
         )
-        lines = wrapped(written, text, room)
+        lines = wrapped(figure, written, text, room)
         written.set_text("\n".join(lines))
         y += 1.25 * size * POINT * len(lines) + NOTES_AFTER
     engine = figure.get_layout_engine()
-    if engine is not None:
+    if isinstance(engine, ConstrainedLayoutEngine):
         engine.set(rect=(0.0, 0.0, 1.0, 1 - y / height))
 
 
-def wrapped(written: Text, text: str, room: float) -> list[str]:
+def wrapped(figure: Figure, written: Text, text: str, room: float) -> list[str]:
     """The lines of a text that are at most so wide [pixels of a page], in the font of `written`."""
-    figure = written.get_figure(root=True)
-    renderer = FigureCanvasAgg(figure).get_renderer()
+    canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
+    renderer = canvas.get_renderer()
     pixels = DPI / figure.dpi
     lines: list[str] = []
     for paragraph in text.split("\n"):
