@@ -154,7 +154,10 @@ def coverage(name: str, population: np.ndarray, n: int) -> Coverage:
         width[way] = float(np.median(high - low))
     student_width = width["Student's t"] or 1.0
     relative = {way: its / student_width for way, its in width.items()}
-    return Coverage(name, float(stats.skew(population)), n, held, relative)
+    skewness = 0.0
+    if np.ptp(population) > 0:
+        skewness = float(stats.skew(population))
+    return Coverage(name, skewness, n, held, relative)
 
 
 def summary(found: list[Coverage]) -> Table:
