@@ -58,6 +58,7 @@ DARK = {
 }
 
 BLACK = LIGHT["ink"]
+WHITE = LIGHT["paper"]
 GREY = LIGHT["grey"]
 ORANGE = LIGHT["orange"]
 SKY = LIGHT["sky"]

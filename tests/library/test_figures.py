@@ -17,6 +17,7 @@ from rlrobot_edu.show.ends import apart
 from rlrobot_edu.show.images import image_of, in_few_colours
 from rlrobot_edu.show.palette import BLUE, DARK, GREEN, GREY, LIGHT, RED
 from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.widgets.bias_explorer.marks import MARKS
 from rlrobot_grading.exercises import verdict
 
 ROOT = Path(rl.__file__).parents[1]
@@ -129,3 +130,8 @@ def test_pages_have_no_colours_of_their_own():
     for page in pages:
         found = re.findall(r"#[0-9a-fA-F]{6}\b", page.read_text(encoding="utf-8"))
         assert {colour.lower() for colour in found} <= allowed, page.name
+
+
+def test_a_sign_can_be_read_on_the_colour_of_its_input():
+    for mark in MARKS:
+        assert contrast(mark.colour, mark.ink) >= 4.5, mark

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from rlrobot_edu.show.palette import (
+    BLACK,
+    BLUE,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    WHITE,
+)
 from rlrobot_edu.task.task import Task
 
 MOST_STATES = 64  # more do not fit on a page
@@ -21,12 +30,12 @@ class Mark(NamedTuple):
 MARKS = (
     Mark("●", ORANGE, BLACK),
     Mark("▲", SKY, BLACK),
-    Mark("■", GREEN, BLACK),
-    Mark("◆", PURPLE, BLACK),
-    Mark("★", RED, BLACK),
-    Mark("✚", BLUE, "#ffffff"),
+    Mark("■", GREEN, WHITE),
+    Mark("◆", PURPLE, WHITE),
+    Mark("★", RED, WHITE),
+    Mark("✚", BLUE, WHITE),
 )
-HERE = Mark("", "#ffffff", BLACK)  # the state itself, which is in every set
+HERE = Mark("", WHITE, BLACK)  # the state itself, which is in every set
 
 
 def marks_of(task: Task) -> dict[str, Mark]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from rlrobot_edu.show.palette import BLUE, GREY
+from rlrobot_edu.show.palette import BLACK, BLUE, GREY
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.bias_explorer.bias import BiasNumbers
@@ -115,20 +115,20 @@ def _draw_action(
     middle = top + len(rows) / 2
     for k, mark in rows.items():
         text = f"{k:>2} {mark.sign:<8}{two_decimals(q[k]):>7}"
-        _box(ax, 0, 15.5, height[k], mark.colour, text)
+        _box(ax, 0, 15.5, height[k], mark, text)
     for i, mark in enumerate(marks.values()):  # the state itself is in every set
-        _box(ax, 3 + 1.4 * i, 1.4, height[s], mark.colour, mark.sign)
+        _box(ax, 3 + 1.4 * i, 1.4, height[s], mark, mark.sign)
     for i, (name, mark) in enumerate(marks.items()):
         y = top + (i + 0.5) * len(rows) / len(marks)
         if stage > 1:
             begins = [height[k] for k in numbers.sets[name]]
             ax.plot((15.5, 21), [begins, [y] * len(begins)], color=mark.colour)
             text = f"{mark.sign} {two_decimals(numbers.means[i, a]):>7}"
-            _box(ax, 21, 8.5, y, mark.colour, text)
+            _box(ax, 21, 8.5, y, mark, text)
         if stage > 2:
             ax.plot((29.5, 33.5), (y, middle), color=mark.colour)
     if stage > 2:
-        _box(ax, 33.5, 7, middle, "white", two_decimals(numbers.bias[a]))
+        _box(ax, 33.5, 7, middle, HERE, two_decimals(numbers.bias[a]))
     if stage > 3:
         _draw_probabilities(ax, middle, q[s], a, numbers)
 
@@ -153,9 +153,9 @@ def _draw_probabilities(
         ax.text(52, y, f"{100 * p:.0f} %", **right)
 
 
-def _box(ax: Axes, x: float, width: float, y: float, colour: str, text: str) -> None:
-    """A text of fixed pitch in a box that begins at `x`."""
-    look = {"color": colour, "edgecolor": "black", "linewidth": 0.6}
+def _box(ax: Axes, x: float, width: float, y: float, mark: Mark, text: str) -> None:
+    """A text of fixed pitch in a box that begins at `x`, in the colours of a mark."""
+    look = {"color": mark.colour, "edgecolor": BLACK, "linewidth": 0.6}
     ax.barh(y, width, 0.86, left=x, zorder=2, **look)
-    letters = {"family": "monospace", "size": 9.5}
+    letters = {"family": "monospace", "size": 9.5, "color": mark.ink}
     ax.text(x + width - 0.3, y, text, ha="right", va="center", **letters)
