@@ -3,7 +3,7 @@
 # make tools  an environment of its own with all that developers need; what follows makes it when it is missing
 # make test   whether all is well, in about six minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
-# make test-all   the same and the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
+# make test-all   the same and the long ones, twenty minutes more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make test-lowest   the library's tests with the lowest versions that pyproject.toml allows, in .venv-lowest
 # make test-newest   the library's tests with the newest versions of everything, in .venv-newest
@@ -83,7 +83,7 @@ test: $(TOOLS)/tools.done
 	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks
 endif
 
-# LONG=1: with what takes ten minutes more
+# LONG=1: with what takes twenty minutes more
 SOME = -m "not long"
 test-long: SOME = -m long
 test-all: SOME =
