@@ -151,7 +151,7 @@ def first_difference(there: dict[str, Any], here: dict[str, Any], place: str) ->
         was = in_a_line(there.get(name, "missing"))
         given = in_a_line(here.get(name, "missing"))
         if was != given:
-            return f"{name} is {was:.200} in the {place}, {given:.200}"
+            return f"{in_a_line(name):.200} is {was:.200} in the {place}, {given:.200}"
     return ""
 
 

@@ -287,7 +287,8 @@ class History:
             yield name, is_left_out or column.shape == (n,)
             yield name, np.isfinite(column).all()
             if name == "r":
-                yield name, (np.abs(column) <= LARGEST_NUMBER).all()
+                # a small float of NumPy overflows beside 1e100
+                yield name, (np.abs(column.astype(float)) <= LARGEST_NUMBER).all()
             if name in limits:
                 yield name, all_in_range(column, limits[name])
 

@@ -1,6 +1,7 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default."""
 
 import math
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, get_args
@@ -49,7 +50,7 @@ class Parameters:
     gamma: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(
-        1.0, "a finite number above 0", lambda x: 0 < x < math.inf
+        1.0, "a finite number above 0", lambda x: 0 < x <= sys.float_info.max
     )
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
     traces: Traces = _parameter(

@@ -3,7 +3,6 @@
 import math
 import warnings
 from copy import copy
-from numbers import Real
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -92,11 +91,7 @@ class Size(NamedTuple):
             check_count("the number of bins of an input, or of actions,", n)
         check_table(size.n_states, size.n_actions)
         check_count("episode_steps of a world", size.episode_steps, or_none=True)
-        is_number = isinstance(size.r_max, Real)
-        if not (is_number and abs(size.r_max) <= LARGEST_NUMBER):
-            raise ValueError(
-                f"r_max of a world must be a number of at most {LARGEST_NUMBER:g}, got {size.r_max!r:.200}"
-            )
+        check_between("r_max of a world", size.r_max, -LARGEST_NUMBER, LARGEST_NUMBER)
         if limit is not None and size.episode_steps is not None:
             size = size._replace(episode_steps=min(limit, size.episode_steps))
         return size

@@ -186,7 +186,7 @@ def test_a_world_whose_largest_reward_is_no_number_is_refused(reward):
         rl.Agent(world)
     else:
         with pytest.raises(
-            ValueError, match="r_max of a world must be a number of at most 1e\\+100"
+            ValueError, match="r_max of a world must be a number, at least"
         ):
             rl.Agent(world, "Q+EG")
 
