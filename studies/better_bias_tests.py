@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from better_bias import MAZES, REGISTERED, RULES, at_best
+from holm import holm_corrected
 from scipy import stats
 
 Found = Mapping[
@@ -57,16 +58,9 @@ def difference(found: Found, world: str, first: str, second: str) -> Difference:
 
 
 def holm(family: Sequence[Difference]) -> list[Difference]:
-    """The same with p corrected: the smallest times the number of tests, the next times one less, never falling."""
-    order = np.argsort([its.p for its in family])
-    corrected, largest = np.empty(len(family)), 0.0
-    for rank, i in enumerate(order):
-        largest = max(largest, min(1.0, family[i].p * (len(family) - rank)))
-        corrected[i] = largest
-    return [
-        its._replace(corrected=float(p))
-        for its, p in zip(family, corrected, strict=True)
-    ]
+    """The same with p corrected for all of these tests."""
+    p_values = holm_corrected([its.p for its in family])
+    return [its._replace(corrected=p) for its, p in zip(family, p_values, strict=True)]
 
 
 def family(found: Found, name: str) -> list[Difference]:

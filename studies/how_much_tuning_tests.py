@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from holm import holm_corrected
 from how_much_tuning import METHODS, OURS, Study
 from how_much_tuning_worlds import MAZES
 from scipy.stats import rankdata
@@ -57,16 +58,10 @@ class Finding(NamedTuple):
 
 
 def holm(findings: Sequence[Finding]) -> list[Finding]:
-    """The same with p corrected: the smallest times the number of tests, the next times one less, never falling."""
-    order = np.argsort([its.p for its in findings], kind="stable")
-    corrected = np.empty(len(findings))
-    largest = 0.0
-    for rank, i in enumerate(order):
-        largest = max(largest, min(1.0, findings[i].p * (len(findings) - rank)))
-        corrected[i] = largest
+    """The same with p corrected for all of these tests."""
+    p_values = holm_corrected([its.p for its in findings])
     return [
-        its._replace(corrected=float(p))
-        for its, p in zip(findings, corrected, strict=True)
+        its._replace(corrected=p) for its, p in zip(findings, p_values, strict=True)
     ]
 
 

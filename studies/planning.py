@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from holm import holm_corrected
 from matplotlib.figure import Figure
 
 import rlrobot_edu as rl
@@ -95,12 +96,7 @@ def tested(results: Results) -> dict[tuple[str, str, int, str], float]:
                 for pair in Tukey.of(groups).pairs:
                     if pair.first == "None":
                         found[world, method, steps, pair.second] = pair.p
-    corrected, largest = {}, 0.0
-    for rank, key in enumerate(sorted(found, key=lambda key: found[key])):
-        corrected[key] = largest = max(
-            largest, min(1.0, found[key] * (len(found) - rank))
-        )
-    return corrected
+    return dict(zip(found, holm_corrected(list(found.values())), strict=True))
 
 
 def told(

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-import numpy as np
+from holm import holm_corrected
 
 from paper import paper
 from paper.outcome import Judged, Outcome
@@ -30,21 +30,10 @@ def looks(outcomes: Outcomes, instead: Iterable[str] = ()) -> list[Look]:
     return found
 
 
-def holm(p_values: Sequence[float]) -> list[float]:
-    """p corrected for all of these tests: the smallest times their number, the next times one less, never falling."""
-    p = np.array(p_values, dtype=float)
-    order = np.argsort(p)
-    factors = np.arange(len(p), 0, -1)
-    rising = np.maximum.accumulate(p[order] * factors)
-    corrected = np.empty(len(p))
-    corrected[order] = np.minimum(rising, 1.0)
-    return corrected.tolist()
-
-
 def lost_by_holm(outcomes: Outcomes) -> set[tuple[str, str, str]]:
     """Task, length and name of each pair that is significant alone, and not after Holm's correction over all."""
     found = looks(outcomes)
-    corrected = holm([judged.p for _, _, judged in found])
+    corrected = holm_corrected([judged.p for _, _, judged in found])
     lost = set()
     for (task, length, judged), p in zip(found, corrected, strict=True):
         if judged.p < LEVEL <= p:
@@ -75,8 +64,10 @@ def _games_howell(pairs: Sequence[Pair]) -> list[float]:
 TESTS: Mapping[str, Callable[[Sequence[Pair]], Sequence[float]]] = {
     "Tukey": _tukey,
     "Games-Howell": _games_howell,
-    "Tukey, corrected by Holm": lambda pairs: holm(_tukey(pairs)),
-    "Games-Howell, corrected by Holm": lambda pairs: holm(_games_howell(pairs)),
+    "Tukey, corrected by Holm": lambda pairs: holm_corrected(_tukey(pairs)),
+    "Games-Howell, corrected by Holm": lambda pairs: holm_corrected(
+        _games_howell(pairs)
+    ),
 }
 
 
