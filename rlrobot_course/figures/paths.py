@@ -17,6 +17,7 @@ from rlrobot_course.figures.plots import (
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import robot_of
+from rlrobot_edu.show.picture import set_title
 from rlrobot_edu.show.top_down import TopDown
 
 
@@ -77,10 +78,7 @@ def plot_paths(
             markeredgecolor="white",
             zorder=7,
         )
-    if isinstance(shown, Picture):
-        shown.headline(title)
-    else:
-        ax.set_title(plain(title))
+    set_title(ax, shown, title)
     if shown is ax:
         ax.legend(handles=handles, loc="best")
     else:

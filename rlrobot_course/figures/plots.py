@@ -31,30 +31,9 @@ from rlrobot_edu.show.palette import (
 from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
 
 __all__ = (
-    "BLACK",
-    "BLUE",
-    "CURVES",
-    "GREEN",
-    "GREY",
-    "ORANGE",
-    "PURPLE",
-    "RED",
-    "ROLE",
-    "SKY",
-    "Picture",
-    "SideBySide",
-    "axes_or_new",
-    "centred",
-    "chart",
-    "draw_arrow",
-    "draw_curves",
-    "draw_lattice",
-    "draw_weight",
-    "film_of",
-    "in_panels",
-    "legend_below",
-    "name_rows",
-    "plain",
+    "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "RED", "ROLE", "SKY",
+    "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice",
+    "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
@@ -125,7 +104,7 @@ def draw_arrow(ax: Axes, start: Point, end: Point, colour: str, width: float) ->
 
 
 def draw_weight(ax: Axes, x: float, y: float, weight: float, most: float) -> None:
-    """A cell around (x, y): blue above 0, else vermilion, the stronger the more it is of `most`."""
+    """A cell around (x, y): blue above 0, else red, the stronger the more it is of `most`."""
     colour = BLUE if weight > 0 else RED
     opacity = 0.1 + 0.6 * np.sqrt(abs(weight) / most)
     corner = (x - 0.5, y - 0.5)

@@ -76,6 +76,14 @@ def plain(text: str) -> str:
     return seen.replace("$", r"\$")
 
 
+def set_title(ax: Axes, shown: Picture | Axes, title: str) -> None:
+    """Write a title above what `axes_or_new` returned: a headline above a new picture, else the title of the axes."""
+    if isinstance(shown, Picture):
+        shown.headline(title)
+    else:
+        ax.set_title(plain(title))
+
+
 def axes_or_new(
     ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)
 ) -> tuple[Axes, Picture | Axes]:

@@ -18,7 +18,7 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import Picture, axes_or_new, plain
+from rlrobot_edu.show.picture import Picture, axes_or_new, plain, set_title
 from rlrobot_edu.show.style import DPI
 
 # The higher number lies on top. Beams and wheels are drawn over the body, which would hide them.
@@ -234,9 +234,5 @@ def plot_scene(
     ax, drawn = axes_or_new(ax, describe(last), (4.5, 4.5))
     view = TopDown(ax, last)
     view.update(last, path_of(way))
-    title = title or "The robot's world from above"
-    if isinstance(drawn, Picture):
-        drawn.headline(title)
-    else:
-        ax.set_title(plain(title))
+    set_title(ax, drawn, title or "The robot's world from above")
     return drawn

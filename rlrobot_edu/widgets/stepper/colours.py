@@ -1,4 +1,4 @@
-"""The colours of values: blue above 0, vermilion below, nothing at 0; the other values decide only how strong."""
+"""The colours of values: blue above 0, red below, nothing at 0; the other values decide only how strong."""
 
 from __future__ import annotations
 
