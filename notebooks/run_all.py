@@ -31,7 +31,7 @@ def run(path: Path) -> None:
         store_widget_state=False,
         coalesce_streams=True,
     )
-    os.environ.update(RLROBOT_EDU_PROGRESS="0", RLROBOT_EDU_STILLS="3d")
+    os.environ.update(RLROBOT_EDU_PROGRESS="0")
     begin = time.perf_counter()
     client.execute()
     seconds = 10 * round((time.perf_counter() - begin) / 10)

@@ -1,58 +1,31 @@
-"""Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``. They need Chromium.
+"""Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``.
 
 For each task: the robot at work after it has learned, in 3D, and the learning curves of TOSL+QBIASSR and of a robot
 that acts at random, means of 10 repetitions. For wander_1k also a film, and the stepper.
 """
 
-import io
 import sys
 from pathlib import Path
 
-from PIL import Image
-
 import rlrobot_edu as rl
-from rlrobot_edu.show.film import Film
-from rlrobot_edu.show.images import png_of
-from rlrobot_edu.show.in3d.photograph import photograph
-from rlrobot_edu.show.in3d.visualizer import show_scene
+from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.task.task_file import available_tasks
 
 HERE = Path(__file__).parents[1] / "pictures"
 STEPS = 3600
-COLOURS = 128  # of the film
 
 
 def picture_of(name: str) -> None:
-    """The robot, with the path of its last 100 steps, green where it was paid."""
+    """The robot, with the path of its last 100 steps."""
     env = rl.make_env(name, seed=0)
     agent = rl.Agent(name, "TOSL+QBIASSR", seed=0)
     rl.learn(agent, env, steps=STEPS, progress=False)
     film = rl.film(agent, env, steps=100)
-    (HERE / f"{name}.png").write_bytes(
-        png_of(seen(film, len(film.frames)).quantize(256))
-    )
-    print(f"{name}.png: {film.show3d()}", flush=True)
+    still = painted(film.frames)
+    (HERE / f"{name}.png").write_bytes(still.data)
+    print(f"{name}.png: {still.alt}", flush=True)
     if name == "wander_1k":
-        last = seen(film, 100).quantize(COLOURS)
-        first, *rest = [
-            seen(film, n).quantize(palette=last, dither=Image.Dither.NONE)
-            for n in range(2, 101, 2)
-        ]
-        first.save(
-            HERE / f"{name}.gif",
-            save_all=True,
-            append_images=rest,
-            loop=0,
-            duration=200,
-            optimize=True,
-        )
-
-
-def seen(film: Film, steps: int) -> Image.Image:
-    """The film after so many steps, in 3D."""
-    page = show_scene(film.frames[:steps], film.rewards[:steps]).html
-    fine = Image.open(io.BytesIO(photograph(page))).convert("RGB")
-    return fine.resize((fine.width // 2, fine.height // 2), Image.Resampling.LANCZOS)
+        film.save(HERE / f"{name}.gif")
 
 
 def curves_of(name: str) -> None:

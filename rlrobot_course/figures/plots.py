@@ -1,6 +1,5 @@
 """What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
-import io
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -14,7 +13,7 @@ from PIL import Image
 from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.film import COLOURS, PIXELS, Film
+from rlrobot_edu.show.film import COLOURS, Film
 from rlrobot_edu.show.images import gif_of, image_of
 from rlrobot_edu.show.palette import (
     BLACK,
@@ -35,6 +34,8 @@ __all__ = (
     "Picture", "SideBySide", "axes_or_new", "centred", "chart", "draw_arrow", "draw_curves", "draw_lattice",
     "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
+
+EACH = 380  # width of one of several films side by side [pixels of a page]
 
 Grid = Literal["both", "x", "y"]
 Point = tuple[float, float]
@@ -163,7 +164,7 @@ class SideBySide(Displayed):
                 for film in films
             )
             alt = f"Films of robots from above, side by side. {' '.join(ends)}"
-            return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
+            return Still(alt, side_by_side(films), EACH * len(films), "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):
             ax.imshow(image_of(view.still().data))
@@ -184,15 +185,13 @@ class SideBySide(Displayed):
 
 def side_by_side(films: Sequence[Film]) -> bytes:
     """One animated GIF of several films."""
-    moving = [Image.open(io.BytesIO(film.gif())) for film in films]
+    rows = zip(*(film.pictures(EACH) for film in films), strict=False)
     frames = []
-    for i in range(min(len(film.frames) for film in films)):
-        frames.append(
-            Image.new("RGB", (sum(one.width for one in moving), moving[0].height))
-        )
-        for column, one in enumerate(moving):
-            one.seek(i)
-            frames[-1].paste(one.convert("RGB"), (column * moving[0].width, 0))
+    for row in rows:
+        frame = Image.new("RGB", (EACH * len(row), row[0].height))
+        for column, picture in enumerate(row):
+            frame.paste(picture, (column * EACH, 0))
+        frames.append(frame)
     return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
 
 

@@ -93,7 +93,8 @@ class CellRobot(SimulatedRobot):
             Solid("box", "box", (0.6, 0.6, 0.3), box_at, "object"),
         )
         no_beams = np.empty((0, 2, 3))
-        return Scene(self._arena.solids() + moving, no_beams, self._arena.bounds)
+        solids = self._arena.solids() + moving
+        return Scene(solids, no_beams, self._arena.bounds, self._bumped)
 
 
 def _middle_of(cell: Cell) -> tuple[float, float]:

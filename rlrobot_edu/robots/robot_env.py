@@ -20,6 +20,7 @@ from rlrobot_edu.task.task import Task
 
 RenderMode = Literal["rgb_array", "ansi"]
 Info = dict[str, Any]
+RENDERED = 480  # width of a picture [pixels]
 WORTH_COMPILING = 1000  # steps; fewer are done before the loop's kernels are loaded
 
 
@@ -132,9 +133,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     @cached_property
     def _camera(self) -> Any:
         # Imported here, because few environments draw pictures.
-        from rlrobot_edu.show.top_down import Camera
+        from rlrobot_edu.show.painting.room import ASPECT, Room
 
-        return Camera(self.robot.scene())
+        return Room(self.robot.scene(), RENDERED, round(RENDERED / ASPECT))
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)
@@ -273,7 +274,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
         if self.render_mode == "ansi":
             return self._in_words()
-        return self._camera.frame(self.robot.scene(), f"step {self.episode_step}")
+        return np.array(self._camera.picture(self.robot.scene()))
 
     def _in_words(self) -> str:
         """Where the robot is, and what it reads."""

@@ -32,11 +32,13 @@ class Scene(NamedTuple):
     solids: everything with a body; the one named ``robot/body`` leaves the path
     beams: array (n, 2, 3), start and end of every laser beam [m]
     bounds: (x_min, y_min, x_max, y_max) [m]
+    bumped: whether the robot has run into something, as far as it knows
     """
 
     solids: tuple[Solid, ...]
     beams: np.ndarray
     bounds: tuple[float, float, float, float]
+    bumped: bool = False
 
 
 def pose(x: float, y: float, z: float, yaw: float = 0.0) -> np.ndarray:

@@ -1,12 +1,13 @@
 """A base on two wheels, whichever engine moves it: its dimensions, where it is, and how both look."""
 
 from rlrobot_edu.robots.arenas import Place, arena_of
-from rlrobot_edu.robots.chassis import PIONEER, Chassis, laser_beams
+from rlrobot_edu.robots.chassis import LASERS, PIONEER, Chassis, laser_beams
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import ROBOTS
 
 TYRE_WIDTH = 0.04  # [m]
+TOUCH = 0.05  # a laser that finds something nearer says that the hull touches it, as in the paper's rewards [m]
 
 
 class WheeledBase(SimulatedRobot):
@@ -55,4 +56,6 @@ class WheeledBase(SimulatedRobot):
         here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
         robot = [solid._replace(pose=here @ solid.pose) for solid in self.solids()]
         beams = laser_beams(readings, self.chassis)
-        return Scene((*self.arena.solids(), *robot), beams, self.arena.bounds)
+        solids = (*self.arena.solids(), *robot)
+        bumped = any(readings[laser] < TOUCH for laser in LASERS)
+        return Scene(solids, beams, self.arena.bounds, bumped)

@@ -10,6 +10,7 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
 
+JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
 
@@ -57,6 +58,16 @@ def path_of(scenes: Sequence[Scene]) -> np.ndarray:
     bodies = map(body_of, scenes)
     places = [body.pose[:3, 3] for body in bodies if body is not None]
     return np.reshape(places, (-1, 3))
+
+
+def jumps(a: Scene, b: Scene) -> bool:
+    """Whether the robot was put from a to b: it is too far for one step."""
+    way = path_of((a, b))
+    if len(way) < 2:
+        return False
+    x_min, y_min, x_max, y_max = b.bounds
+    distance = float(np.linalg.norm(way[1] - way[0]))
+    return distance > JUMP * max(x_max - x_min, y_max - y_min)
 
 
 def describe(scene: Scene) -> str:

@@ -1,6 +1,7 @@
 """A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,16 +15,19 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import describe, path_of, robot_of
+from rlrobot_edu.show.describe import describe, robot_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.images import gif_of
-from rlrobot_edu.show.top_down import Camera
+from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
+from rlrobot_edu.show.painting.frames import frames, key_steps, losses
+from rlrobot_edu.show.palette import WHITE
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
 
-PIXELS = 360  # width and height of a film
-COLOURS = 24  # of a film
+WIDTH = 560  # of a film [pixels of a page]
+STEP_WIDTH = 280  # of a single step [pixels of a page]
+IN_A_ROW = 3  # steps
+COLOURS = 32  # of a film
 
 
 @suggests_keywords
@@ -109,38 +113,58 @@ class Film(Displayed):
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
-    def _captions(self) -> list[str]:
-        """One line for each step; it gives the reward in words and numbers, not by a colour."""
-        n = len(self.frames)
-        lines = []
-        for i, reward in enumerate(self.rewards, start=1):
-            lines.append(f"step {i} of {n}: reward {reward:+.4g}")
-        if not self.notes:
-            return lines
-        return [f"{line}, {note}" for line, note in zip(lines, self.notes, strict=True)]
+    def pictures(self, width: int = WIDTH) -> Iterator[Image.Image]:
+        """The pictures of the steps, with the way so far and the step's reward.
 
-    def _pictures(self) -> list[Image.Image]:
-        """Each frame from above, below its caption."""
-        camera = Camera(self.frames[0], PIXELS)
-        # Dotted beams make the file half as large as lines do.
-        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
-        path = path_of(self.frames)
-        pictures: list[Image.Image] = []
-        for scene, caption in zip(self.frames, self._captions(), strict=True):
-            so_far = path[: len(pictures) + 1]
-            pixels = camera.frame(scene, caption, so_far)
-            pictures.append(Image.fromarray(pixels))
-        return pictures
+        Parameters
+        ----------
+        width : int
+            Of each picture [pixels].
 
-    def gif(self) -> bytes:
+        Returns
+        -------
+        iterator of PIL.Image.Image
+            One for each step.
+        """
+        return frames(self.frames, self.rewards, self.notes, width)
+
+    def gif(self, width: int = WIDTH) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
+
+        Parameters
+        ----------
+        width : int
+            Of the picture [pixels].
 
         Returns
         -------
         bytes
             The GIF file.
         """
-        return gif_of(self._pictures(), COLOURS, round(1000 * self.seconds_per_frame))
+        time = round(1000 * self.seconds_per_frame)
+        return gif_of(list(self.pictures(width)), COLOURS, time)
+
+    def steps(self) -> Still:
+        """The steps that tell most: the first, those that lost much, the last; at most six, in one picture.
+
+        Returns
+        -------
+        Still
+            The picture and what it shows.
+        """
+        chosen = key_steps(losses(self.rewards))
+        pictures = list(self.pictures(STEP_WIDTH))
+        rows = math.ceil(len(chosen) / IN_A_ROW)
+        height = pictures[0].height
+        columns = min(len(chosen), IN_A_ROW)
+        sheet = Image.new("RGB", (columns * STEP_WIDTH, rows * height), WHITE)
+        told = []
+        for at, i in enumerate(chosen):
+            row, column = divmod(at, IN_A_ROW)
+            sheet.paste(pictures[i], (column * STEP_WIDTH, row * height))
+            told.append(f"step {i + 1}: reward {self.rewards[i]:+.4g}")
+        few = in_few_colours(sheet, COLOURS)
+        return Still(f"{'; '.join(told)}.", png_of(few), sheet.width)
 
     def save(self, path: str | Path) -> None:
         """Write the film to an animated GIF. For a page on which it can be paused, see `show3d`.
@@ -187,8 +211,15 @@ class Film(Displayed):
         """
         n = len(self.frames)
         end = describe(self.frames[-1])
-        alt = f"Film of a robot from above, {n} steps. At the end: {end}"
-        return Still(alt, self.gif(), PIXELS, "image/gif")
+        alt = f"Film of a robot, {n} steps. At the end: {end}"
+        return Still(alt, self.gif(), WIDTH, "image/gif")
+
+    def _as_html(self) -> str:
+        """The moving picture, and below it, to unfold, the steps that tell most; it needs no script."""
+        folded = (
+            f"<details><summary>Step by step</summary>{self.steps().html}</details>"
+        )
+        return self.still().html + folded
 
 
 @suggests_keywords

@@ -7,7 +7,10 @@ from PIL import Image, ImageColor
 
 from rlrobot_edu.show.palette import DARK, LIGHT
 
+Colour = tuple[int, ...]  # red, green, blue
+
 NEAR = 10  # of 255; a colour that is so near to one of the palette in red, green and blue is not stored beside it
+FLAT = 2000  # a colour of more than this part of an image is that of a flat area
 OWN = {ImageColor.getrgb(colour) for colour in [*LIGHT.values(), *DARK.values()]}
 
 
@@ -31,10 +34,8 @@ def gif_of(
     times: how long each image is shown [ms], or one number for all
     """
     # With one palette for all, what does not move keeps its colour, and only the changes are stored.
-    palette = few_colours(images[-1], colours)
-    first, *rest = (
-        image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images
-    )
+    chosen = few_colours(images, colours)
+    first, *rest = (reduced(image, chosen) for image in images)
     buffer = io.BytesIO()
     first.save(
         buffer,
@@ -50,31 +51,43 @@ def gif_of(
 
 def in_few_colours(image: Image.Image, colours: int) -> Image.Image:
     """The image in at most so many colours."""
-    palette = few_colours(image, colours)
-    return image.quantize(palette=palette, dither=Image.Dither.NONE)
+    return reduced(image, few_colours([image], colours))
 
 
-def few_colours(image: Image.Image, colours: int) -> Image.Image:
-    """An image that holds the colours to be used: those of the palette that occur, the others by median cut."""
-    occurring = image.getcolors(image.width * image.height) or []
-    chosen = [colour for _, colour in sorted(occurring, reverse=True) if colour in OWN]
-    chosen = chosen[: colours // 2]
-    cut = image.quantize(
+def few_colours(images: Sequence[Image.Image], colours: int) -> list[Colour]:
+    """The colours to be used: those of flat areas as they are, the others by median cut of the last image."""
+    flat: dict[Colour, int] = {}
+    for image in images:
+        occurring = image.getcolors(image.width * image.height) or []
+        for count, colour in occurring:
+            if colour in OWN or count * FLAT > image.width * image.height:
+                flat[colour] = max(flat.get(colour, 0), count)
+    frequent = sorted(flat, key=lambda colour: -flat[colour])
+    chosen = frequent[: 3 * colours // 4]
+    cut = images[-1].quantize(
         colours - len(chosen), Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
     )
-    flat = cut.getpalette() or []
-    for i in range(0, len(flat), 3):
-        colour = (flat[i], flat[i + 1], flat[i + 2])
+    others = cut.getpalette() or []
+    for i in range(0, len(others), 3):
+        colour = (others[i], others[i + 1], others[i + 2])
         if not any(_are_near(colour, own) for own in chosen):
             chosen.append(colour)
-    used = chosen[:256]
-    # Pillow takes what is left out for black.
-    filled = used + used[:1] * (256 - len(used))
+    return chosen[:colours]
+
+
+def reduced(image: Image.Image, colours: Sequence[Colour]) -> Image.Image:
+    """The image with each of its colours replaced by the nearest of these."""
+    numbers = [part for colour in colours for part in colour]
+    # Pillow takes what is left out for black: so the first colour fills it.
+    filled = numbers + numbers[:3] * (256 - len(colours))
     palette = Image.new("P", (1, 1))
-    palette.putpalette([part for colour in filled for part in colour])
-    return palette
+    palette.putpalette(filled)
+    image = image.quantize(palette=palette, dither=Image.Dither.NONE)
+    # What is free serves for what does not change from one image of a GIF to the next.
+    image.putpalette(numbers)
+    return image
 
 
-def _are_near(a: tuple[int, ...], b: tuple[int, ...]) -> bool:
+def _are_near(a: Colour, b: Colour) -> bool:
     """Whether two colours can hardly be told apart."""
     return max(abs(x - y) for x, y in zip(a, b, strict=True)) < NEAR

@@ -22,7 +22,8 @@ SMALLEST = 12 / POINT  # letters that can be read, also at half the size
 EDGE = 8  # pixels of a page round a figure
 NOTES_AFTER = 3  # pixels of a page between the headline and the note below it
 
-for file in sorted(Path(__file__).with_name("fonts").glob("*.ttf")):
+FOLDER = Path(__file__).with_name("fonts")
+for file in sorted(FOLDER.glob("*.ttf")):
     font_manager.fontManager.addfont(file)
 # Where the first has no such sign (↗ ● ⟶), matplotlib takes it from the second.
 FONTS = ["Source Sans Pro", "DejaVu Sans"]
@@ -60,6 +61,11 @@ SETTINGS: Any = {
     "savefig.facecolor": LIGHT["paper"],
     "axes.prop_cycle": cycler(color=[colour for colour, _ in CURVES]),
 }
+
+
+def font_file(bold: bool) -> Path:
+    """The file of the letters that all pictures have."""
+    return FOLDER / f"SourceSansPro-{'Bold' if bold else 'Regular'}.ttf"
 
 
 def styled() -> Any:

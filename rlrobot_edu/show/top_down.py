@@ -1,4 +1,4 @@
-"""Scenes from above: walls, robot and heading, laser beams and the robot's path; and a camera for films."""
+"""Scenes from above, on matplotlib's axes: walls, robot and heading, laser beams and the robot's path."""
 
 import math
 from typing import Any, overload
@@ -6,7 +6,6 @@ from typing import Any, overload
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
@@ -19,7 +18,6 @@ from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain, set_title
-from rlrobot_edu.show.style import DPI
 
 # The higher number lies on top. Beams and wheels are drawn over the body, which would hide them.
 _LAYER = {
@@ -158,43 +156,6 @@ def _frame(ax: Axes, scene: Scene) -> None:
         ylabel="y (m)",
     )
     ax.locator_params(nbins=5)
-
-
-class Camera:
-    """A camera above the room of `scene`. Walls and axes are drawn once and then copied into every frame.
-
-    pixels: width and height of the frames
-    view: the artists that move
-    """
-
-    def __init__(self, scene: Scene, pixels: int = 360) -> None:
-        self._figure = Picture((pixels / DPI, pixels / DPI), dpi=DPI)
-        canvas: Any = FigureCanvasAgg(self._figure)  # its methods have no types
-        ax = self._figure.add_subplot()
-        self._caption = ax.set_title("0", fontsize=11)
-        self.view = TopDown(ax, scene)
-        self._moving = [*self.view.moving, self._caption]
-        for artist in self._moving:
-            artist.set_animated(True)  # left out of the background
-        canvas.draw()
-        self._canvas = canvas
-        self._background = canvas.copy_from_bbox(self._figure.bbox)
-
-    def frame(
-        self, scene: Scene, caption: str, path: np.ndarray | None = None
-    ) -> np.ndarray:
-        """The room as it is in `scene`, under a caption; array (pixels, pixels, 3) of uint8.
-
-        path: array (n, 2 or 3) [m], the way there; by default none is drawn
-        """
-        if path is None:
-            path = path_of([scene])
-        self._canvas.restore_region(self._background)
-        self.view.update(scene, path)
-        self._caption.set_text(caption)
-        for artist in self._moving:
-            self._figure.draw_artist(artist)
-        return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
 
 @overload

@@ -1,12 +1,11 @@
 """Scenes in three dimensions, in meshcat: the extra ``lab``.
 
 visualizer.py   `meshcat` and `show_scene`: begin here
-looks.py        what room, things and robots look like
+looks.py        what the parts of a scene look like in meshcat
 camera.py       where the camera stands, and the light
 window.py       what the visualizer talks to instead of a server, and its page (page.html)
 bar.js          the page's own part: time, chase camera, curve of the rewards
 page_widget.py  the page in a notebook, which receives what is new (frame.js)
-photograph.py   a picture of a page
 """
 
 import sys

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -21,20 +19,19 @@ from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
-from rlrobot_edu.show.describe import as_scenes, describe, path_of, robot_of
+from rlrobot_edu.show.describe import as_scenes, describe, jumps, path_of, robot_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.images import image_of, png_of
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.in3d.camera import camera, surroundings
 from rlrobot_edu.show.in3d.page_widget import PageWidget
-from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
+from rlrobot_edu.show.painting import parts
+from rlrobot_edu.show.painting.parts import Part
+from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.top_down import plot_scene
 
 PIECE = 20  # steps in a piece of a live trail
 PIECES = 100  # of a live trail; older ones are deleted
-JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 FLOOR = 0.012  # height of a trail above the floor [m]
 _of_robot: WeakKeyDictionary[Robot, Visualizer] = WeakKeyDictionary()
 
@@ -121,7 +118,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         animation = Animation(default_framerate=1 / seconds_per_frame)
         before: Scene | None = None
         for i, scene in enumerate(scenes):
-            if before is not None and _jumps(before, scene):
+            if before is not None and jumps(before, scene):
                 self._key(animation, i - 0.01, before)  # no glide through the room
             self._key(animation, i, scene)
             before = scene
@@ -163,30 +160,20 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
     def still(self) -> Still:
         """The picture that a saved notebook keeps.
 
-        It is drawn from above, which takes no time. It is in 3D if Chromium is installed and the environment variable
-        ``RLROBOT_EDU_STILLS`` is ``3d``.
+        Our own painter paints it, without what was added to the view.
         """
-        if os.environ.get("RLROBOT_EDU_STILLS") == "3d":
-            with suppress(RuntimeError):
-                fine = image_of(photograph(self.html))
-                return Still(self.text, png_of(fine.quantize(256)), fine.width // 2)
-        return plot_scene(self._way).still()._replace(alt=self.text)
+        return painted(self._way)._replace(alt=self.text)
 
     def _draw(self, scene: Scene) -> None:
         """Draw the room and all in it, the light and the camera."""
         groups = {name.partition("/")[0] for name, *_ in self._drawn}
         for path in ("floor", "trail", "beams", *groups):
             self[path].delete()
-        for part in looks.floor(scene):
-            kind = g.LineSegments if part.name == "grid" else g.Mesh
-            view = self["floor"][part.name]
-            view.set_object(kind(part.geometry, part.material))
-            view.set_transform(part.pose)
+        self["floor/grid"].set_object(looks.grid_lines(parts.grid(scene)))
+        self._build("floor", parts.floor(scene))
         for solid in scene.solids:
-            for part in looks.parts(solid):
-                view = self[solid.name][part.name]
-                view.set_object(part.geometry, part.material)
-                view.set_transform(part.pose)
+            for part in parts.parts(solid):
+                self._build(solid.name, part)
             self[solid.name].set_transform(solid.pose)
         x_min, y_min, x_max, y_max = scene.bounds
         self._span = max(x_max - x_min, y_max - y_min)
@@ -203,6 +190,13 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         rotated.set_object(lens)
         # The y axis of this frame points upward.
         rotated["<object>"].set_property("position", [x, z, -y])
+
+    def _build(self, path: str, part: Part) -> None:
+        """Draw a part of what is at this path."""
+        shape, turned = looks.geometry(part.shape, part.size)
+        view = self[path][part.name]
+        view.set_object(shape, looks.material(part))
+        view.set_transform(part.pose @ turned)
 
     def _key(self, animation: Animation, frame: float, scene: Scene) -> None:
         """Where everything is at a frame of an animation."""
@@ -221,7 +215,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         rolls = any(solid.name.endswith("_wheel") for solid in way[0].solids)
         if rolls:
             points[:, 2] = FLOOR  # an arm leaves its trail in the air
-        put = [_jumps(a, b) for a, b in pairwise(way)]
+        put = [jumps(a, b) for a, b in pairwise(way)]
         paid = np.where(put, np.nan, np.asarray(rewards, dtype=float))
         most = np.abs(self.window.rewards or [0.0]).max()
         band = looks.trail(points, paid, most, self._span / 130)
@@ -245,16 +239,6 @@ def _places(scene: Scene) -> dict[str, np.ndarray]:
     for i, (start, end) in enumerate(scene.beams):
         places[f"beams/{i}"] = looks.beam(start, end)
     return places
-
-
-def _jumps(a: Scene, b: Scene) -> bool:
-    """Whether the robot was put from a to b: it is too far for one step."""
-    way = path_of((a, b))
-    if len(way) < 2:
-        return False
-    x_min, y_min, x_max, y_max = b.bounds
-    distance = float(np.linalg.norm(way[1] - way[0]))
-    return distance > JUMP * max(x_max - x_min, y_max - y_min)
 
 
 @suggests_keywords

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import html
-import io
 import json
 import zlib
 from collections.abc import Callable
@@ -13,10 +12,8 @@ from string import Template
 from typing import Any
 
 import umsgpack
-from PIL import Image
 
 from rlrobot_edu.show.in3d import MESHCAT
-from rlrobot_edu.show.in3d.photograph import photograph
 
 # Path, kind and property of a command. A later command with the same key replaces it.
 Key = tuple[str, str, str]
@@ -75,10 +72,6 @@ class Window:
 
     get_scene = page  # by this name meshcat asks for a page
 
-    def get_image(self) -> Image.Image:
-        """The picture, made by Chromium. Raises RuntimeError if it is not installed."""
-        return Image.open(io.BytesIO(photograph(self.page())))
-
     @property
     def web_url(self) -> str:
         """Raises RuntimeError: nothing listens."""
@@ -88,7 +81,7 @@ class Window:
         """Raises RuntimeError: nothing listens."""
         raise RuntimeError(NO_SERVER)
 
-    wait = open
+    wait = get_image = open
 
 
 def _is_in(path: str, folder: str) -> bool:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import html
-import io
 from collections import deque
 from functools import cached_property, partial
 from typing import Any, cast
 
 import numpy as np
-from PIL import Image
 
 from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.learning.observations import state_numbers
@@ -19,14 +17,15 @@ from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import describe, path_of, robot_of
+from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.film import PIXELS, Film
-from rlrobot_edu.show.top_down import Camera, plot_scene
+from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.painting.room import ASPECT, Room, painted
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
 
 LAST = 60  # steps that a saved notebook keeps
+WIDTH = 420  # of the picture [pixels of a page]
 
 
 def teleoperate(env: Env) -> Pad:
@@ -121,7 +120,7 @@ class Pad(Displayed):
         """Buttons, keys and picture."""
         self._said = ipywidgets.HTML()
         self._picture = ipywidgets.HTML()
-        self._camera = Camera(self._robot.scene(), PIXELS)
+        self._room = Room(self._robot.scene(), 2 * WIDTH, round(2 * WIDTH / ASPECT))
         keys = keys_of(self._task)
         told = "those in brackets"
         if ARROWS.keys() <= keys.keys():
@@ -150,7 +149,7 @@ class Pad(Displayed):
         """The last steps as a film, or the robot at its start."""
         if self._driven:
             return self.film.still()
-        return plot_scene(self._robot.scene()).still()
+        return painted([self._robot.scene()])
 
     def _begin(self) -> None:
         observation, _ = self._env.reset()
@@ -204,10 +203,6 @@ class Pad(Displayed):
     def _show(self, text: str) -> None:
         """Show the robot and a text."""
         scene = self._robot.scene()
-        caption = f"step {len(self._rows)}"
-        pixels = self._camera.frame(scene, caption, path_of(self._way))
-        buffer = io.BytesIO()
-        Image.fromarray(pixels).save(buffer, "PNG")
-        self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
+        self._picture.value = self._room.still(scene, self._way).html
         self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
         self._keyboard.answered = len(self._rows)

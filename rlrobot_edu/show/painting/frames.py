@@ -1,0 +1,155 @@
+"""The pictures of a film: a room, and below it a bar with the step, its reward and the sum so far."""
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.painting.parts import grid_cell
+from rlrobot_edu.show.painting.room import ASPECT, Room
+from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.style import font_file
+
+EDGE = 8  # pixels at both ends of the bar
+LETTERS = 14  # [pixels]; 12 in a narrow picture
+NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
+CLEAR = 5  # a loss stands out if it is at least the fifth part of the film's largest reward or loss
+
+
+def losses(rewards: Sequence[float]) -> list[bool]:
+    """Which steps of a film lost much: no less than a fifth of what was gained or lost at most.
+
+    If all steps lost the same, none of them stands out.
+    """
+    if min(rewards) == max(rewards):
+        return [False] * len(rewards)
+    most = max(abs(r) for r in rewards)
+    return [r < 0 and CLEAR * abs(r) >= most for r in rewards]
+
+
+def frames(
+    scenes: Sequence[Scene],
+    rewards: Sequence[float],
+    notes: Sequence[str],
+    width: int,
+    *,
+    is_map: bool = False,
+) -> Iterator[Image.Image]:
+    """The pictures of the steps, one after the other.
+
+    scenes, rewards: of each step; notes: a line for each step, or none; width: of a picture [pixels]
+    is_map: the room from above
+    """
+    room = Room(scenes[0], width, round(width / ASPECT), is_map=is_map)
+    bar = Bar(scenes[0], len(scenes), width, has_notes=bool(notes))
+    loses = losses(rewards)
+    sums = np.cumsum(rewards)
+    before = scenes[0]
+    for i, scene in enumerate(scenes):
+        room.lay_trail(before, scene, colour_of(rewards[i], loses[i]))
+        before = scene
+        above = room.picture(scene, loses=loses[i])
+        if loses[i]:
+            room.mark_loss(scene)
+        word = "bump!" if loses[i] and scene.bumped else ""
+        note = notes[i] if notes else ""
+        below = bar.picture(i, rewards[i], loses[i], word, float(sums[i]), note)
+        whole = Image.new("RGB", (width, above.height + below.height))
+        whole.paste(above)
+        whole.paste(below, (0, above.height))
+        yield whole
+
+
+def colour_of(reward: float, loses: bool) -> str:
+    """The colour of a step's way and number."""
+    if loses:
+        return LIGHT["red"]
+    return LIGHT["green"] if reward > 0 else LIGHT["grey"]
+
+
+class Bar:
+    """The bar below the pictures of a film. steps: how many there are"""
+
+    def __init__(
+        self, scene: Scene, steps: int, width: int, *, has_notes: bool
+    ) -> None:
+        self._steps = steps
+        self._width = width
+        self._is_narrow = width < NARROW
+        self._size = 12 if self._is_narrow else LETTERS
+        self._row = 2 * self._size
+        self._height = self._row * (2 if has_notes else 1) + 4
+        side = grid_cell(scene)
+        self._squares = (
+            f"squares: {side:g} m" if side >= 1 else f"squares: {100 * side:g} cm"
+        )
+
+    def picture(
+        self, i: int, reward: float, loses: bool, word: str, total: float, note: str
+    ) -> Image.Image:
+        """The bar of step i, counted from 0. word: what happened; total: of the rewards so far"""
+        image = Image.new("RGB", (self._width, self._height), LIGHT["paper"])
+        pen = ImageDraw.Draw(image)
+        y = self._row / 2
+        x: float = EDGE
+        colour = colour_of(reward, loses)
+        if colour == LIGHT["grey"]:
+            colour = LIGHT["faint"]  # letters are darker
+        pieces = [
+            (f"step {i + 1}", True, "ink"),
+            (f"of {self._steps}", False, "faint"),
+            (signed(reward), True, colour),
+            (word, True, colour),
+        ]
+        for text, bold, ink in pieces:
+            font = letters(self._size, bold)
+            pen.text((x, y), text, LIGHT.get(ink, ink), font, "lm")
+            x += font.getlength(text) + 0.6 * self._size
+        plain, strong = letters(self._size, False), letters(self._size, True)
+        end = self._width - EDGE
+        pen.text((end, y), signed(total), LIGHT["ink"], strong, "rm")
+        end -= strong.getlength(signed(total)) + 0.4 * self._size
+        pen.text((end, y), "so far", LIGHT["faint"], plain, "rm")
+        if not self._is_narrow:
+            pen.text(
+                (self._width / 2 + 40, y), self._squares, LIGHT["faint"], plain, "mm"
+            )
+        if note:
+            pen.text((EDGE, 1.45 * self._row), note, LIGHT["faint"], plain, "lm")
+        done = round(self._width * (i + 1) / self._steps)
+        bottom = self._height - 1
+        pen.rectangle((0, bottom - 2, self._width, bottom), LIGHT["line"])
+        pen.rectangle((0, bottom - 2, done, bottom), LIGHT["blue"])
+        return image
+
+
+@lru_cache
+def letters(size: int, bold: bool) -> ImageFont.FreeTypeFont:
+    """The letters of all pictures. size: [pixels]"""
+    return ImageFont.truetype(font_file(bold), size)
+
+
+def signed(number: float) -> str:
+    """A number with its sign, in four digits."""
+    text = f"{abs(number):.4g}"
+    if text == "0":
+        return text
+    return ("−" if number < 0 else "+") + text
+
+
+def key_steps(loses: Sequence[bool], most: int = 6) -> list[int]:
+    """The steps, counted from 0, that tell most of a film: the first, losses that begin, the last; then the gaps."""
+    last = len(loses) - 1
+    chosen = {0, last}
+    for i, lost in enumerate(loses):
+        begins = lost and not (i and loses[i - 1])
+        if begins and len(chosen) < most:
+            chosen.add(i)
+    while len(chosen) < min(most, len(loses)):
+        gaps = pairwise(sorted(chosen))
+        start, end = max(gaps, key=lambda gap: gap[1] - gap[0])
+        chosen.add((start + end) // 2)
+    return sorted(chosen)
