@@ -1,10 +1,10 @@
 """A base on two wheels, whichever engine moves it: its dimensions, where it is, and how both look."""
 
 from rlrobot_edu.robots.arenas import Place, arena_of
-from rlrobot_edu.robots.chassis import LASERS, PIONEER, Chassis, laser_beams
+from rlrobot_edu.robots.chassis import PIONEER, Chassis, laser_beams
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import ON_ITS_SIDE, Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 TYRE_WIDTH = 0.04  # [m]
 TOUCH = 0.05  # a laser that finds something nearer says that the hull touches it, as in the paper's rewards [m]

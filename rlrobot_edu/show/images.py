@@ -2,6 +2,7 @@
 
 import io
 from collections.abc import Sequence
+from typing import Any
 
 from PIL import Image, ImageColor
 
@@ -58,7 +59,7 @@ def few_colours(images: Sequence[Image.Image], colours: int) -> list[Colour]:
     """The colours to be used: those of flat areas as they are, the others by median cut of the last image."""
     flat: dict[Colour, int] = {}
     for image in images:
-        occurring = image.getcolors(image.width * image.height) or []
+        occurring: Any = image.getcolors(image.width * image.height)
         for count, colour in occurring:
             if colour in OWN or count * FLAT > image.width * image.height:
                 flat[colour] = max(flat.get(colour, 0), count)

@@ -109,7 +109,7 @@ class Bar:
             pen.text((x, y), text, LIGHT.get(ink, ink), font, "lm")
             x += font.getlength(text) + 0.6 * self._size
         plain, strong = letters(self._size, False), letters(self._size, True)
-        end = self._width - EDGE
+        end: float = self._width - EDGE
         pen.text((end, y), signed(total), LIGHT["ink"], strong, "rm")
         end -= strong.getlength(signed(total)) + 0.4 * self._size
         pen.text((end, y), "so far", LIGHT["faint"], plain, "rm")

@@ -6,7 +6,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.painting.parts import edge_of, has_walls
+from rlrobot_edu.show.painting.parts import ground, has_walls
 
 FIELD_OF_VIEW = 35  # of a camera, from bottom to top [degrees]
 MARGIN = 1.06  # distance of a camera, in parts of the least one
@@ -77,10 +77,8 @@ class Stand(NamedTuple):
 
 def from_above(scene: Scene, width: int, height: int) -> FromAbove:
     """The map of a scene's floor, as large as fits into the picture [pixels]."""
-    x_min, y_min, x_max, y_max = scene.bounds
-    wide = x_max - x_min + 2 * edge_of(scene)
-    deep = y_max - y_min + 2 * edge_of(scene)
-    scale = min(width / wide, height / deep)
+    x_min, y_min, x_max, y_max = ground(scene)
+    scale = min(width / (x_max - x_min), height / (y_max - y_min))
     middle = ((x_min + x_max) / 2, (y_min + y_max) / 2)
     return FromAbove(scale, middle, width, height)
 
@@ -115,7 +113,7 @@ def stand_for(scene: Scene, aspect: float, margin: float) -> Stand:
 
 def _corners(scene: Scene) -> np.ndarray:
     """The corners of the floor, array (4, 2) [m]."""
-    x_min, y_min, x_max, y_max = scene.bounds
+    x_min, y_min, x_max, y_max = ground(scene)
     return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
 
 
@@ -126,9 +124,8 @@ def _points_to_see(scene: Scene) -> np.ndarray:
     corners = _corners(scene)
     middle = corners.mean(axis=0)
     inner = middle + INNER * (corners - middle)
-    outside = corners + edge_of(scene) * np.sign(corners - middle)
-    floor = np.insert(outside, 2, 0.0, axis=1)
-    walls = np.insert(outside, 2, min(high, WALL_SHOWN), axis=1)
+    floor = np.insert(corners, 2, 0.0, axis=1)
+    walls = np.insert(corners, 2, min(high, WALL_SHOWN), axis=1)
     inside = np.insert(inner, 2, high, axis=1)
     return np.vstack([floor, walls, inside])
 

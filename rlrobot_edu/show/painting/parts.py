@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.show.painting.mesh import mesh
 from rlrobot_edu.show.palette import LIGHT, ROLE
 
 UNTURNED = np.eye(4)
@@ -16,6 +17,7 @@ SCREEN = "#dfe3e8"
 GLASS = "#8fc7ea"
 BY_NAME = {"table": WOOD, "field": FIELD}
 THICK = 0.02  # of a floor [m]
+TABLE_EDGE = 0.04  # how far a table reaches beyond where the arm works [m]
 
 
 class Part(NamedTuple):
@@ -133,17 +135,28 @@ def has_walls(scene: Scene) -> bool:
     return any(solid.name.startswith("wall") for solid in scene.solids)
 
 
-def edge_of(scene: Scene) -> float:
-    """How far the floor of a room, below its walls, or a table reaches beyond the scene's bounds [m]."""
-    return 0.12 if has_walls(scene) else 0.04
+def ground(scene: Scene) -> tuple[float, float, float, float]:
+    """The floor of a room with what its walls stand on, or a table: x_min, y_min, x_max, y_max [m]."""
+    bounds = np.reshape(scene.bounds, (2, 2))
+    if not has_walls(scene):
+        (x_min, y_min), (x_max, y_max) = bounds + TABLE_EDGE * np.array([[-1], [1]])
+        return x_min, y_min, x_max, y_max
+    corners = [bounds]
+    for solid in scene.solids:
+        if solid.role == "wall":
+            placed = mesh(solid.shape, solid.size).corners @ solid.pose[:3, :3].T
+            corners.append((placed + solid.pose[:3, 3])[:, :2])
+    points = np.vstack(corners)
+    x_min, y_min = points.min(axis=0).tolist()
+    x_max, y_max = points.max(axis=0).tolist()
+    return x_min, y_min, x_max, y_max
 
 
 def floor(scene: Scene) -> Part:
     """The floor of a room, or the wood of a table; its pose is in the scene."""
-    x_min, y_min, x_max, y_max = scene.bounds
-    edge = edge_of(scene)
+    x_min, y_min, x_max, y_max = ground(scene)
     colour = LIGHT["floor"] if has_walls(scene) else WOOD
-    size = (x_max - x_min + 2 * edge, y_max - y_min + 2 * edge, THICK)
+    size = (x_max - x_min, y_max - y_min, THICK)
     middle = at((x_min + x_max) / 2, (y_min + y_max) / 2, -0.6 * THICK)
     return Part("slab", "box", size, colour, middle, shines=False)
 

@@ -14,14 +14,14 @@ from rlrobot_edu.show.images import in_few_colours, png_of
 from rlrobot_edu.show.painting import lens
 from rlrobot_edu.show.painting.mesh import mesh
 from rlrobot_edu.show.painting.painter import FINE, Painter, placed, shadow_of
-from rlrobot_edu.show.painting.parts import floor, grid, parts
+from rlrobot_edu.show.painting.parts import floor, grid, has_walls, parts
 from rlrobot_edu.show.palette import LIGHT, ROLE
 
 ASPECT = 1.45  # width over height of a picture
 COLOURS = 64  # of a still
 NEAR = 0.8  # only what a laser finds nearer than this is drawn [m]; farther off the paper's robots tell no distances
 ON_FLOOR = 0.01  # height of what is painted on the floor [m]
-CROSS = 0.07  # half the width of the cross where it bumped, of a robot that rolls [m]
+CROSS = 0.07  # half the width of the cross where it bumped, [m]
 RING = 1.5  # radius of the ring round a robot that loses, in parts of the robot's
 
 
@@ -38,7 +38,7 @@ class Room:
         seen_by = look(scene, FINE * width, FINE * height)
         self._painter = Painter(seen_by, width, height, LIGHT["paper"])
         self._line_width = max(1.0, width / 300)
-        self._rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
+        self._on_floor = has_walls(scene)  # an arm on a table moves in the air
         slab = floor(scene)
         its_mesh = mesh(slab.shape, slab.size)
         self._painter.body(its_mesh, slab.pose, slab.colour)
@@ -106,7 +106,7 @@ class Room:
         if body is None:
             return None
         place = body.pose[:3, 3].copy()
-        if self._rolls:
+        if self._on_floor:
             place[2] = ON_FLOOR
         return np.asarray(place)
 

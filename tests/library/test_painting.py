@@ -1,0 +1,214 @@
+"""The painter of films and stills: what is nearer hides what is behind, and each thing is where it should be."""
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image, ImageColor, ImageSequence
+
+import rlrobot_edu as rl
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.images import few_colours, gif_of, reduced
+from rlrobot_edu.show.painting import lens
+from rlrobot_edu.show.painting.frames import frames, key_steps, losses
+from rlrobot_edu.show.painting.mesh import mesh
+from rlrobot_edu.show.painting.painter import FINE, Painter
+from rlrobot_edu.show.painting.room import ASPECT, Room, painted
+from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.task.task_file import available_tasks
+
+WIDTH, HEIGHT = 300, 207
+BLUE = ImageColor.getrgb(LIGHT["blue"])
+RED = ImageColor.getrgb(LIGHT["red"])
+SHAPES = [
+    ("box", (0.4, 0.2, 0.1)),
+    ("cylinder", (0.2, 0.3)),
+    ("sphere", (0.2,)),
+    ("prism", (0.2, -0.1, 0.0, 0.2, -0.2, -0.1, 0.3)),
+]
+
+
+def room(x: float, y: float, bumped: bool = False) -> Scene:
+    """A room of 2 by 2 metres with a robot in it and a wall amid it."""
+    solids = (
+        Solid("wall/0", "box", (0.6, 0.1, 0.4), pose(0, 0, 0.2), "wall"),
+        Solid("robot/body", "cylinder", (0.15, 0.2), pose(x, y, 0.1), "robot"),
+    )
+    return Scene(solids, np.empty((0, 2, 3)), (-1.0, -1.0, 1.0, 1.0), bumped)
+
+
+def first_scene(task: str) -> Scene:
+    with rl.make_env(
+        task, seed=0, engine="kinematic" if "arm" in task else None
+    ) as env:
+        env.reset(seed=0)
+        return env.unwrapped.robot.scene()
+
+
+def has(image: Image.Image, colour: tuple[int, ...]) -> np.ndarray:
+    """Which pixels have this colour."""
+    return (np.asarray(image) == colour).all(axis=2)
+
+
+@pytest.mark.parametrize(("shape", "size"), SHAPES)
+def test_faces_look_outside_and_leave_no_gap(shape: str, size: tuple) -> None:
+    body = mesh(shape, size)
+    for face, normal in zip(body.faces, body.normals, strict=True):
+        assert body.corners[face].mean(axis=0) @ normal > 0
+    # each side of a face is a side of one other face, the other way round
+    places = [tuple(corner) for corner in np.round(body.corners, 9).tolist()]
+    sides = []
+    for face in body.faces:
+        for i in range(len(face)):
+            start, end = places[face[i - 1]], places[face[i]]
+            if start != end:  # at a pole several corners are one
+                sides.append((start, end))
+    assert sorted(sides) == sorted((end, start) for start, end in sides)
+
+
+def test_a_map_keeps_to_one_scale_with_y_upwards() -> None:
+    seen = lens.from_above(room(0, 0), WIDTH, HEIGHT)
+    points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1.0)])
+    middle, right, up, above = seen.seen(points)
+    assert middle[:2] == pytest.approx((WIDTH / 2, HEIGHT / 2))
+    scale = right[0] - middle[0]
+    assert scale > 0
+    assert middle[1] - up[1] == pytest.approx(scale)
+    assert above[:2] == pytest.approx(middle[:2])
+    assert above[2] > middle[2]
+
+
+@pytest.mark.parametrize("task", available_tasks())
+@pytest.mark.parametrize("look", [lens.eye, lens.from_above])
+def test_the_whole_floor_and_all_walls_are_in_the_picture(task: str, look) -> None:
+    scene = first_scene(task)
+    seen = look(scene, WIDTH, HEIGHT)
+    for solid in scene.solids:
+        corners = mesh(solid.shape, solid.size).corners
+        if solid.role == "wall":
+            at = solid.pose[:3, :3] @ corners.T + solid.pose[:3, 3:]
+            x, y, _ = seen.seen(at.T).T
+            assert -1 < x.min() <= x.max() < WIDTH + 1
+            assert -1 < y.min() <= y.max() < HEIGHT + 1
+
+
+@pytest.mark.parametrize("is_first", [True, False])
+def test_what_is_nearer_hides_what_is_behind(is_first: bool) -> None:
+    """Whichever is painted first."""
+    scene = room(0, 0)
+    painter = Painter(
+        lens.eye(scene, FINE * WIDTH, FINE * HEIGHT), WIDTH, HEIGHT, "#ffffff"
+    )
+    box = mesh("box", (0.4, 0.02, 0.3))
+    bodies = [(pose(0, -0.3, 0.15), LIGHT["blue"]), (pose(0, 0.3, 0.15), LIGHT["red"])]
+    for at, colour in bodies if is_first else bodies[::-1]:
+        painter.body(box, at, colour)
+    picture = painter.picture()
+    x, y = painter.place(np.array([0, -0.3, 0.3]))
+    assert has(picture, BLUE)[round(y) - 2 : round(y) + 3, round(x)].any()
+    assert has(picture, RED).any()
+
+
+def test_a_robot_behind_a_wall_is_hidden_and_before_it_is_seen() -> None:
+    low = room(0, -0.5)
+    assert has(Room(low, WIDTH, HEIGHT).picture(low), BLUE).sum() > 100
+    tall = (Solid("wall/1", "box", (1.8, 0.1, 2.0), pose(0, 0.3, 1.0), "wall"),)
+    behind = room(0, 0.5)
+    behind = behind._replace(solids=behind.solids + tall)
+    assert not has(Room(behind, WIDTH, HEIGHT).picture(behind), BLUE).any()
+
+
+@pytest.mark.parametrize("is_map", [True, False])
+def test_the_robot_is_painted_where_it_stands(is_map: bool) -> None:
+    for x, y in [(-0.7, -0.7), (0.7, 0.6), (0.0, -0.5)]:
+        scene = room(x, y)
+        picture = Room(scene, WIDTH, HEIGHT, is_map=is_map).picture(scene)
+        look = lens.from_above if is_map else lens.eye
+        rows, columns = np.nonzero(has(picture, BLUE))
+        top = look(scene, WIDTH, HEIGHT).seen(np.array([[x, y, 0.2]]))[0]
+        assert columns.mean() == pytest.approx(top[0], abs=3)
+        assert rows.mean() == pytest.approx(top[1], abs=4)
+
+
+def test_the_same_film_is_painted_with_the_same_bytes() -> None:
+    film = Film([room(-0.5 + 0.1 * i, -0.5) for i in range(4)], [1, 1, -2, 0])
+    assert film.gif() == film.gif()
+    assert film.steps() == film.steps()
+    assert painted(film.frames) == painted(film.frames)
+
+
+def test_a_bump_turns_the_robot_red_and_leaves_a_cross() -> None:
+    way = [room(-0.7, -0.5), room(-0.6, -0.5, bumped=True), room(0.6, -0.6)]
+    before, bump, after = frames(way, [1.0, -2.0, 1.0], (), WIDTH)
+    assert not has(before, RED).any()
+    assert has(before, BLUE).sum() > 100
+    assert has(bump, RED).sum() > 100
+    assert has(after, BLUE).sum() > 100
+    assert 0 < has(after, RED).sum() < has(bump, RED).sum()
+
+
+def test_a_step_stands_out_if_it_lost_a_fifth_of_the_most() -> None:
+    assert losses([10, -0.02, -2, -1.9]) == [False, False, True, False]
+    assert losses([-0.02, -2, -0.02]) == [False, True, False]
+    assert losses([-0.02, -0.02]) == [False, False], "none was worse than another"
+    assert losses([0, 0]) == [False, False]
+
+
+@pytest.mark.parametrize("steps", [1, 2, 5, 6, 7, 60])
+def test_key_steps_are_few_and_hold_the_first_the_last_and_where_losses_begin(
+    steps: int,
+) -> None:
+    rng = np.random.default_rng(steps)
+    loses = (rng.random(steps) < 0.1).tolist()
+    chosen = key_steps(loses)
+    assert chosen == sorted(set(chosen))
+    assert len(chosen) == min(6, steps)
+    assert {0, steps - 1} <= set(chosen)
+    begin = [i for i in range(1, steps) if loses[i] and not loses[i - 1]]
+    assert set(begin[:4]) <= set(chosen)
+
+
+def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:
+    film = Film([room(-0.8 + 0.02 * i, -0.5) for i in range(60)], [1.0] * 59 + [-2.0])
+    page = film._repr_mimebundle_()
+    html = page["text/html"] if "text/html" in page else page[0]["text/html"]
+    assert html.count("<img") == 2
+    assert "<details><summary>Step by step</summary>" in html
+    assert "<script" not in html
+    assert len(film.steps().data) < 60_000
+    assert "step 60: reward -2" in film.steps().alt
+
+
+def test_flat_colours_come_through_a_gif_as_they_are() -> None:
+    """Also those that are in one of its pictures alone."""
+    pictures = list(
+        frames(
+            [room(-0.5, -0.5), room(-0.4, -0.5), room(0.5, 0.5)], [1, -2, 1], (), WIDTH
+        )
+    )
+    film = Image.open(io.BytesIO(gif_of(pictures, 32, 100)))
+    for picture, kept in zip(pictures, ImageSequence.Iterator(film), strict=True):
+        kept = kept.convert("RGB")
+        for name in ("blue", "red", "floor", "paper"):
+            colour = ImageColor.getrgb(LIGHT[name])
+            there = has(picture, colour)
+            assert has(kept, colour)[there].all(), name
+
+
+def test_a_gif_shows_each_of_its_pictures() -> None:
+    """What does not change is stored once, and is still there in all of them."""
+    pictures = list(
+        frames([room(0.02 * i, -0.5) for i in range(8)], [1.0] * 8, (), WIDTH)
+    )
+    colours = few_colours(pictures, 32)
+    film = Image.open(io.BytesIO(gif_of(pictures, 32, 100)))
+    for picture, kept in zip(pictures, ImageSequence.Iterator(film), strict=True):
+        wanted = reduced(picture, colours).convert("RGB")
+        assert np.array_equal(np.asarray(kept.convert("RGB")), np.asarray(wanted))
+
+
+def test_pictures_are_as_high_as_they_say() -> None:
+    (picture,) = frames([room(0, -0.5)], [1.0], ["a note"], WIDTH)
+    (plain,) = frames([room(0, -0.5)], [1.0], (), WIDTH)
+    assert picture.height > plain.height > round(WIDTH / ASPECT)
