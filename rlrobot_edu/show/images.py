@@ -12,6 +12,7 @@ Colour = tuple[int, ...]  # red, green, blue
 
 NEAR = 10  # of 255; a colour that is so near to one of the palette in red, green and blue is not stored beside it
 FLAT = 2000  # a colour of more than this part of an image is that of a flat area
+LEAST = 10  # pixels that a colour of the palette has where it is no accident
 OWN = {ImageColor.getrgb(colour) for colour in [*LIGHT.values(), *DARK.values()]}
 
 
@@ -56,21 +57,28 @@ def in_few_colours(image: Image.Image, colours: int) -> Image.Image:
 
 
 def few_colours(images: Sequence[Image.Image], colours: int) -> list[Colour]:
-    """The colours to be used: those of flat areas as they are, the others by median cut of the last image."""
-    flat: dict[Colour, int] = {}
+    """The colours to be used, at most so many.
+
+    First those of the palette, then those of other flat areas, each as it is; the others by median cut of the last
+    image.
+    """
+    seen: dict[Colour, int] = {}  # the most pixels that it has in an image
     for image in images:
         occurring: Any = image.getcolors(image.width * image.height)
         for count, colour in occurring:
-            if colour in OWN or count * FLAT > image.width * image.height:
-                flat[colour] = max(flat.get(colour, 0), count)
-    frequent = sorted(flat, key=lambda colour: -flat[colour])
-    chosen = frequent[: 3 * colours // 4]
+            seen[colour] = max(seen.get(colour, 0), count)
+    flat = image.width * image.height / FLAT
+    own = [colour for colour in OWN if seen.get(colour, 0) >= LEAST]
+    others = [colour for colour in seen if seen[colour] > flat and colour not in OWN]
+    own.sort(key=lambda colour: -seen[colour])
+    others.sort(key=lambda colour: -seen[colour])
+    chosen = (own + others)[: 3 * colours // 4]
     cut = images[-1].quantize(
         colours - len(chosen), Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
     )
-    others = cut.getpalette() or []
-    for i in range(0, len(others), 3):
-        colour = (others[i], others[i + 1], others[i + 2])
+    mixed = cut.getpalette() or []
+    for i in range(0, len(mixed), 3):
+        colour = (mixed[i], mixed[i + 1], mixed[i + 2])
         if not any(_are_near(colour, own) for own in chosen):
             chosen.append(colour)
     return chosen[:colours]
