@@ -8,7 +8,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
+from matplotlib.patches import Polygon, Rectangle
 from matplotlib.text import Text
 from scipy.spatial import ConvexHull
 
@@ -16,8 +16,16 @@ from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
-from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.painting.parts import (
+    BY_NAME,
+    WOOD,
+    grid_cell,
+    ground,
+    has_walls,
+)
+from rlrobot_edu.show.palette import LIGHT, ROLE
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain, set_title
+from rlrobot_edu.show.style import SMALLEST
 
 # The higher number lies on top. Beams and wheels are drawn over the body, which would hide them.
 _LAYER = {
@@ -104,7 +112,8 @@ class TopDown:
     def _patch(self, solid: Solid) -> Polygon:
         """The shadow of a solid."""
         outline = footprint(solid)
-        patch = Polygon(outline, color=ROLE[solid.role], linewidth=0, label=solid.name)
+        colour = BY_NAME.get(solid.name, ROLE[solid.role])
+        patch = Polygon(outline, color=colour, linewidth=0, label=solid.name)
         self._ax.add_patch(patch)
         patch.set_zorder(_LAYER[solid.role])
         if solid.role == "goal":
@@ -145,17 +154,29 @@ class TopDown:
 
 
 def _frame(ax: Axes, scene: Scene) -> None:
-    """Set the limits and the labels of the axes."""
-    x_min, y_min, x_max, y_max = scene.bounds
-    margin = 0.03 * max(x_max - x_min, y_max - y_min)
+    """Put a floor in place of axes, and below it a bar as long as a square of the floor in 3D."""
+    x_min, y_min, x_max, y_max = ground(scene)
+    width = x_max - x_min
+    height = y_max - y_min
+    colour = LIGHT["floor"] if has_walls(scene) else WOOD
+    floor = Rectangle((x_min, y_min), width, height, color=colour, linewidth=0)
+    floor.set_zorder(0)
+    ax.add_patch(floor)
+    edge = 0.01 * width
+    ax.set_axis_off()
     ax.set(
-        xlim=(x_min - margin, x_max + margin),
-        ylim=(y_min - margin, y_max + margin),
+        xlim=(x_min - edge, x_max + edge),
+        ylim=(y_min - 0.1 * height, y_max + edge),
         aspect="equal",
-        xlabel="x (m)",
-        ylabel="y (m)",
     )
-    ax.locator_params(nbins=5)
+    length = grid_cell(scene)
+    said = f"{length:g} m" if length >= 1 else f"{100 * length:g} cm"
+    y = y_min - 0.06 * height
+    end = x_min + length
+    ax.plot([x_min, end], [y, y], color=LIGHT["faint"], linewidth=2)
+    ax.text(
+        end + 2 * edge, y, said, va="center", color=LIGHT["faint"], fontsize=SMALLEST
+    )
 
 
 @overload
@@ -168,7 +189,7 @@ def plot_scene(scenes: Scenes | Env, ax: Axes, title: str | None = None) -> Axes
 def plot_scene(
     scenes: Scenes | Env, ax: Axes | None = None, title: str | None = None
 ) -> Picture | Axes:
-    """Picture of a scene from above, axes in metres.
+    """Picture of a scene from above, with a bar of one metre.
 
     Parameters
     ----------
