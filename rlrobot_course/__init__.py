@@ -25,8 +25,8 @@ Lessons share these folders:
   and whether all answers of an assignment's last cell are written (`finished`);
 - `questions`: what the reader expects, and the outcome (`prediction`), and what earlier lessons taught
   (`old_questions`); both read `questions.toml`;
-- `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`), and the numbers of
-  the reproduction (`report`);
+- `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`) and its picture
+  (`staircase`), and the numbers of the reproduction (`report`);
 - `figures`: what figures begin with (`plots`), ways through a room (`paths`), and curves of runs (`runs`).
 
 Exercises, verdicts and hints are `rlrobot_grading`. `commands` are those of ``rlrobot-edu``.

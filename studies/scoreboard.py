@@ -1,9 +1,9 @@
-"""The bars of the course's scoreboard: ``python studies/scoreboard.py`` writes rlrobot_course/play/scoreboard.csv.
+"""The course's scoreboard: ``python studies/scoreboard.py`` writes rlrobot_course/play/scoreboard.csv.
 
 For each lesson from 03 on, what the library's agents earn a step in their first hour in the maze of wander_1k: on the
 robot that walls hold, which is the paper's, and on the ideal one. The scoreboard shows the rows of 16 robots, which are
 the robots of its learners. The rows of all robots have narrower intervals (Student's t, 95 %), and further agents that
-the lessons' text can quote.
+the lessons' text can quote. The rows that the scoreboard shows also have their robots one by one.
 
 The parameters are the paper's: α = 0.1, γ = λ = 0.9, T = 1. Two settings are the lessons': every trace is kept
 (`traces="full"`, where the paper drops small ones), and loop evasion is off until lesson 09. It takes eight minutes of
@@ -13,17 +13,19 @@ one core.
 import csv
 from typing import Any
 
-import numpy as np
 from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.play.scoreboard import FIRST_SEED, GIVEN, HOUR, ROBOTS, TASK
 
+COLUMNS = (
+    "lesson", "label", "method", "robot", "robots", "mean", "half", "each robot"
+)  # fmt: skip
 ALL = 32  # robots of each row that is for readers of the table
 EVADES = {"loop_evasion": True}
 WORLDS = {"held": rl.Realism.vrep(), "ideal": None}
-# by lesson: what its bar is called, the agents' method and their settings
+# by lesson: what its stair is called, the agents' method and their settings
 LESSONS: dict[str, tuple[str, str, dict[str, Any]]] = {
     "03": ("at random", "Q+RANDOM", {}),
     "04": ("softmax", "Q+SR", {}),
@@ -35,7 +37,7 @@ LESSONS: dict[str, tuple[str, str, dict[str, Any]]] = {
     "10": ("all of it", "TOSL+QBIASSR", EVADES),
 }
 COLD = {"temperature": 0.01}
-# agents of a lesson that have no bar, on the held robot
+# agents of a lesson that have no stair, on the held robot
 FURTHER: dict[str, tuple[str, str, dict[str, Any]]] = {
     "03 greedy": ("greedy", "Q+GREEDY", {}),
     "04 ε-greedy": ("ε = 0.1", "Q+EG", {}),
@@ -65,11 +67,13 @@ def rows_of(lesson: str, robot: str) -> list[tuple[str, ...]]:
     )
     rows = []
     for robots in (ROBOTS, ALL) if lesson in LESSONS else (ALL,):
-        mean, half = mean_and_half(np.array(means[:robots]))
-        rows.append(
-            (lesson, label, method, robot, str(robots), f"{mean:.4f}", f"{half:.4f}")
-        )
-        print(*rows[-1], flush=True)
+        mean, half = mean_and_half(means[:robots])
+        each = ""
+        if robot == "held" and robots == ROBOTS:
+            each = " ".join(f"{value:.4f}" for value in means[:robots])
+        row = (lesson, label, method, robot, str(robots), f"{mean:.4f}", f"{half:.4f}")
+        print(*row, flush=True)
+        rows.append((*row, each))
     return rows
 
 
@@ -81,7 +85,7 @@ def main() -> None:
     rows += [row for lesson in FURTHER for row in rows_of(lesson, "held")]
     with GIVEN.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(("lesson", "label", "method", "robot", "robots", "mean", "half"))
+        table.writerow(COLUMNS)
         table.writerows(rows)
 
 

@@ -1,29 +1,22 @@
 """One robot, one scoreboard: what the learner's code so far earns on the robot that walls hold, lesson by lesson."""
 
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
-from rlrobot_course.figures.plots import (
-    BLUE,
-    GREY,
-    SKY,
-    Picture,
-    chart,
-    legend_below,
-    plain,
-)
 from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.learner.learners_files import enter, entries
 from rlrobot_course.play.challenge import Score, score_of
 from rlrobot_course.play.report import rows_of
+from rlrobot_course.play.staircase import Stair, plot_stairs
 from rlrobot_course.worlds.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu.show.picture import Picture
 from rlrobot_grading.answers.notebook import is_notebook
 
 FILE = "my_scores.json"
@@ -37,22 +30,6 @@ TASK, ROBOTS, HOUR, FIRST_SEED = (
 IN_TIME = (
     4 if sys.platform == "emscripten" else ROBOTS
 )  # a browser runs the kernels as plain Python
-AGAINST = {
-    "06": "04"
-}  # lessons that the title compares with another one than the one before
-LOOKS = {
-    "your": (BLUE, ""),
-    "partly your": (SKY, ".."),
-    "the given": ("white", "//"),
-}  # of a bar, by its owner
-
-
-class Bar(NamedTuple):
-    """A lesson's bar. owner: of its functions, as `my_functions.owner_of` says it"""
-
-    label: str
-    score: Score
-    owner: str = "the given"
 
 
 def scoreboard(
@@ -60,9 +37,9 @@ def scoreboard(
     learn: Callable[[ShortWorld, int], object],
     owner: str,
 ) -> Picture:
-    """Let sixteen robots learn for an hour by a lesson's code, and show its bar beside those of the lessons before.
+    """Let sixteen robots learn for an hour by a lesson's code, and show its stair after those of the lessons before.
 
-    A lesson that the learner has not finished has the bar of `studies/scoreboard.py`, marked as given.
+    A lesson that the learner has not finished has the stair of `studies/scoreboard.py`, marked as given.
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
     owner: of the functions that `learn` calls, from `my_functions.owner_of`; the score of "your" functions is kept for
@@ -70,37 +47,39 @@ def scoreboard(
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
-    bars = {number: bar for number, bar in library_bars().items() if number <= lesson}
-    if lesson not in bars:
+    given = library_stairs()
+    if lesson not in given:
         raise ValueError(
-            f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(library_bars())}"
+            f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(given)}"
         )
-    score = Score(*mean_and_half(earned(learn, IN_TIME)))
+    labels = {number: stair.label for number, stair in given.items()}
+    each = tuple(map(float, earned(learn, IN_TIME)))
+    score = Score(*mean_and_half(each))
+    stairs = {number: stair for number, stair in given.items() if number < lesson}
     if is_notebook():
-        kept = entries(FILE, score_of)
-        bars |= {
-            number: Bar(bar.label, kept[number], "your")
-            for number, bar in bars.items()
-            if number in kept
-        }
+        for number, (its_score, its_robots) in entries(FILE, result_of).items():
+            if number in stairs:
+                stairs[number] = Stair(labels[number], its_score, "your", its_robots)
         if owner == "your" and IN_TIME == ROBOTS:
-            told = enter(FILE, lesson, score, score_of)
+            result = {"mean": score.mean, "half": score.half, "each": each}
+            told = enter(FILE, lesson, result, result_of)
             if told:
                 print(told)
-    bars[lesson] = Bar(bars[lesson].label, score, owner)
-    title = f"Lesson {lesson}: {score} a step" + f" ({IN_TIME} robots)" * (
-        IN_TIME < ROBOTS
-    )
-    for before in [AGAINST.get(lesson, one) for one in [*bars][-2:-1]]:
-        more, clear = (
-            score.mean - bars[before].score.mean,
-            np.hypot(score.half, bars[before].score.half),
-        )
-        title += (
-            f", {abs(more):.2f} {'more' if more > 0 else 'less'} than lesson {before}"
-        )
-        title += f" (below {clear:.2f}: may be chance)" * bool(abs(more) < clear)
-    return plot_bars(bars, title)
+    stairs[lesson] = Stair(labels[lesson], score, owner, each)
+    return plot_stairs(stairs, labels)
+
+
+def result_of(entry: Any) -> tuple[Score, tuple[float, ...]]:
+    """What the learner's file has of a lesson: the score, and the reward a step of each robot.
+
+    An older file has the mean and half of its interval alone. Raises an error if the entry is something else.
+    """
+    if not isinstance(entry, dict):
+        return score_of(entry), ()
+    each = tuple(map(float, entry["each"]))
+    if len(each) != ROBOTS or not np.all(np.isfinite(each)):
+        raise ValueError(f"{ROBOTS} numbers are expected, one a robot")
+    return score_of((entry["mean"], entry["half"])), each
 
 
 def earned(
@@ -125,47 +104,15 @@ def earned(
     return np.array(means)
 
 
-def library_bars(robot: str = "held", robots: int = ROBOTS) -> dict[str, Bar]:
-    """By lesson, the bar of the library's agents. robot: "held", by walls, or "ideal"; robots: how many of the study"""
-    return {
-        row["lesson"]: Bar(row["label"], score_of((row["mean"], row["half"])))
-        for row in rows_of(GIVEN)
-        if (row["robot"], row["robots"]) == (robot, str(robots))
-    }
+def library_stairs(robot: str = "held", robots: int = ROBOTS) -> dict[str, Stair]:
+    """By lesson, the stair of the library's agents. robot: "held", by walls, or "ideal"; robots: 16 or 32.
 
-
-def plot_bars(bars: Mapping[str, Bar], title: str) -> Picture:
-    """A bar with its 95 % interval for each lesson, by its number; how it is filled says whose functions they are."""
-    figure, ax = chart(
-        (7.4, 3.6), "", f"reward a step, {ROBOTS} robots", title, grid="y"
-    )
-    told, names, owners = list[str](), list[str](), [bar.owner for bar in bars.values()]
-    for at, (lesson, (label, score, owner)) in enumerate(bars.items()):
-        colour, hatch = LOOKS[owner]
-        name = f"{owner} functions" if owners.index(owner) == at else None
-        ax.bar(
-            at,
-            score.mean,
-            0.7,
-            yerr=score.half,
-            capsize=4,
-            color=colour,
-            hatch=hatch,
-            edgecolor=GREY,
-            label=name,
-        )
-        ax.annotate(
-            f"{score.mean:.2f}",
-            (at, score.mean + score.half),
-            (0, 3),
-            textcoords="offset points",
-            ha="center",
-        )
-        names.append(plain(f"{lesson} {label}".replace(" ", "\n")))
-        told.append(f"lesson {lesson}, {label}: {score} ({owner} functions)")
-    ax.set_xticks(range(len(bars)), names)
-    ax.set_xlim(-0.6, max(len(bars), 4) - 0.4)
-    ax.margins(y=0.12)
-    legend_below(figure, 3)
-    figure.alt = f"What {ROBOTS} robots earn a step in their first hour, means with 95 % intervals: {'; '.join(told)}."
-    return figure
+    The sixteen robots that walls hold are there one by one.
+    """
+    stairs = {}
+    for row in rows_of(GIVEN):
+        if (row["robot"], row["robots"]) == (robot, str(robots)):
+            score = score_of((row["mean"], row["half"]))
+            each = tuple(map(float, row["each robot"].split()))
+            stairs[row["lesson"]] = Stair(row["label"], score, each=each)
+    return stairs

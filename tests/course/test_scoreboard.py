@@ -1,6 +1,7 @@
-"""The scoreboard: a learner's right functions earn what the library's do, and each bar says whose it is."""
+"""The scoreboard: a learner's right functions earn what the library's do, and each stair says whose it is."""
 
 import json
+import math
 import sys
 from pathlib import Path
 
@@ -12,13 +13,7 @@ import scoreboard as study
 from rlrobot_course.learner.my_functions import take
 from rlrobot_course.play import scoreboard as board
 from rlrobot_course.play.challenge import Score
-from rlrobot_course.play.scoreboard import (
-    Bar,
-    earned,
-    library_bars,
-    plot_bars,
-    scoreboard,
-)
+from rlrobot_course.play.scoreboard import earned, library_stairs, scoreboard
 
 
 def at_random(world, steps):
@@ -159,6 +154,10 @@ LEARNERS = {
 }
 
 
+def kept(folder):
+    return json.loads((folder / "my_scores.json").read_text())
+
+
 @pytest.fixture
 def learner(tmp_path, monkeypatch):
     """The folder of a learner with a notebook, in whose world an hour has four steps and two robots."""
@@ -187,9 +186,12 @@ def test_a_learners_functions_earn_number_for_number_what_the_library_earns(
 
 
 @pytest.mark.long
-def test_an_hour_of_a_learners_robots_is_the_given_bar():
-    mean, half = board.mean_and_half(earned(LEARNERS["04"]))
-    assert Score(round(mean, 4), round(half, 4)) == library_bars()["04"].score
+def test_an_hour_of_a_learners_robots_is_the_given_stair():
+    each = earned(LEARNERS["04"])
+    mean, half = board.mean_and_half(each)
+    given = library_stairs()["04"]
+    assert Score(round(mean, 4), round(half, 4)) == given.score
+    assert each == pytest.approx(given.each, abs=6e-5)  # the table has four digits
 
 
 @pytest.mark.parametrize("robot", study.WORLDS)
@@ -200,23 +202,34 @@ def test_the_table_has_all_lessons(robot):
         for lesson, (label, *_) in study.FURTHER.items()
         if robot == "held"
     }
-    assert {lesson: bar.label for lesson, bar in library_bars(robot).items()} == named
     assert {
-        lesson: bar.label for lesson, bar in library_bars(robot, study.ALL).items()
+        lesson: stair.label for lesson, stair in library_stairs(robot).items()
+    } == named
+    assert {
+        lesson: stair.label
+        for lesson, stair in library_stairs(robot, study.ALL).items()
     } == named | further
+
+
+def test_the_mean_of_a_stair_is_that_of_its_robots():
+    for stair in library_stairs().values():
+        assert len(stair.each) == board.ROBOTS
+        assert stair.score == pytest.approx(board.mean_and_half(stair.each), abs=2e-4)
 
 
 def test_own_scores_are_kept_and_shown_as_ones_own_in_later_lessons(learner):
     first = scoreboard("03", forward, "your")
-    mean, half = json.loads((learner / "my_scores.json").read_text())["03"]
+    mean, half, each = kept(learner)["03"].values()
+    assert (mean, half) == board.mean_and_half(each) and len(each) == board.ROBOTS
     assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in first.alt
     later = scoreboard("05", forward, "the given")
     assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in later.alt
     assert (
-        f"lesson 04, softmax: {library_bars()['04'].score} (the given functions)"
+        f"lesson 04, softmax: {library_stairs()['04'].score} (the given functions)"
         in later.alt
     )
     assert "lesson 06" not in later.alt
+    assert "Still to come: 06 SARSA, 07 traces" in later.alt
 
 
 @pytest.mark.parametrize("owner", ["the given", "partly your"])
@@ -229,11 +242,27 @@ def test_nothing_is_kept_or_read_where_there_is_no_notebook(learner, monkeypatch
     (learner / "my_scores.json").write_text('{"03": [9.0, 0.1]}')
     monkeypatch.setattr(board, "is_notebook", lambda: False)
     assert "9.00" not in scoreboard("04", forward, "your").alt
-    assert json.loads((learner / "my_scores.json").read_text()) == {"03": [9.0, 0.1]}
+    assert kept(learner) == {"03": [9.0, 0.1]}
+
+
+def test_a_file_of_means_alone_is_read_and_keeps_them(learner):
+    (learner / "my_scores.json").write_text('{"03": [9.0, 0.1]}')
+    assert "9.00 ± 0.10 (your functions)" in scoreboard("04", forward, "your").alt
+    assert kept(learner)["03"] == [9.0, 0.1] and len(kept(learner)["04"]["each"]) == 16
 
 
 @pytest.mark.parametrize(
-    "text", ['{"03": [9.0, 0.1], "04": "?"}', '{"04": [NaN, 1]}', "[]", "{", "\0"]
+    "text",
+    [
+        '{"03": [9.0, 0.1], "04": "?"}',
+        '{"04": [NaN, 1]}',
+        '{"04": {"mean": 1, "half": 1}}',
+        '{"04": {"mean": 1, "half": 1, "each": [1, 2]}}',
+        json.dumps({"04": {"mean": 1, "half": 1, "each": [math.nan] * 16}}),
+        "[]",
+        "{",
+        "\0",
+    ],
 )
 def test_a_damaged_file_is_put_aside_and_the_learner_is_told(learner, text, capsys):
     (learner / "my_scores.json").write_text(text)
@@ -248,40 +277,12 @@ def test_nothing_is_printed_where_all_is_well(learner, capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_lesson_06_than_04(
-    learner,
-):
-    (learner / "my_scores.json").write_text('{"03": [900.0, 0.1], "04": [-900.0, 0.1]}')
-    titles = [
-        scoreboard(lesson, forward, "the given").finding
-        for lesson in ("04", "05", "06")
-    ]
-    assert titles[0].endswith("less than lesson 03")
-    assert titles[1].endswith("more than lesson 04") and titles[2].endswith(
-        "more than lesson 04"
-    )
-
-
-def test_a_difference_that_may_be_chance_is_called_so(learner):
-    (learner / "my_scores.json").write_text('{"03": [0.0, 900.0]}')
-    assert "lesson 03 (below 900." in scoreboard("04", forward, "the given").finding
-
-
-def test_the_picture_tells_owners_apart_without_colours_and_writes_each_number():
-    bars = {"03": Bar("x", Score(0.25, 0.1)), "04": Bar("y", Score(1.5, 0.2), "your")}
-    ax = plot_bars(
-        {**bars, "05": Bar("z", Score(2.0, 0.3), "partly your")}, "three"
-    ).axes[0]
-    assert [text.get_text() for text in ax.texts] == ["0.25", "1.50", "2.00"]
-    assert len({bar.get_hatch() for bar in ax.patches}) == 3
-
-
-def test_robots_that_learn_for_less_than_an_hour_have_no_bar(learner):
+def test_robots_that_learn_for_less_than_an_hour_have_no_stair(learner):
     with pytest.raises(ValueError, match="should take 4 steps, and took 3"):
         scoreboard("04", lambda world, steps: forward(world, steps - 1), "your")
 
 
-def test_a_lesson_without_a_bar_is_refused(learner):
+def test_a_lesson_without_a_stair_is_refused(learner):
     with pytest.raises(ValueError, match="no lesson '02', only 03, 04"):
         scoreboard("02", forward, "your")
 
