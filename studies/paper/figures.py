@@ -237,8 +237,8 @@ def shuttle_figure(outcomes: Outcomes) -> Picture | None:
     some = next(iter(found.values()))
     n = len(some[THREE[0]])
     note = (
-        f"Final average reward a step after {outcome.longest}, {n} arms a method, one dot each. Red: within {NEAR:g} of "
-        f"a shuttle, which pays {SHUTTLES[0]:g} or {SHUTTLES[1]:g} a step. At the right: their share."
+        f"Final average reward a step after {outcome.longest}, {n} arms a method, one dot each. Red: within {NEAR:g} "
+        f"of a shuttle, which pays {SHUTTLES[0]:g} or {SHUTTLES[1]:g} a step. At the right: their share."
     )
     picture.headline(shuttle_title(found), note)
     axes = np.ravel(picture.subplots(rows, 3, squeeze=False, sharex=True, sharey=True))
@@ -285,7 +285,8 @@ def _draw_heaps(ax: Axes, groups: Mapping[str, np.ndarray]) -> None:
         is_near = np.abs(np.sort(values)[:, None] - SHUTTLES).min(axis=1) < NEAR
         for these, colour in ((is_near, RED), (~is_near, BLACK)):
             ax.plot(x[these], y[these], "o", color=colour, markersize=3)
-        ax.text(1, row, f" {100 * shuttles(values):.0f} %", transform=ax.get_yaxis_transform(), color=RED, va="center")  # fmt: skip
+        share = f" {100 * shuttles(values):.0f} %"
+        ax.text(1, row, share, transform=ax.get_yaxis_transform(), color=RED, va="center")  # fmt: skip
     for level in SHUTTLES:
         ax.axvline(level, color=RED, linewidth=1, linestyle=":")
     ax.set_xticks([0, *SHUTTLES, 10], ["0", *(f"{level:g}" for level in SHUTTLES), "10"])  # fmt: skip

@@ -116,6 +116,7 @@ def test_the_title_of_curves_says_who_is_ahead_only_where_it_shows():
     wide = rng.normal(1.5, 2.0, (10, 5))
     assert finding([("A", low), ("B", high)]).startswith("B earns most")
     assert finding([("A", wide), ("B", high)]).startswith("Too close to tell")
+    assert finding([("A", np.full((10, 5), -1.0))]) == "A earns −1.00 a step"
     assert finding([("A", low[:1]), ("B", high[:1])]).startswith(
         "B earns most in this run"
     )
