@@ -134,7 +134,7 @@ CARD = "docs/card.png"  # the picture of a page that has none; make_site.py writ
 ADDRESS = os.environ.get("SITE_ADDRESS", "")
 
 
-def picture_of(app: Sphinx, page: str, doctree: nodes.document) -> str:
+def picture_of(page: str, doctree: nodes.document) -> str:
     """The address of the picture that stands for a page: a lesson's card, the first on the page, or the project's."""
     path = CARD
     lesson = re.match(r"notebooks/(?:more/)?(\d\d)_", page)
@@ -142,8 +142,8 @@ def picture_of(app: Sphinx, page: str, doctree: nodes.document) -> str:
         path = f"docs/cards/{lesson[1]}.png"
     else:
         for image in doctree.findall(nodes.image):
-            name = app.builder.images.get(image["uri"])
-            if name and name.endswith(".png"):
+            name = Path(image["uri"]).name  # by now its address in the site
+            if name.endswith(".png"):
                 path = f"_images/{name}"
                 break
     here = "../" * page.count("/")
@@ -173,7 +173,7 @@ def with_card(
     context["metatags"] = context.get("metatags", "") + (
         f'<meta name="description" content="{described}">'
         f'<meta property="og:type" content="website"><meta property="og:site_name" content="{project}">'
-        f'<meta property="og:image" content="{picture_of(app, page, doctree)}">'
+        f'<meta property="og:image" content="{picture_of(page, doctree)}">'
         f'<meta property="og:title" content="{title}"><meta property="og:description" content="{described}">'
     )
 

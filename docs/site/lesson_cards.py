@@ -31,7 +31,7 @@ class Seen(NamedTuple):
 
 
 def first_picture(notebook: Path) -> Seen:
-    """The first picture that a notebook has kept, small; of a film its first frame. Raises ValueError without one."""
+    """The first picture that a notebook has kept, small; of a film its last frame. Raises ValueError without one."""
     content = json.loads(notebook.read_text(encoding="utf-8"))
     for cell in content["cells"]:
         for output in cell.get("outputs", []):
@@ -43,7 +43,9 @@ def first_picture(notebook: Path) -> Seen:
 
 
 def _small(data: str) -> bytes:
-    picture = Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB")
+    kept = Image.open(io.BytesIO(base64.b64decode(data)))
+    kept.seek(getattr(kept, "n_frames", 1) - 1)
+    picture = kept.convert("RGB")
     picture.thumbnail(SIZE, Image.Resampling.LANCZOS)
     png = io.BytesIO()
     picture.quantize(COLOURS).save(png, "png", optimize=True)

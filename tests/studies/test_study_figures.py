@@ -90,17 +90,16 @@ def test_the_figure_of_transfer_shows_the_numbers_of_its_page():
     assert transfer_figure.title_of(drawn) in text
 
 
-def test_the_title_of_the_networks_names_who_ends_highest():
-    def runs(high):
-        ends = {"TOSL+QBIASSR": 6.0, "DQN, fitted": high}
+def test_the_title_of_the_networks_says_where_the_best_of_them_and_the_paper_s_method_end():
+    def runs(*high):
+        names = ["TOSL+QBIASSR", "Q+SR", "DQN, fitted", "PPO, fitted"]
+        ends = dict(zip(names, [-6.0, 20.0, *high], strict=True))
         return {
             method: [{"windows": [0.0, end, end, end]}] for method, end in ends.items()
         }
 
-    title = baselines.curves_title({"a": runs(8.0), "b": runs(1.0)})
-    assert title == (
-        "DQN, fitted ends highest in a: 8.0, TOSL+QBIASSR 6.0; TOSL+QBIASSR ends highest in b: 6.0"
-    )
+    title = baselines.curves_title({"a": runs(8.0, 7.0), "b": runs(1.0, 2.0)})
+    assert title.endswith(": a: 8.0 and −6.0; b: 2.0 and −6.0")
 
 
 def test_the_title_of_the_forest_counts_what_is_significant():
