@@ -153,6 +153,7 @@ def plot_curves(
         ends.append(End(float(mean), f"{name}\n{_signed(mean)}", colour))
         if isinstance(shown, Picture) and 1 < len(repetitions) <= DOTS:
             _dot(ax, repetitions, colour)
+            kept += repetitions[:, -1].tolist()
     if optimum is not None:
         label = f"best achievable: {optimum:.2f}"
         ax.axhline(optimum, color=BLACK, linewidth=1, label=label)
@@ -261,4 +262,4 @@ def _dot(ax: Axes, repetitions: np.ndarray, colour: str) -> None:
     """A dot for each repetition, at its end."""
     n, length = repetitions.shape
     (dots,) = ax.plot(np.full(n, length), repetitions[:, -1], "o", color=colour)
-    dots.set(markersize=4, alpha=0.6, clip_on=False, zorder=3)
+    dots.set(markersize=4, alpha=0.6, clip_on=False, zorder=3, in_layout=False)
