@@ -130,6 +130,26 @@ LONGEST = 200  # characters of a description
 MOST = 8  # paragraphs that it is taken from
 
 
+CARD = "docs/card.png"  # the picture of a page that has none; make_site.py writes it
+ADDRESS = os.environ.get("SITE_ADDRESS", "")
+
+
+def picture_of(page: str, doctree: nodes.document) -> str:
+    """The address of the picture that stands for a page: a lesson's card, the first on the page, or the project's."""
+    path = CARD
+    lesson = re.match(r"notebooks/(?:more/)?(\d\d)_", page)
+    if lesson:
+        path = f"docs/cards/{lesson[1]}.png"
+    else:
+        for image in doctree.findall(nodes.image):
+            name = Path(image["uri"]).name  # by now its address in the site
+            if name.endswith(".png"):
+                path = f"_images/{name}"
+                break
+    here = "../" * page.count("/")
+    return (ADDRESS or here) + path
+
+
 def _is_picture(paragraph: nodes.paragraph) -> bool:
     return any(isinstance(child, nodes.image) for child in paragraph.children)
 
@@ -153,6 +173,7 @@ def with_card(
     context["metatags"] = context.get("metatags", "") + (
         f'<meta name="description" content="{described}">'
         f'<meta property="og:type" content="website"><meta property="og:site_name" content="{project}">'
+        f'<meta property="og:image" content="{picture_of(page, doctree)}">'
         f'<meta property="og:title" content="{title}"><meta property="og:description" content="{described}">'
     )
 

@@ -22,10 +22,12 @@ from better_bias_tests import (
     wheels,
 )
 from better_bias_text import PAGE
+from matplotlib.axes import Axes
 from scipy import stats
 
+from rlrobot_course.figures.plots import name_rows
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.show.palette import CURVES, GREY
+from rlrobot_edu.show.palette import BLUE, GREY, LIGHT, RED
 from rlrobot_edu.show.picture import Picture
 
 DOCS = Path(__file__).parent.parent / "docs"
@@ -33,7 +35,6 @@ METHODS = ("SR", "QBIASSR", OURS, "LINEAR", "COUNT", "coarse", "blind")
 WITHOUT_RIVALS = ("SR", "QBIASSR", OURS, "blind")
 FAMILIES = REGISTERED["families"]
 NO_CIRCLE, OTHERS, CHANGED = FAMILIES
-MARKERS = "osv^D"
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -125,41 +126,49 @@ def rules_table(found: Found) -> str:
 
 def forest(found: Found) -> Picture:
     """VBIASSR less each other method, in the worlds of the first two families, with 95 % intervals."""
-    picture = Picture((10.5, 6.8))
-    for ax, name in zip(picture.subplots(1, 2), (NO_CIRCLE, OTHERS), strict=True):
-        rows, names, worlds = (
-            family(found, name),
-            columns(name),
-            FAMILIES[name]["worlds"],
-        )
-        for i, label in enumerate(names):
-            colour, marker = CURVES[i][0], MARKERS[i % len(MARKERS)]
-            ax.plot([], [], marker, color=colour, label=label)
-            for k, its in enumerate(rows[i :: len(names)]):
-                ends, fill = (
-                    [[its.mean - its.low], [its.high - its.mean]],
-                    colour if its.sign else "white",
-                )
-                y = k + 0.11 * (i - (len(names) - 1) / 2)
-                ax.errorbar(
-                    its.mean,
-                    y,
-                    xerr=ends,
-                    fmt=marker,
-                    color=colour,
-                    markersize=6,
-                    markerfacecolor=fill,
-                )
-        ax.axvline(0, color=GREY, linewidth=1)
-        ax.set(title=name, xlabel="reward a step that VBIASSR earns more than …")
-        ax.set_yticks(
-            range(len(worlds)), [world.replace(", ", ",\n") for world in worlds]
-        )
-        ax.invert_yaxis()
-        ax.grid(axis="x", alpha=0.3)
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3, fontsize=9)
-    picture.alt = "VBIASSR less other methods, with 95 % intervals: the numbers of the two tables of tests."
+    families = {name: family(found, name) for name in (NO_CIRCLE, OTHERS)}
+    title = forest_title([its for rows in families.values() for its in rows])
+    picture = Picture((8.4, 9.6))
+    picture.headline(
+        title,
+        f"Reward a step that {OURS} earns more than each other method, 95 % intervals. Blue: significantly more, "
+        "red: less, hollow: not significant (corrected).",
+    )
+    for ax, (name, rows) in zip(picture.subplots(1, 2), families.items(), strict=True):
+        _draw_forest(ax, rows, columns(name))
+        ax.set_title(name)
+    picture.alt = f"{title}. {OURS} less other methods, with 95 % intervals: the numbers of the two tables of tests."
     return picture
+
+
+def forest_title(rows: Sequence[Difference]) -> str:
+    """In how many comparisons VBIASSR earns significantly more, and in how many less."""
+    signs = [its.sign for its in rows]
+    return (
+        f"{OURS} earns significantly more in {signs.count(1)} of {len(signs)} comparisons, and less in"
+        f" {signs.count(-1)}"
+    )
+
+
+def _draw_forest(ax: Axes, rows: Sequence[Difference], others: Sequence[str]) -> None:
+    """A line for each comparison, below the name of its world."""
+    colours = {1: BLUE, -1: RED, 0: LIGHT["faint"]}
+    names: list[str] = []
+    for i, its in enumerate(rows):
+        if i % len(others) == 0:
+            names.append(its.world)
+            ax.axhline(len(names) - 1.6, color=LIGHT["line"], linewidth=0.8)
+        y = len(names)
+        names.append(others[i % len(others)])
+        colour = colours[its.sign]
+        ax.plot([its.low, its.high], [y, y], color=colour, linewidth=1.6)
+        fill = colour if its.sign else "white"
+        ax.plot(its.mean, y, "o", color=colour, markersize=6, markerfacecolor=fill)
+    ax.axvline(0, color=GREY, linewidth=1)
+    name_rows(ax, names)
+    for label in ax.get_yticklabels()[:: len(others) + 1]:
+        label.set(weight="bold", color=LIGHT["ink"])
+    ax.grid(axis="x")
 
 
 def numbers(found: Found) -> dict[str, str]:
@@ -202,6 +211,6 @@ def page(found: Found) -> str:
 
 def write_page(found: Found) -> Path:
     """Write the page and its figures; the text that judges stands in better_bias_text.py, written after looking."""
-    write_whole(DOCS / "pictures" / "better_bias.png", forest(found).png())
+    write_whole(DOCS / "pictures" / "better_bias.png", forest(found).still().data)
     write_whole(DOCS / "studies" / "a_better_bias.md", page(found))
     return DOCS / "studies" / "a_better_bias.md"

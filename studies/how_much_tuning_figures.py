@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
-
 import numpy as np
 from how_much_tuning import METHODS, OURS
 from how_much_tuning_numbers import Price, plainly, price, signed
 from how_much_tuning_tests import SR, Draws, Finding, Part
 from how_much_tuning_worlds import settings_of
 
+from rlrobot_edu.show.ends import End, name_ends
 from rlrobot_edu.show.map_of_settings import plot_settings
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, RED
 from rlrobot_edu.show.picture import Picture
@@ -91,28 +89,24 @@ def plot_price(draws: Draws) -> Picture:
         colour, dashes, mark = LOOK[method]
         ax.fill_between(its.tries, its.low, its.high, color=colour, alpha=0.15, lw=0)
         ax.plot(its.tries, its.estimate, color=colour, linestyle=dashes, marker=mark, markersize=4)  # fmt: skip
-    ends = spread([its.estimate[-1] for its in curves.values()], 0.035)
-    for (method, its), y in zip(curves.items(), ends, strict=True):
-        ax.text(its.tries[-1] * 1.07, y, method, color=LOOK[method][0], va="center")
+    ends = [
+        End(its.estimate[-1], method, LOOK[method][0]) for method, its in curves.items()
+    ]
     of_paper = draws.over_tasks(OURS, "paper's")
     paper = of_paper.estimate
     ax.axhline(paper, color=BLUE, lw=1)
-    ax.text(its.tries[-1] * 1.07, paper, "paper's setting of\nTOSL+QBIASSR", color=BLUE, va="center")  # fmt: skip
+    ends.append(End(paper, "the paper's setting\nof TOSL+QBIASSR", BLUE))
     ax.set_xscale("log", base=2)
     ax.set_xticks(its.tries, [str(k) for k in its.tries])
-    ax.set(xlabel="random settings tried", ylabel="score of the best")
-    ax.spines[["top", "right"]].set_visible(False)
-    below = "Mean score of six tasks; half of the robots choose the best, the others judge it. Bands: 95 % intervals."
-    return headed(picture, price_title(curves[OURS], of_paper), below)
-
-
-def spread(values: Sequence[float], gap: float) -> list[float]:
-    """The values, moved apart upward so that labels there do not touch."""
-    order = np.argsort(values)
-    moved = np.array(values, dtype=float)
-    for before, after in pairwise(order):
-        moved[after] = max(moved[after], moved[before] + gap)
-    return [float(value) for value in moved]
+    ax.set(xlabel="random settings tried")
+    ax.grid(axis="y")
+    below = (
+        "Score of the best, mean of six tasks; half of the robots choose the best, the others judge it. Bands: 95 %"
+        " intervals."
+    )
+    headed(picture, price_title(curves[OURS], of_paper), below)
+    name_ends(ax, ends)
+    return picture
 
 
 def regret_title(h3: Finding, ours: Part, sr: Part) -> str:

@@ -1,10 +1,12 @@
 """How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/studies/kinematic_arm.md.
 
-``python studies/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
+``python studies/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial,
+``--figure`` measures the states alone and draws the figure anew.
 """
 
 from __future__ import annotations
 
+import re
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
@@ -25,11 +27,13 @@ from rlrobot_edu.robots.arm.arm_body import (
     link_poses,
 )
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, turned
+from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.robot_cards import JOINTS
 
 DOCS = Path(__file__).parents[1] / "docs"
-QUICK = "--quick" in sys.argv
+QUICK, FIGURE = "--quick" in sys.argv, "--figure" in sys.argv
 EPISODES, REPETITIONS, SHORT = (4, 3, 2) if QUICK else (40, 30, 5)
 TASKS = ("arm_1k", "arm_4k", "mobile_arm_2k")
 METHODS = ("Q+SR", "TOSL+QBIASSR")
@@ -197,27 +201,56 @@ def learners(name: str) -> list[str]:
     return lines
 
 
+TEN = 10  # steps that make one point of a curve
+
+
 def figure(found: dict[str, Episode]) -> Picture:
     """How the share of different states grows in an episode."""
-    picture = Picture(figsize=(6.5, 3.2))
-    ax, told = picture.subplots(), []
-    for (name, episodes), style in zip(found.items(), ("-", "--", ":"), strict=True):
-        shares = 100 * episodes.states.mean(axis=0)
-        ax.plot(np.arange(1, len(shares) + 1), shares, style, label=name)
+    picture = Picture((6.5, 4))
+    ends, told = [], []
+    shares = {name: in_tens(its.states) for name, its in found.items()}
+    title = figure_title(shares)
+    note = (
+        f"States that differ from PyBullet's [%], means of {TEN} steps; {EPISODES} episodes a task, the same random "
+        "actions in both."
+    )
+    picture.headline(title, note)
+    ax = picture.subplots()
+    for (name, its), (colour, dashes) in zip(shares.items(), CURVES, strict=False):
+        x = TEN * (np.arange(len(its)) + 0.5)
+        ax.plot(x, its, color=colour, linestyle=dashes, marker="o", markersize=4)
+        ends.append(End(its[-1], f"{name}\n{its[-1]:.0f} %", colour))
         told.append(
-            f"{name}: {shares[:10].mean():.0f} % in the first ten steps, {shares[-10:].mean():.0f} % in the last"
+            f"{name}: {its[0]:.0f} % in the first ten steps, {its[-1]:.0f} % in the last"
         )
-    ax.set(
-        xlabel="step of the episode",
-        ylabel="episodes whose state differs [%]",
-        ylim=(0, 100),
+    ax.set(xlabel="step of the episode", ylim=(0, None))
+    ax.margins(x=0.02)
+    ax.grid(axis="y")
+    name_ends(ax, ends)
+    picture.alt = (
+        f"{title}. How often the state differs from PyBullet's. {'; '.join(told)}."
     )
-    ax.set_title(
-        f"Kinematic arm and PyBullet's, the same random actions, {EPISODES} episodes"
-    )
-    ax.legend()
-    picture.alt = f"How often the state differs from PyBullet's, by the step of an episode. {'; '.join(told)}."
     return picture
+
+
+def in_tens(states: np.ndarray) -> np.ndarray:
+    """The share of states that differ in each ten steps, in per cent; states: array (episodes, steps) of 0 and 1."""
+    return 100 * states.mean(axis=0).reshape(-1, TEN).mean(axis=1)
+
+
+def figure_title(shares: Mapping[str, np.ndarray]) -> str:
+    """Whether the share grows in every task, and from where to where."""
+    first, last = ([its[i] for its in shares.values()] for i in (0, -1))
+    grows = all(end > start for start, end in zip(first, last, strict=True))
+    what = (
+        "Within an episode the arms drift apart"
+        if grows
+        else "The arms do not all drift apart"
+    )
+    return (
+        f"{what}: {min(first):.0f} to {max(first):.0f} % of the states differ at its start, {min(last):.0f} to"
+        f" {max(last):.0f} % at its end"
+    )
 
 
 PAGE = """# How far is the kinematic arm from PyBullet's?
@@ -282,15 +315,34 @@ agents we cannot rule out that with TOSL+QBIASSR the engines differ by one or tw
 engine it used; `rl.compare(…, engine="kinematic")` writes it into its store."""
 
 
-def main() -> None:
-    """Measure, and write the page."""
+def measured() -> dict[str, Episode]:
+    """The same actions in both engines, by task."""
     found = {}
     for name in TASKS:
         parts = Parallel(n_jobs=-1)(
             delayed(episode)(name, seed) for seed in range(EPISODES)
         )
         found[name] = Episode(*map(np.array, zip(*parts, strict=True)))
+    return found
+
+
+def draw(picture: Picture) -> None:
+    """Write the figure, and its description into the page."""
+    (DOCS / "pictures" / "kinematic_arm.png").write_bytes(picture.still().data)
+    path = DOCS / "studies" / "kinematic_arm.md"
+    described = f"![{picture.alt}](../pictures/kinematic_arm.png)"
+    page = path.read_text(encoding="utf-8")
+    page = re.sub(r"!\[.*\]\(\.\./pictures/kinematic_arm\.png\)", described, page)
+    path.write_text(page, encoding="utf-8")
+
+
+def main() -> None:
+    """Measure, and write the page."""
+    found = measured()
     picture = figure(found)
+    if FIGURE:
+        draw(picture)
+        return
     page = PAGE.format(
         episodes=EPISODES, held=HELD_UP, rows="\n".join(row(*each) for each in found.items()),
         alt=picture.alt, text=TEXT, choice=CHOICE,
@@ -301,8 +353,8 @@ def main() -> None:
     if QUICK:
         print(page)
     else:
-        (DOCS / "pictures" / "kinematic_arm.png").write_bytes(picture.png())
         (DOCS / "studies" / "kinematic_arm.md").write_text(page, encoding="utf-8")
+        draw(picture)
 
 
 if __name__ == "__main__":

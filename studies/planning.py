@@ -1,26 +1,26 @@
 """What does planning gain, per real step and per second? Writes docs/studies/planning.md and its figure.
 
-``python studies/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
-keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
+``python studies/planning.py [--quick | --figure] [--store FOLDER]``; the whole run takes about a quarter of an hour. A
+store keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written. `--figure`
+runs nothing, and draws the figure anew from the tables of the page.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 import statistics
 import time
 from pathlib import Path
 
 import numpy as np
 from holm import holm_corrected
-from matplotlib.figure import Figure
+from planning_figure import figure
 
 import rlrobot_edu as rl
-from rlrobot_course.figures.runs import error_bars
 from rlrobot_course.lesson_17.sweeping import SWEEPING
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Tukey
-from rlrobot_edu.show.palette import CURVES
 
 DOCS = Path(__file__).parents[1] / "docs"
 METHODS = ("Q+EG", "Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
@@ -210,48 +210,28 @@ def last(runs: Runs) -> np.ndarray:
     return np.array([history.rewards[-EARLY:].mean() for history in runs])
 
 
-def figure(results: Results) -> Figure:
-    """Averages with 95 % intervals: a column for each world, a row for 300 and for 3600 steps."""
-    fig = Figure(figsize=(3 * len(results), 6), layout="constrained")
-    axes = fig.subplots(2, len(results), sharey=True)
-    for column, (world, result) in enumerate(results.items()):
-        methods = methods_of(result)
-        for row, steps in enumerate((EARLY, STEPS)):
-            ax = axes[row, column]
-            for k, (planner, marker) in enumerate(zip(PLANNERS, "osD", strict=True)):
-                groups = [
-                    averages(result, f"{method}, {planner}", steps)
-                    for method in methods
-                ]
-                means, bars = (
-                    np.array([group.mean() for group in groups]),
-                    np.hstack([error_bars(g[:, None])[1] for g in groups]),
-                )
-                y = len(METHODS) - 1 - np.arange(len(methods)) + 0.22 * (1 - k)
-                ax.errorbar(
-                    means,
-                    y,
-                    xerr=bars,
-                    fmt=marker,
-                    color=CURVES[k][0],
-                    label=planner.replace("None", "no planner"),
-                )
-            ax.set_yticks(range(len(METHODS))[::-1], METHODS)
-            ax.grid(axis="x", alpha=0.3)
-            if row == 0:
-                ax.set_title(world)
-            ax.set_xlabel(
-                f"average reward, {'first ' if row == 0 else ''}{steps} steps"
-            )
-    axes[0, 0].legend(fontsize="small")
-    return fig
+def draw() -> None:
+    """Draw the figure from the tables of the page, and write its description beside it."""
+    page = (DOCS / "studies" / "planning.md").read_text(encoding="utf-8")
+    picture = figure(page)
+    (DOCS / "pictures" / "planning.png").write_bytes(picture.still().data)
+    page = re.sub(
+        r"!\[.*\]\(\.\./pictures/planning\.png\)",
+        f"![{picture.alt}](../pictures/planning.png)",
+        page,
+    )
+    (DOCS / "studies" / "planning.md").write_text(page, encoding="utf-8")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--store", type=Path)
+    parser.add_argument("--figure", action="store_true")
     arguments = parser.parse_args()
+    if arguments.figure:
+        draw()
+        return
     lines, on_model = costs(arguments.quick)
     results = compare_all(arguments.quick, arguments.store)
     equal = at_equal_seconds(
@@ -259,15 +239,13 @@ def main() -> None:
     )
     text = PAGE.format(
         early="\n".join(table_of(results, EARLY)), final="\n".join(table_of(results, STEPS)),
-        costs="\n".join(lines), equal="\n".join(equal), **{k: str(v) for k, v in REPETITIONS.items()},
+        costs="\n".join(lines), equal="\n".join(equal), alt="", **{k: str(v) for k, v in REPETITIONS.items()},
     )  # fmt: skip
     if arguments.quick:
         print(text)
         return
-    figure(results).savefig(
-        DOCS / "pictures" / "planning.png", dpi=80, metadata={"Software": None}
-    )
     (DOCS / "studies" / "planning.md").write_text(text, encoding="utf-8")
+    draw()
 
 
 PAGE = """\
@@ -321,9 +299,7 @@ Average reward, in episodic tasks of the last episode.
 
 {final}
 
-![Average rewards and their intervals, a column a world; the numbers of both tables.](../pictures/planning.png)
-
-Dots are means, bars 95 % intervals.
+![{alt}](../pictures/planning.png)
 
 ## What it costs
 

@@ -1,10 +1,10 @@
-"""Run the paper's experiments and write docs/reproduction/: ``python studies/reproduce.py [--quick | --page]``."""
+"""Run the paper's experiments, write docs/reproduction/: ``studies/reproduce.py [--quick | --page | --curves]``."""
 
 from argparse import ArgumentParser
 from pathlib import Path
 
 from paper.report import write_page
-from paper.run import SEED, reproduce
+from paper.run import SEED, draw_curves, reproduce
 from results_page import write_results
 
 if __name__ == "__main__":
@@ -30,9 +30,17 @@ if __name__ == "__main__":
         action="store_true",
         help="run nothing; write the tables anew from averages.csv",
     )
+    parser.add_argument(
+        "--curves",
+        nargs="*",
+        metavar="KEY",
+        help="draw learning curves anew, such as that of robot_wander_1k; by default all. Runs are taken from results/",
+    )
     given = parser.parse_args()
     if given.page:
         write_page(Path("docs/reproduction"), {}, has_prose=True)
+    elif given.curves is not None:
+        draw_curves(given.curves)
     else:
         reproduce(given.quick, engine=given.engine, seed=given.seed)
     is_report = not given.quick and not given.engine and given.seed == SEED

@@ -2,12 +2,14 @@
 
 ``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works,
 and writes
-nothing. ``--kept FOLDER`` keeps the rewards in a folder, or takes them from there.
+nothing. ``--kept FOLDER`` keeps the rewards in a folder, or takes them from there. ``--figure`` runs nothing, and draws
+the figure anew from the tables of the page.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,13 +17,11 @@ import numpy as np
 from in_markdown import in_markdown
 from joblib import Parallel, delayed
 from scipy import stats
+from transfer_figure import figure
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_21.transfer import carried_over, transfer
-from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.experiments.tables import Table
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture
 
 DOCS = Path(__file__).parents[1] / "docs"
 METHOD, REPETITIONS, SOURCE_STEPS, MODEL_STEPS = "TOSL+QBIASSR", 20, 3600, 36_000
@@ -105,7 +105,7 @@ begins, and another begins from scratch. All have random numbers of their own. E
 
 ![{alt}](../pictures/transfer.png)
 
-Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are 95 % intervals,
+Means of the average reward, with half of their 95 % interval (Student's t); the bars in the figure are 95 % intervals,
 too. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape of the
 distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of agents,
 one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p < 0.05 /
@@ -181,11 +181,6 @@ def last_hour_in_the_model() -> np.ndarray:
     return earned
 
 
-def so_far(rewards: np.ndarray) -> np.ndarray:
-    """Average reward of steps 0 to t."""
-    return rewards.cumsum(axis=-1) / np.arange(1, rewards.shape[-1] + 1)
-
-
 def compared(rewards: np.ndarray, way: int, horizon: int) -> tuple[str, float, float]:
     """Mean and half of its 95 % interval, and against learning from scratch: p and the chance to be better."""
     of, scratch = (rewards[:, i, :horizon].mean(axis=1) for i in (way, 0))
@@ -221,42 +216,15 @@ def table(carry: Carry, rewards: np.ndarray, tests: int) -> Table:
     return Table(carry.name, ("agents", *(f"first {h} steps" for h in horizons)), rows)
 
 
-def picture(kept: dict[Carry, np.ndarray]) -> Picture:
-    """Curves of the four carries, with their 95 % intervals as bands."""
-    ends, handles = [], []
-    shown = Picture((9.5, 7.0))
-    for carry, ax in zip(CARRIES[:4], shown.subplots(2, 2).flat, strict=True):
-        curves = so_far(kept[carry])
-        points = np.unique(np.geomspace(10, curves.shape[-1], 300).astype(int))
-        for i, way in enumerate(WAYS[: carry.ways]):
-            (colour, dashes), part = CURVES[i], curves[:, i, points - 1]
-            ax.fill_between(
-                points, *mean_band(part), color=colour, alpha=0.2, linewidth=0
-            )
-            ax.plot(
-                points,
-                part.mean(axis=0),
-                color=colour,
-                linestyle=dashes,
-                linewidth=1.8,
-                label=way,
-            )
-        said = ", ".join(
-            f"{way} {curves[:, i, -1].mean():.2f}"
-            for i, way in enumerate(WAYS[: carry.ways])
-        )
-        ends.append(f"{carry.name} ends at: {said}")
-        ax.set(
-            xscale="log",
-            title=carry.name,
-            xlabel="step of 1 s",
-            ylabel="average reward per step",
-        )
-        ax.grid(alpha=0.3)
-        handles = max(handles, ax.get_lines(), key=len)
-    shown.legend(handles=handles, loc="outside lower center", ncols=len(WAYS))
-    shown.alt = f"Average reward over the steps, with and without what was carried over. {'; '.join(ends)}."
-    return shown
+def draw() -> None:
+    """Draw the figure from the tables of the page, and write its description beside it."""
+    path = DOCS / "studies" / "transfer.md"
+    page = path.read_text(encoding="utf-8")
+    picture = figure(page, [carry.name for carry in CARRIES[:4]])
+    (DOCS / "pictures" / "transfer.png").write_bytes(picture.still().data)
+    described = f"![{picture.alt}](../pictures/transfer.png)"
+    page = re.sub(r"!\[.*\]\(\.\./pictures/transfer\.png\)", described, page)
+    path.write_text(page, encoding="utf-8")
 
 
 def main() -> None:
@@ -266,7 +234,13 @@ def main() -> None:
         "--quick", action="store_true", help="few and short repetitions; writes nothing"
     )
     options.add_argument("--kept", type=Path, help="folder that keeps the rewards")
+    options.add_argument(
+        "--figure", action="store_true", help="run nothing; draw the figure anew"
+    )
     given = options.parse_args()
+    if given.figure:
+        draw()
+        return
     kept, shares = {}, {}
     for carry in CARRIES:
         kept[carry], shares[carry] = measured(carry, given.kept, given.quick)
@@ -282,8 +256,6 @@ def main() -> None:
         print(shown, "\n")
     if given.quick:
         return
-    figure = picture(kept)
-    (DOCS / "pictures" / "transfer.png").write_bytes(figure.still().data)
     names = {carry.name: f"{shares[carry].mean():.0%}" for carry in CARRIES}
     page = PAGE.format(
         n=REPETITIONS,
@@ -295,11 +267,12 @@ def main() -> None:
             scratch_4k=kept[CARRIES[3]][:, 0, -500:].mean(),
         ),
         tests=tests,
-        alt=figure.alt,
+        alt="",
         shares=", ".join(f"{share} ({name})" for name, share in names.items()),
         tables="\n\n".join(map(in_markdown, tables.values())),
     )
     (DOCS / "studies" / "transfer.md").write_text(page, encoding="utf-8")
+    draw()
 
 
 if __name__ == "__main__":

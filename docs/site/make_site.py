@@ -7,6 +7,7 @@ docs/_build/source is a copy of what the site shows, in the repository's own ord
 into it. The site is docs/_build/html.
 """
 
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ from pathlib import Path
 from api_pages import write_api
 from front_page import write_playground
 from launch import SOURCE, add_buttons, in_colab, write_colab
+from lesson_cards import write_cards
 from live_pages import enliven
 from stepper_pages import write_steppers
 
@@ -30,6 +32,9 @@ SHOWN = [
     "docs/*.md", "docs/howto/*.md", "docs/studies/*.md", "docs/pictures/*", "docs/reproduction/*",
     "studies/**/*", "tasks/*", "datasets/**/*", "rlrobot_*/**/*.py", "tests/**/*.py", "docs/lite/*.toml",
 ]  # fmt: skip
+CARD = "docs/card.png"  # what a shared link shows, of a page without a picture
+# Where the site stands, with a / at its end. Who shows a shared link needs the whole address of its picture
+ADDRESS = os.environ.get("SITE_ADDRESS", "")
 NO_PAGES = "_template.md"
 ABOUT = (
     "Learn tabular reinforcement learning on simulated robots, in Jupyter notebooks."
@@ -57,6 +62,7 @@ def write_source(source: Path) -> None:
     write_api(source / "docs/api")
     write_steppers(source / "docs", root / "docs")
     write_playground(source / "docs/index.md", root / "docs")
+    write_cards(source, root / "docs")
     for notebook in lessons(source).values():
         name = notebook.relative_to(source)
         enliven(notebook, root / name.parent)
@@ -64,6 +70,22 @@ def write_source(source: Path) -> None:
         add_buttons(notebook, LITE, colab)
         if colab:
             write_colab(name.as_posix(), root / "colab", SOURCE)
+    shutil.copy2(ROOT / "docs/pictures/wander_1k.png", root / CARD)
+    for page in root.rglob("*.html"):
+        show_when_shared(page, page.relative_to(root))
+
+
+def show_when_shared(page: Path, name: Path) -> None:
+    """Add the project's picture to the card of a page that Sphinx does not make. name: the page's path in the site"""
+    here = "../" * (len(name.parts) - 1)
+    picture = f'<meta property="og:image" content="{ADDRESS or here}{CARD}">'
+    text = page.read_text(encoding="utf-8")
+    page.write_text(
+        text.replace(
+            '<meta property="og:title"', f'{picture}<meta property="og:title"', 1
+        ),
+        encoding="utf-8",
+    )
 
 
 def main() -> int:

@@ -11,3 +11,9 @@ addEventListener("load", () => {
   document.querySelectorAll("iframe.playground, iframe.playgrounds").forEach(hostPlayground);
 });
 addEventListener("resize", reachable);
+// Both columns beside a page are landmarks; by their names a screen reader tells them apart.
+addEventListener("load", () => {
+  for (const [column, name] of [["sidebar", "All pages"], ["toc", "On this page"]]) {
+    document.querySelector(`aside.${column}-drawer`)?.setAttribute("aria-label", name);
+  }
+});

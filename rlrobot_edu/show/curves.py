@@ -150,9 +150,10 @@ def plot_curves(
         kept += _draw(ax, curve, colour, dashes)
         name, repetitions = curve
         mean = repetitions[:, -1].mean()
-        ends.append(End(float(mean), f"{name}\n{mean:.2f}", colour))
+        ends.append(End(float(mean), f"{name}\n{_signed(mean)}", colour))
         if isinstance(shown, Picture) and 1 < len(repetitions) <= DOTS:
             _dot(ax, repetitions, colour)
+            kept += repetitions[:, -1].tolist()
     if optimum is not None:
         label = f"best achievable: {optimum:.2f}"
         ax.axhline(optimum, color=BLACK, linewidth=1, label=label)
@@ -178,14 +179,21 @@ def finding(curves: list[Curve]) -> str:
     means = {name: values.mean() for name, values in ends.items()}
     best, *others = sorted(means, key=means.__getitem__, reverse=True)
     if not others:
-        return f"{best} earns {means[best]:.2f} a step"
+        return f"{best} earns {_signed(means[best])} a step"
     if min(map(len, ends.values())) < 2:
-        return f"{best} earns most in this run: {means[best]:.2f} a step"
+        return f"{best} earns most in this run: {_signed(means[best])} a step"
     lowest, _ = mean_band(ends[best][:, None])
     highest = max(float(mean_band(ends[name][:, None])[1][0]) for name in others)
     if lowest[0] > highest:
-        return f"{best} earns most: {means[best]:.2f} a step, {means[others[0]]:.2f} the next"
-    return f"Too close to tell: {means[others[-1]]:.2f} to {means[best]:.2f} a step"
+        next_best = _signed(means[others[0]])
+        return f"{best} earns most: {_signed(means[best])} a step, {next_best} the next"
+    least, most = _signed(means[others[-1]]), _signed(means[best])
+    return f"Too close to tell which is best: {least} to {most} a step"
+
+
+def _signed(number: float) -> str:
+    """A number with two digits, and a minus as long as it should be."""
+    return f"{number:.2f}".replace("-", "−")
 
 
 def _looks(names: list[str]) -> list[tuple[str, Dashes]]:
@@ -254,4 +262,4 @@ def _dot(ax: Axes, repetitions: np.ndarray, colour: str) -> None:
     """A dot for each repetition, at its end."""
     n, length = repetitions.shape
     (dots,) = ax.plot(np.full(n, length), repetitions[:, -1], "o", color=colour)
-    dots.set(markersize=4, alpha=0.6, clip_on=False, zorder=3)
+    dots.set(markersize=4, alpha=0.6, clip_on=False, zorder=3, in_layout=False)

@@ -85,12 +85,7 @@ def reproduce(
             else:
                 averages += _rows(experiment, result)
                 if experiment.key.startswith("robot_"):
-                    figure, name = (
-                        result.plot(title=experiment.title),
-                        f"{experiment.key}.png",
-                    )
-                    write_whole(folder / name, figure.png())
-                    pictures[name] = f"![{figure.alt}]({name})"
+                    pictures |= curves_of(experiment, result, folder)
             bar.update(expected(experiment, quick))
     about = {
         "command": "python studies/reproduce.py"
@@ -108,6 +103,32 @@ def reproduce(
     path = write_page(folder, pictures, has_prose=not words)
     print(f"Written: {path}")
     return path
+
+
+def draw_curves(
+    only: Collection[str] = (),
+    folder: str | Path = "docs/reproduction",
+    stores: str | Path = "results/reproduction",
+) -> Path:
+    """Draw the robots' learning curves anew, and the page's other figures; returns the page.
+
+    only: keys of the experiments; none: all on robots. Their runs are taken from `stores`, and missing ones are made.
+    """
+    pictures: dict[str, str] = {}
+    for experiment in EXPERIMENTS:
+        if experiment.key.startswith("robot_") and (not only or experiment.key in only):
+            result = run_experiment(experiment, False, Path(stores), "")
+            pictures |= curves_of(experiment, result, Path(folder))
+    return write_page(Path(folder), pictures, has_prose=True)
+
+
+def curves_of(
+    experiment: Experiment, result: Comparison, folder: Path
+) -> dict[str, str]:
+    """Write the learning curves of an experiment; returns the picture in Markdown, by its name."""
+    figure, name = result.plot(), f"{experiment.key}.png"
+    write_whole(folder / name, figure.still().data)
+    return {name: f"![{figure.finding}. {figure.alt}]({name})"}
 
 
 def expected(experiment: Experiment, quick: bool) -> float:

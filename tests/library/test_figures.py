@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from PIL import Image, ImageColor
 
 import rlrobot_edu as rl
-from rlrobot_edu.show.curves import finding
+from rlrobot_edu.show.curves import finding, plot_curves
 from rlrobot_edu.show.ends import apart
 from rlrobot_edu.show.images import image_of, in_few_colours
 from rlrobot_edu.show.palette import BLUE, DARK, GREEN, GREY, LIGHT, RED
@@ -116,6 +116,7 @@ def test_the_title_of_curves_says_who_is_ahead_only_where_it_shows():
     wide = rng.normal(1.5, 2.0, (10, 5))
     assert finding([("A", low), ("B", high)]).startswith("B earns most")
     assert finding([("A", wide), ("B", high)]).startswith("Too close to tell")
+    assert finding([("A", np.full((10, 5), -1.0))]) == "A earns −1.00 a step"
     assert finding([("A", low[:1]), ("B", high[:1])]).startswith(
         "B earns most in this run"
     )
@@ -135,3 +136,11 @@ def test_pages_have_no_colours_of_their_own():
 def test_a_sign_can_be_read_on_the_colour_of_its_input():
     for mark in MARKS:
         assert contrast(mark.colour, mark.ink) >= 4.5, mark
+
+
+def test_every_robot_s_dot_lies_within_the_chart():
+    steps = np.linspace(0, 1, 300)
+    repetitions = np.array([0.1, 0.2, 0.1, 9.0, 0.2])[:, None] * steps
+    shown = plot_curves([("A", repetitions)], "step", None, None)
+    low, high = shown.axes[0].get_ylim()
+    assert low <= repetitions[:, -1].min() and repetitions[:, -1].max() <= high

@@ -11,6 +11,7 @@ import intervals
 import kinematic_arm
 import numpy as np
 import planning
+import planning_figure
 import pytest
 import transfer
 import vrep_comparison
@@ -98,29 +99,24 @@ def test_the_registered_page_is_what_its_numbers_say():
 
 def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
     """Of planning.md, by steps, world, method and planner: mean with and without, p (0 for < 0.001), bold or italic."""
-    text, found = (DOCS / "studies" / "planning.md").read_text(encoding="utf-8"), {}
-    for steps, part in zip(
-        (300, 3600), re.split(r"## After .* steps\n", text)[1:], strict=True
-    ):
-        world = ""
-        for row in re.findall(
-            r"^\| ([^|]*) \| ([\w+]+) \| ([-\d.]+) \| (.*) \| (.*) \|$",
-            part.split("##")[0],
-            re.M,
-        ):
-            world = row[0].strip() or world
-            for planner, cell in zip(("dyna", "sweeping"), row[3:], strict=True):
-                style, mean, sign, p = re.fullmatch(
-                    r"(\**)([-\d.]+) \(p ([<=]) ([\d.]+)\)\**", cell
-                ).groups()
-                p = 0.0 if sign == "<" else float(p)
-                found[steps, world, row[1], planner] = (
-                    float(mean),
-                    float(row[2]),
-                    p,
-                    style,
-                )
-    return found
+    text = (DOCS / "studies" / "planning.md").read_text(encoding="utf-8")
+    return {
+        (gain.steps, gain.world, gain.method, gain.planner): (gain.mean, gain.without, gain.p, gain.stars)
+        for gain in planning_figure.gains_of(text)
+    }  # fmt: skip
+
+
+def test_the_figure_of_planning_counts_what_its_page_marks():
+    text = (DOCS / "studies" / "planning.md").read_text(encoding="utf-8")
+    gains = planning_figure.gains_of(text)
+    marked = {
+        stars: sum(gain.stars == stars for gain in gains) for stars in ("**", "*")
+    }
+    title = planning_figure.title_of(gains)
+    assert f"helps significantly in {marked['**']} of {len(gains)} cases" in title
+    assert f"harms in {marked['*']}" in title and title in text
+    worse = [gain._replace(mean=gain.without - 1, p=0.01) for gain in gains]
+    assert f"harms in {len(gains)}" in planning_figure.title_of(worse)
 
 
 def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not():
