@@ -36,7 +36,7 @@ def curves_of(name: str) -> None:
     ]
     labels = ["TOSL+QBIASSR", "at random"]
     save(
-        rl.plot_learning(*curves, labels=labels, title=name),
+        rl.plot_learning(*curves, labels=labels),
         f"{name}_learning.png",
         dpi=60,
     )
