@@ -20,6 +20,7 @@ ROUNDS = 12  # until the picture's frame no longer changes
 OVER_WALLS = (0.0, 1.0)
 FROM_THE_SIDE = (0.35, 0.55)
 WALL_SHOWN = 0.4  # height up to which walls are in the picture [m]
+EDGE = 0.04  # of a table, around its floor [m]
 INNER = 0.6  # part of the floor's width in which high things are in the picture
 HIDDEN_PATHS = (  # meshcat's own background and lights
     "/Background",
@@ -62,10 +63,16 @@ def _corners(scene: Scene) -> np.ndarray:
 
 
 def _points_to_see(scene: Scene) -> np.ndarray:
-    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (12, 3) [m]."""
+    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (n, 3) [m]."""
     tops = [solid.pose[2, 3] + solid.size[-1] / 2 for solid in scene.solids]
     high = max(tops)
     corners = _corners(scene)
+    if not has_walls(scene):
+        middle = corners.mean(axis=0)
+        table = np.insert(corners + EDGE * np.sign(corners - middle), 2, 0.0, axis=1)
+        places = np.array([solid.pose[:3, 3] for solid in scene.solids])
+        places[:, 2] = tops
+        return np.vstack([table, places])
     middle = corners.mean(axis=0)
     inner = middle + INNER * (corners - middle)
     floor = np.insert(corners, 2, 0.0, axis=1)
