@@ -211,17 +211,6 @@ def test_what_a_scene_does_not_hold_is_nowhere_in_a_replay():
     assert np.isfinite(places["object"][1]).all()
 
 
-def test_a_replay_knows_where_a_robot_was_put(opened):
-    view = show_scene([scene(), scene(math.pi), scene(math.pi)])
-    assert replay_of(view)[0]["put"] == [1]
-    page = opened(view, 300, 240)
-    until(page, "typeof last === 'number' && last === 2")
-    page.evaluate("playing = false")
-    where = "(viewer.animator.seek({} / rate), body().position.x)"
-    assert page.evaluate(where.format(0.9)) == pytest.approx(0.5, abs=1e-3)
-    assert page.evaluate(where.format(1)) == pytest.approx(-0.5, abs=1e-3)
-
-
 def test_what_a_user_adds_is_in_the_running_scene_and_in_its_page():
     env = rl.make_env("worked_example", seed=0)
     view, heard = rl.meshcat(env), []
@@ -644,6 +633,17 @@ def test_the_front_wall_is_whole_in_the_picture_of_a_wide_window(opened, task):
       return near.y;
     })()"""
     assert page.evaluate(lowest) > -1
+
+
+def test_a_replay_knows_where_a_robot_was_put(opened):
+    view = show_scene([scene(), scene(math.pi), scene(math.pi)])
+    assert replay_of(view)[0]["put"] == [1]
+    page = opened(view, 300, 240)
+    until(page, "typeof last === 'number' && last === 2")
+    page.evaluate("playing = false")
+    where = "(viewer.animator.seek({} / rate), body().position.x)"
+    assert page.evaluate(where.format(0.9)) == pytest.approx(0.5, abs=1e-3)
+    assert page.evaluate(where.format(1)) == pytest.approx(-0.5, abs=1e-3)
 
 
 def test_a_film_that_is_paused_stands_at_a_whole_step_and_beams_jump_from_step_to_step(
