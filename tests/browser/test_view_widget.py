@@ -240,3 +240,22 @@ def test_the_notes_of_a_film_stand_beside_its_rewards(shown):
     notebook.frame.evaluate("go(2)")
     words = "step 2 of 3: reward +2 · sum so far +3 · T = 2"
     until(notebook.frame, f"caption.textContent === '{words}'")
+
+
+def test_the_map_shows_the_robot_where_it_is_at_this_step(shown):
+    frames = walk("wander_1k", 20).frames
+    notebook = shown(show_scene(frames).widget, ViewerWidget.only().page)
+    frame = notebook.frame
+    until(frame, "typeof last === 'number' && last === 19 && !bar.hidden")
+    frame.evaluate("go(12)")
+    frame.click("#flat")
+    until(frame, "!plan.hidden && shown === at")
+    (body,) = [s.pose for s in frames[11].solids if s.name == "robot/body"]
+    heading = math.atan2(body[1, 0], body[0, 0])
+    place = frame.evaluate("placeAt(number() - 1)")
+    assert place == pytest.approx([body[0, 3], body[1, 3], heading], abs=1e-4)
+    beam = frame.evaluate("beamAt('beams/0', number() - 1)")
+    assert beam == pytest.approx(frames[11].beams[0, :, :2].ravel(), abs=1e-4)
+    assert frame.evaluate("plan.width > 0 && plan.clientWidth > 0")
+    frame.click("#flat")
+    assert frame.evaluate("plan.hidden")

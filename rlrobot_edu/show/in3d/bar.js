@@ -1,6 +1,6 @@
 // What stands around meshcat's viewer: its size, what it is told, and a bar with the time.
-const [view, bar, replay, play, time, caption, live, turn, chase, chart, hint, library, scene, paid] =
-  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "chart", "hint", "library", "scene", "paid"]
+const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, library, scene, paid] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
 let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens;
@@ -16,7 +16,7 @@ if (still) {
 
 function say(text) {
   bar.hidden = false;
-  replay.hidden = turn.hidden = chase.hidden = true;
+  replay.hidden = turn.hidden = chase.hidden = flat.hidden = true;
   caption.textContent = text;
 }
 
@@ -60,7 +60,7 @@ function begin() {
     at = playing ? 0 : last;  // without motion it opens with the whole way
     followLink();
   };
-  new ResizeObserver(viewer.set_3d_pane_size).observe(view);
+  new ResizeObserver(() => { viewer.set_3d_pane_size(); shown = undefined; }).observe(view);
 }
 
 // A film of the last steps, or none: then the page is live.
@@ -68,9 +68,12 @@ function replayed(command) {
   if (!command.names.length) {
     viewer.animator.clear();
     [last, at, notes, opens] = [0, 0, [], ""];
+    flat.hidden = plan.hidden = true;
+    flat.setAttribute("aria-pressed", false);
     return;
   }
   ({notes, opens} = command);
+  layOut(command);
   viewer.handle_command({type: "set_animation", animations: animationsOf(command), options: {}});
 }
 
@@ -125,6 +128,7 @@ function show() {
   if (last && notes[step - 1 - before()]) words.push(notes[step - 1 - before()]);
   caption.textContent = (end ? `step ${step}` : "") + (last ? ` of ${end}` : "") + (words.length ? ": " + words.join(" · ") : "");
   if (!chart.hidden) plot(i);
+  if (!plan.hidden) drawMap();
   viewer.set_dirty();
 }
 

@@ -19,7 +19,7 @@ function plot(i) {  // up to the reward of number i
   }
   pen.beginPath();
   means.slice(0, i + 1).forEach((v, k) => pen.lineTo(left + k / Math.max(1, means.length - 1) * (w - left - 14), y(v)));
-  pen.strokeStyle = colour("robot");
+  pen.strokeStyle = colour("blue");
   pen.lineWidth = 4;
   pen.stroke();
 }

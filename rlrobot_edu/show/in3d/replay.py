@@ -11,6 +11,7 @@ import numpy as np
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import path_of
 from rlrobot_edu.show.in3d import looks
+from rlrobot_edu.show.room.scene_data import loss_of, scene_data
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 NO_REPLAY = {"type": "replay", "path": "", "names": []}  # the page is live again
@@ -35,11 +36,15 @@ def jumps(a: Scene, b: Scene) -> bool:
 
 
 def replay(
-    scenes: Sequence[Scene], seconds_per_frame: float, notes: Sequence[str], opens: str
+    scenes: Sequence[Scene],
+    rewards: Sequence[float],
+    seconds_per_frame: float,
+    notes: Sequence[str],
+    opens: str,
 ) -> dict[str, Any]:
     """The command that gives a page its replay.
 
-    notes: one for each scene, or none; opens: ``playing``, or ``at its end``
+    rewards, notes: one for each scene, or none; opens: ``playing``, or ``at its end``
 
     The places are 32-bit numbers in the order (thing, number, scene), which packs well; a thing has 12 of them, the
     first three rows of its transform. What a scene does not hold is NaN there.
@@ -58,6 +63,7 @@ def replay(
         "names": names,
         "moves": moves.tobytes(),
         "rate": 1 / seconds_per_frame,
+        "map": {**scene_data(scenes[-1]), "loss": loss_of(rewards), "put": put},
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
         "opens": opens,

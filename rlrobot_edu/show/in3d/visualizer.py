@@ -124,7 +124,8 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 
         rewards, notes: one for each scene, or none at all
         """
-        self.window.take(replay(scenes, seconds_per_frame, notes, "playing"))
+        film = replay(scenes, rewards, seconds_per_frame, notes, "playing")
+        self.window.take(film)
         self._is_replay = True
         self._way = list(scenes)
         self._rewards = list(rewards or np.zeros(len(scenes)))[1:]
@@ -136,7 +137,9 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
     def look_back(self, scenes: Sequence[Scene], seconds_per_frame: float) -> None:
         """Make a replay of the last scenes that were shown, until there is another; it opens at its end."""
         self.lay_trail()
-        self.window.take(replay(scenes, seconds_per_frame, (), "at its end"))
+        rewards = self.window.rewards[-len(scenes) :]
+        film = replay(scenes, rewards, seconds_per_frame, (), "at its end")
+        self.window.take(film)
         self._is_replay = True
 
     def lay_trail(self) -> None:

@@ -17,12 +17,14 @@ from PIL import Image
 
 from rlrobot_edu.show.in3d import MESHCAT
 from rlrobot_edu.show.in3d.photograph import photograph
+from rlrobot_edu.show.room.scene_data import room_script
+from rlrobot_edu.show.room.tokens import tokens
 
 # Path, kind and property of a command. A later command with the same key replaces it.
 Key = tuple[str, str, str]
 # An object comes before the other commands about it.
 ORDER = ("set_object", "set_transform", "set_property", "set_animation", "replay")
-SCRIPTS = ("bar.js", "replay.js", "chart.js", "chase.js", "begin.js")
+SCRIPTS = ("bar.js", "replay.js", "chart.js", "chase.js", "map.js", "begin.js")
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 
 
@@ -102,7 +104,10 @@ def _page(title: str, packed: bytes, rewards: list[float]) -> str:
         library=_as_text(zlib.compress(library.encode(), 9)),
         scene=_as_text(packed),
         rewards=json.dumps(rewards),
-        script="\n".join(scripts),
+        colours=tokens().replace(
+            "html:has(> body.rl-look), :not(body).rl-look", ":root"
+        ),
+        script="\n".join([room_script(), *scripts]),
     )
 
 
