@@ -16,6 +16,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.show import film as film_module
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.page_widget import ViewerWidget
+from rlrobot_edu.show.in3d.replay import _loss as marked_as_lost
 from rlrobot_edu.show.in3d.visualizer import show_scene
 
 VIEW = "application/vnd.jupyter.widget-view+json"
@@ -240,6 +241,12 @@ def test_the_notes_of_a_film_stand_beside_its_rewards(shown):
     notebook.frame.evaluate("go(2)")
     words = "step 2 of 3: reward +2 · sum so far +3 · T = 2"
     until(notebook.frame, f"caption.textContent === '{words}'")
+
+
+def test_the_map_marks_no_bump_where_a_step_only_costs_a_little():
+    assert marked_as_lost([10.0, -0.02, 10.0]) is None
+    assert marked_as_lost([10.0, -0.02, -2.0]) == -2.0
+    assert marked_as_lost([]) is None
 
 
 def test_the_map_shows_the_robot_where_it_is_at_this_step(shown):

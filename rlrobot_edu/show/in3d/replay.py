@@ -14,6 +14,7 @@ from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.room.scene_data import loss_of, scene_data
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
+LEAST_LOSS = 0.05  # of the largest reward; what costs less is no bump
 NO_REPLAY = {"type": "replay", "path": "", "names": []}  # the page is live again
 
 
@@ -63,8 +64,16 @@ def replay(
         "names": names,
         "moves": moves.tobytes(),
         "rate": 1 / seconds_per_frame,
-        "map": {**scene_data(scenes[-1]), "loss": loss_of(rewards), "put": put},
+        "map": {**scene_data(scenes[-1]), "loss": _loss(rewards), "put": put},
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
         "opens": opens,
     }
+
+
+def _loss(rewards: Sequence[float]) -> float | None:
+    """The largest reward that the map marks as lost; None in a film without a bump, whose steps cost a little."""
+    loss = loss_of(rewards)
+    if loss is None or -loss < LEAST_LOSS * max(abs(r) for r in rewards):
+        return None
+    return loss
