@@ -63,11 +63,11 @@ def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any
     It stays hidden if it is not `shown`, or if nobody is watching.
     """
     is_shown = shown and watched()
-    bar = NotebookBar if is_shown and _in_a_notebook() else tqdm
+    bar = NotebookBar if is_shown and in_a_notebook() else tqdm
     return bar(total=total, delay=delay, leave=False, disable=not is_shown, **about)
 
 
-def _in_a_notebook() -> bool:
+def in_a_notebook() -> bool:
     """Whether this Python is the kernel of a notebook, in a browser, too."""
     if sys.modules.get("IPython") is None:
         return False

@@ -1,4 +1,5 @@
-"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D are in in3d/.
+"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D are in in3d/,
+the room that pages draw in room/.
 
 Data types first:
 

@@ -11,6 +11,7 @@ from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
+CLEAR = 5  # a loss is at least this part of the largest gain or loss
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
 
@@ -68,6 +69,18 @@ def jumps(a: Scene, b: Scene) -> bool:
     x_min, y_min, x_max, y_max = b.bounds
     distance = float(np.linalg.norm(way[1] - way[0]))
     return distance > JUMP * max(x_max - x_min, y_max - y_min)
+
+
+def loss_of(rewards: Sequence[float]) -> float | None:
+    """The largest reward that counts as a loss, as that of a bump does; None if none of these is one.
+
+    A loss is no less than a fifth of what is gained or lost at most: less is what a step costs anyway. Where all steps
+    are paid the same, none of them is a loss.
+    """
+    if len(set(rewards)) < 2:
+        return None
+    limit = -max(abs(r) for r in rewards) / CLEAR
+    return limit if min(rewards) <= limit else None
 
 
 def describe(scene: Scene) -> str:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.progress import in_a_notebook, watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe, robot_of
@@ -33,7 +35,10 @@ COLOURS = 48  # of a film
 @suggests_keywords
 @dataclass(frozen=True, eq=False)
 class Film(Displayed):
-    """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.
+    """Scenes in the order of time, with the reward of each step.
+
+    A running notebook shows it in 3D, to turn, to pause and to step through, if meshcat is installed. A saved one keeps
+    a moving picture.
 
     Parameters
     ----------
@@ -184,7 +189,7 @@ class Film(Displayed):
         write_whole(path, self.gif())
 
     def show3d(self) -> "Visualizer":
-        """The film in three dimensions, to turn, to pause and to step through.
+        """The film in three dimensions, to save as a page and to add things to; a running notebook shows it anyway.
 
         Returns
         -------
@@ -199,7 +204,17 @@ class Film(Displayed):
         # Imported here: everything else works without meshcat.
         from rlrobot_edu.show.in3d.visualizer import show_scene
 
-        return show_scene(self.frames, self.rewards, self.seconds_per_frame)
+        return show_scene(self.frames, self.rewards, self.seconds_per_frame, self.notes)
+
+    @cached_property
+    def widget(self) -> Any:
+        """The film in 3D for a running notebook; None where nobody watches, and without meshcat or its widget."""
+        if not (watched() and in_a_notebook()):
+            return None
+        try:
+            return self.show3d().widget
+        except ImportError:
+            return None
 
     def still(self) -> Still:
         """The moving picture, and in words how the film ends.

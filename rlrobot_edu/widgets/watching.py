@@ -26,7 +26,7 @@ LAST = 100  # steps that a saved notebook keeps
 
 @suggests_keywords
 def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
-    """Watch an agent learn in 3D, below the cell that runs this.
+    """Watch an agent learn in 3D, below the cell that runs this. Then the view is a film of the last steps.
 
     If Python itself runs in a browser, there is no live view: the steps are shown after the last one.
 
@@ -81,9 +81,10 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         due = max(due + seconds, time.monotonic())
         if watched():
             time.sleep(max(0.0, due - time.monotonic()))
-    view.lay_trail()
+    last_steps = Film.of(seen)
+    view.look_back(last_steps.frames, last_steps.seconds_per_frame)
     if watched():
-        view.widget.tell()
+        view.widget.settle()
     else:
         display(view)  # a saved notebook keeps how it ended
-    return Film.of(seen)
+    return last_steps

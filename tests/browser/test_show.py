@@ -145,16 +145,23 @@ def test_a_still_page_works_offline_and_holds_the_scene():
         and "MeshCat" in library
         and rewards == []
     )
-    told = [umsgpack.unpackb(base64.b64decode(command)) for command in commands]
+    told = [umsgpack.unpackb(command) for command in commands]
     assert told == list(commands_of(view).values())
     body = commands_of(view)["/meshcat/robot/body", "set_transform", ""]
     assert np.allclose(pose_of(body), scene().solids[4].pose)
 
 
-def unpacked(page: str) -> list:
+def unpacked(page: str) -> tuple[str, list[bytes], list[float]]:
     """What a page holds: meshcat's viewer, its commands, the rewards."""
-    packed = re.search('type="text/plain">(.*)</script>', page)[1]
-    return json.loads(zlib.decompress(base64.b64decode(packed)))
+
+    def text(name: str) -> str:
+        return re.search(f'id="{name}" type="text/plain">(.*)</script>', page)[1]
+
+    def part(name: str) -> bytes:
+        return zlib.decompress(base64.b64decode(text(name)))
+
+    commands = umsgpack.unpackb(part("scene"))
+    return part("library").decode(), commands, json.loads(text("paid"))
 
 
 def test_a_saved_notebook_keeps_a_small_picture_and_words(tmp_path):
@@ -173,41 +180,35 @@ def test_a_saved_notebook_keeps_a_small_picture_and_words(tmp_path):
     assert shown(data)[0] == view.text
 
 
-def test_a_replay_is_an_animation_of_meshcat_with_a_key_for_every_scene():
-    view = show_scene(SCENES, FILM.rewards)
-    animation = commands_of(view)["", "set_animation", ""]["animations"]
-    clips = {
-        each["path"]: {track["name"]: track["keys"] for track in each["clip"]["tracks"]}
-        for each in animation
-    }
-    assert "/meshcat/wall/north" not in clips
+def replay_of(view) -> tuple[dict, dict[str, np.ndarray]]:
+    """The replay of a view's page, and of everything that moves in it the places, arrays (n scenes, 3, 4)."""
+    told = commands_of(view)["", "replay", ""]
+    numbers = np.frombuffer(told["moves"], dtype="<f4")
+    moves = numbers.reshape(len(told["names"]), 3, 4, -1).transpose(0, 3, 1, 2)
+    return told, dict(zip(told["names"], moves, strict=True))
+
+
+def test_a_replay_holds_where_everything_is_in_every_scene():
+    told, places = replay_of(show_scene(SCENES, FILM.rewards))
+    assert "wall/north" not in places
+    assert told["rate"] == pytest.approx(1 / 0.15)
     for i, each in enumerate(SCENES):
-        assert np.allclose(
-            clips["/meshcat/robot/body"][".position"][i]["value"],
-            each.solids[4].pose[:3, 3],
-        )
+        body = each.solids[4].pose
+        assert np.allclose(places["robot/body"][i], body[:3], atol=1e-6)
         start, end = each.beams[2]
-        assert np.allclose(
-            clips["/meshcat/beams/2"][".position"][i]["value"], (start + end) / 2
-        )
-        assert clips["/meshcat/beams/2"][".scale"][i]["value"][1] == pytest.approx(
-            np.linalg.norm(end - start)
-        )
+        beam = places["beams/2"][i]
+        assert np.allclose(beam[:, 3], (start + end) / 2, atol=1e-6)
+        length = np.linalg.norm(beam[:, 1])
+        assert length == pytest.approx(np.linalg.norm(end - start), rel=1e-5)
     with pytest.raises(ValueError, match="3 rewards for 20 scenes"):
         show_scene(SCENES, FILM.rewards[:3])
 
 
-def test_a_robot_that_is_put_elsewhere_does_not_glide_there():
-    animation = commands_of(show_scene([scene(), scene(math.pi)]))[
-        "", "set_animation", ""
-    ]["animations"]
-    (body,) = [
-        each["clip"]["tracks"]
-        for each in animation
-        if each["path"] == "/meshcat/robot/body"
-    ]
-    assert [key["time"] for key in body[0]["keys"]] == [0, 0.99, 1]
-    assert body[0]["keys"][1]["value"] == body[0]["keys"][0]["value"]
+def test_what_a_scene_does_not_hold_is_nowhere_in_a_replay():
+    without_ball = scene()._replace(solids=(*scene().solids[:3], *scene().solids[4:]))
+    _, places = replay_of(show_scene([without_ball, scene(0.1)]))
+    assert np.isnan(places["object"][0]).all()
+    assert np.isfinite(places["object"][1]).all()
 
 
 def test_what_a_user_adds_is_in_the_running_scene_and_in_its_page():
@@ -233,7 +234,9 @@ def test_a_notebook_is_sent_what_is_new_in_few_messages():
     sent = []
     view.widget.send = lambda told, buffers: sent.append((told, buffers))
     first = view.widget.get_state("scene")["scene"]
-    assert len(first["keys"]) == len(first["packed"]) == len(view.window.commands())
+    commands = umsgpack.unpackb(zlib.decompress(first["packed"]))
+    assert len(commands) == len(view.window.commands())
+    assert first["keys"] == first["news"] == []
 
     async def move():
         begun = time.monotonic()
@@ -302,59 +305,6 @@ def test_another_room_takes_the_place_of_the_old_one():
     assert (
         "/meshcat/wall/west/body" in paths and "/meshcat/wall/north/body" not in paths
     )
-
-
-def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
-    view, page, errors = rl.meshcat(scene()), browser.new_page(), []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-
-    def plain(told, buffers):
-        return {**told, "packed": [base64.b64encode(each).decode() for each in buffers]}
-
-    state = view.widget.get_state()
-    told = {
-        "page": state["page"],
-        "height": 480,
-        "scene": plain(state["scene"], state["scene"]["packed"]),
-    }
-    page.set_content("<main></main>")
-    page.add_script_tag(
-        content=view.widget._esm.replace("export default", "window.carried =")
-    )
-    page.evaluate(
-        """told => {
-            const bytes = text => new DataView(Uint8Array.from(atob(text), sign => sign.charCodeAt()).buffer);
-            window.hears = new Set();
-            window.arrive = news => hears.forEach(hear => hear(news, news.packed.map(bytes)));
-            told.scene.packed = told.scene.packed.map(bytes);
-            const on = (_, hear) => hears.add(hear), off = (_, hear) => hears.delete(hear);
-            const model = { get: (name) => told[name], set: (name, value) => { told[name] = value; }, on, off };
-            carried.initialize({ model });
-            window.show = () => carried.render({ model, el: document.querySelector('main') });
-            window.hide = show();
-        }""",
-        told,
-    )
-    until(page.frames[1], "typeof viewer === 'object' && !!body()")
-    sent = []
-    view.widget.send = lambda told, buffers: sent.append(plain(told, buffers))
-    view.update(scene(0.5), reward=1.0)
-    view["extra"].set_object(meshcat.geometry.Box([1, 1, 1]))
-    view.widget.tell()
-    page.evaluate("sent => sent.forEach(arrive)", sent)
-    moved = f"Math.abs(body().position.x - {0.5 * math.cos(0.5)}) < 1e-6"
-    until(
-        page.frames[1],
-        f"{moved} && caption.textContent === 'step 1: reward +1 · mean of the last 1: +1'",
-    )
-    until(page.frames[1], "!!node(['meshcat', 'extra', '<object>'])")
-    page.evaluate(
-        "hide(); document.querySelector('main').replaceChildren(); void show()"
-    )  # the kernel says nothing more
-    frame = page.query_selector("iframe").content_frame()
-    until(frame, f"typeof viewer === 'object' && !!body() && {moved} && count === 1")
-    page.close()
-    assert errors == []
 
 
 def history(method: str, seed: int, steps: int = 50) -> History:
@@ -520,18 +470,20 @@ def test_a_browser_draws_the_replay_and_moves_it(opened):
     first, trail = (
         seen(page),
         page.evaluate(
-            "node(['meshcat', 'trail', '<object>']).geometry.drawRange.count"
+            "node(['meshcat', 'trail', '1', '<object>']).geometry.drawRange.count"
         ),
     )
     page.evaluate("go(16)")
     until(
         page,
-        "caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5'",
+        "caption.textContent === 'step 16 of 20: reward −2 · sum so far +88' && chart.hidden",
     )
     until(page, f"Math.abs(body().position.x - {0.5 * math.cos(1.5)}) < 1e-6")
     assert seen(page).tobytes() != first.tobytes()
     assert (
-        page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count")
+        page.evaluate(
+            "node(['meshcat', 'trail', '1', '<object>']).geometry.drawRange.count"
+        )
         > trail
     )
 
@@ -681,6 +633,17 @@ def test_the_front_wall_is_whole_in_the_picture_of_a_wide_window(opened, task):
       return near.y;
     })()"""
     assert page.evaluate(lowest) > -1
+
+
+def test_a_replay_knows_where_a_robot_was_put(opened):
+    view = show_scene([scene(), scene(math.pi), scene(math.pi)])
+    assert replay_of(view)[0]["put"] == [1]
+    page = opened(view, 300, 240)
+    until(page, "typeof last === 'number' && last === 2")
+    page.evaluate("playing = false")
+    where = "(viewer.animator.seek({} / rate), body().position.x)"
+    assert page.evaluate(where.format(0.9)) == pytest.approx(0.5, abs=1e-3)
+    assert page.evaluate(where.format(1)) == pytest.approx(-0.5, abs=1e-3)
 
 
 def test_a_film_that_is_paused_stands_at_a_whole_step_and_beams_jump_from_step_to_step(

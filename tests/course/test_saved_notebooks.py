@@ -1,14 +1,23 @@
 """A notebook that was saved comes back whole: no output shows a widget that is not in the file."""
 
 import copy
+import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 import pytest
 from imports import imports_of
 from nbclient import NotebookClient
 
-from rlrobot_course.learner.saving import STATE, VIEW, dead_views, drop_dead_views
+from rlrobot_course.learner import saving
+from rlrobot_course.learner.saving import (
+    STATE,
+    VIEW,
+    dead_views,
+    drop_dead_views,
+    drop_where_a_picture_is,
+)
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("rlrobot_edu", "rlrobot_ros", "rlrobot_grading", "rlrobot_course")
@@ -127,3 +136,27 @@ def test_what_is_no_notebook_is_saved_as_it_is(kind):
     model = {"type": kind, "content": "cells"}
     drop_dead_views(model=model)
     assert model == {"type": kind, "content": "cells"}
+
+
+def test_in_any_jupyter_a_view_goes_only_where_a_picture_stands_beside_it():
+    ours = output_with("gone", **{"text/html": "<img>"})
+    of_others = output_with("lost", **{"text/plain": "IntSlider()"})
+    model = saved(ours, of_others)
+    drop_where_a_picture_is(model=model, path="x.ipynb", contents_manager=None)
+    left = [output["data"] for output in model["content"]["cells"][1]["outputs"]]
+    assert VIEW not in left[0] and VIEW in left[1]
+    folder = {"type": "directory", "content": []}
+    drop_where_a_picture_is(model=folder)
+    assert folder == {"type": "directory", "content": []}
+
+
+def test_a_jupyter_server_that_finds_the_package_uses_it():
+    """What the wheel puts into Jupyter's folder names a module that the server can load."""
+    told = json.loads((ROOT / "rlrobot_course/learner/jupyter.json").read_text())
+    (name,) = told["ServerApp"]["jpserver_extensions"]
+    assert name == saving.__name__
+    assert saving._jupyter_server_extension_points() == [{"module": name}]
+    hooks = []
+    contents = SimpleNamespace(register_pre_save_hook=hooks.append)
+    saving._load_jupyter_server_extension(SimpleNamespace(contents_manager=contents))
+    assert hooks == [drop_where_a_picture_is]

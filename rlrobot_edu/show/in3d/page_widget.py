@@ -7,19 +7,36 @@ import time
 from importlib.resources import files
 from typing import Any
 
-from rlrobot_edu.jupyter import anywidget, traitlets
-from rlrobot_edu.show.in3d.window import Key, Window
+from rlrobot_edu.jupyter import anywidget, ipywidgets, traitlets
+from rlrobot_edu.show.in3d.window import Key, Window, live_page
 
 PAUSE = 0.05  # between two messages [s]; what is new in between goes with the second
 KEPT = 2000  # rewards for a page that is opened late
 
 
+class ViewerWidget(anywidget.AnyWidget):
+    """The page without a scene, meshcat's viewer in it; all views of a notebook take it from this one widget."""
+
+    _esm = "export default {};"
+    page = traitlets.Unicode().tag(sync=True)
+    _only: ViewerWidget | None = None
+
+    @classmethod
+    def only(cls) -> ViewerWidget:
+        """The one of this kernel; another if somebody has closed it."""
+        if cls._only is None or cls._only.comm is None:
+            cls._only = cls(page=live_page())
+        return cls._only
+
+
 class PageWidget(anywidget.AnyWidget):
-    """A window's page in a frame, `height` pixels high."""
+    """A window's page in a frame as wide as the cell, at most `height` pixels high."""
 
     _esm = files(__package__).joinpath("frame.js").read_text(encoding="utf-8")
-    page = traitlets.Unicode().tag(sync=True)
-    height = traitlets.Int(480).tag(sync=True)
+    viewer = traitlets.Instance(ViewerWidget).tag(
+        sync=True, **ipywidgets.widget_serialization
+    )
+    height = traitlets.Int(520).tag(sync=True)
     # A browser asks for it whenever it needs the state, also when it comes back; it gets the state of that moment.
     scene = traitlets.Any().tag(sync=True, to_json=lambda _, widget: widget.whole())
 
@@ -28,15 +45,15 @@ class PageWidget(anywidget.AnyWidget):
         self._sent_at = 0.0  # time of the last message [s]
         self._news: dict[Key, bytes] = {}
         self._later: asyncio.TimerHandle | None = None
-        super().__init__(page=window.page(live=True))
+        super().__init__(viewer=ViewerWidget.only())
         window.listeners.append(self._hear)
 
     def whole(self) -> dict[str, Any]:
-        """The whole view."""
-        commands = self._window.commands()
+        """The whole view; a browser adds to `keys` and `news` what comes later."""
         return {
-            **self._message(commands),
-            "packed": [packed for _, packed in commands],
+            **self._message([]),
+            "packed": self._window.packed(),
+            "news": [],
         }
 
     def tell(self) -> None:
@@ -49,12 +66,18 @@ class PageWidget(anywidget.AnyWidget):
         self._news = {}
         self.send(self._message(news), buffers=[packed for _, packed in news])
 
-    def _message(self, commands: list[tuple[Key, bytes]]) -> dict[str, Any]:
+    def settle(self) -> None:
+        """Send what is new, and then the whole view, packed: so little is saved with the notebook."""
+        self.tell()
+        self.send_state("scene")
+
+    def _message(self, news: list[tuple[Key, bytes]]) -> dict[str, Any]:
         rewards = self._window.rewards
         return {
-            "keys": [key for key, _ in commands],
+            "keys": [key for key, _ in news],
             "rewards": rewards[-KEPT:],
             "count": len(rewards),
+            "title": self._window.title,
         }
 
     def _hear(self, key: Key, packed: bytes) -> None:

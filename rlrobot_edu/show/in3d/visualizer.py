@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -11,7 +12,6 @@ from weakref import WeakKeyDictionary
 import meshcat as library
 import numpy as np
 from meshcat import geometry as g
-from meshcat.animation import Animation
 
 from rlrobot_edu.checks import check_between, check_numbers
 from rlrobot_edu.files import write_whole
@@ -24,6 +24,7 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.in3d.camera import camera, surroundings
 from rlrobot_edu.show.in3d.page_widget import PageWidget
+from rlrobot_edu.show.in3d.replay import NO_REPLAY, places, replay
 from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.painting import parts
 from rlrobot_edu.show.painting.parts import Part
@@ -65,8 +66,10 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         self._drawn: list[tuple[str, str, tuple[float, ...], bytes]] = []
         self._way = [scene]
         self._rewards: list[float] = []
-        self._pieces = 0
+        self._pieces: deque[str] = deque()  # of the trail, named by the steps before
+        self._is_replay = False
         self.update(scene)
+        self._way, self._rewards = [scene], []
 
     @property
     def text(self) -> str:
@@ -91,11 +94,14 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         reward : float, optional
             Of the step that led here; it colours the trail. Without one, the robot was put here.
         """
+        if self._is_replay:
+            self.window.take(NO_REPLAY)
+            self._is_replay = False
         described = [_fixed_of(solid) for solid in scene.solids]
         if described != self._drawn:
             self._draw(scene)
             self._drawn = described
-        for name, place in _places(scene).items():
+        for name, place in places(scene).items():
             self[name].set_transform(place)
         self.window.title = describe(scene)
         self._way.append(scene)
@@ -110,32 +116,41 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         scenes: Sequence[Scene],
         rewards: Sequence[float],
         seconds_per_frame: float,
+        notes: Sequence[str] = (),
     ) -> None:
         """Replay scenes, from the first to the last.
 
-        rewards: one for each scene, or none at all
+        rewards, notes: one for each scene, or none at all
         """
-        animation = Animation(default_framerate=1 / seconds_per_frame)
-        before: Scene | None = None
-        for i, scene in enumerate(scenes):
-            if before is not None and jumps(before, scene):
-                self._key(animation, i - 0.01, before)  # no glide through the room
-            self._key(animation, i, scene)
-            before = scene
-        self.set_animation(animation)
+        film = replay(scenes, rewards, seconds_per_frame, notes, "playing")
+        self.window.take(film)
+        self._is_replay = True
         self._way = list(scenes)
         self._rewards = list(rewards or np.zeros(len(scenes)))[1:]
         self.window.rewards = list(rewards)
-        self._band("trail", self._way, self._rewards)
+        self._band("trail/1", self._way, self._rewards)
         end = describe(scenes[-1])
         self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
+    def look_back(self, scenes: Sequence[Scene], seconds_per_frame: float) -> None:
+        """Make a replay of the last scenes that were shown, until there is another; it opens at its end."""
+        self.lay_trail()
+        rewards = self.window.rewards[-len(scenes) :]
+        film = replay(scenes, rewards, seconds_per_frame, (), "at its end")
+        self.window.take(film)
+        self._is_replay = True
+
     def lay_trail(self) -> None:
         """Show where the robot has been since the last time."""
-        self._band(f"trail/{self._pieces % PIECES}", self._way, self._rewards)
+        if not self._rewards:
+            return
+        steps_before = len(self.window.rewards) - len(self._rewards)
+        self._pieces.append(f"trail/{steps_before}")
+        self._band(self._pieces[-1], self._way, self._rewards)
+        if len(self._pieces) > PIECES:
+            self[self._pieces.popleft()].delete()
         self._way = self._way[-1:]
         self._rewards = []
-        self._pieces += 1
 
     def save(self, path: str | Path) -> None:
         """Write the page to a file that any browser opens.
@@ -152,8 +167,8 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         """The page in a frame of the notebook."""
         return PageWidget(self.window)
 
-    def jupyter_cell(self, height: int = 480) -> PageWidget:
-        """The view in a cell, as meshcat calls it; height: in pixels."""
+    def jupyter_cell(self, height: int = 520) -> PageWidget:
+        """The view in a cell, as meshcat calls it; height: at most so many pixels."""
         self.widget.height = height
         return self.widget
 
@@ -169,6 +184,7 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         groups = {name.partition("/")[0] for name, *_ in self._drawn}
         for path in ("floor", "trail", "beams", *groups):
             self[path].delete()
+        self._pieces.clear()
         self["floor/grid"].set_object(looks.grid_lines(parts.grid(scene)))
         self._build("floor", parts.floor(scene))
         for solid in scene.solids:
@@ -198,15 +214,6 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         view.set_object(shape, looks.material(part))
         view.set_transform(part.pose @ turned)
 
-    def _key(self, animation: Animation, frame: float, scene: Scene) -> None:
-        """Where everything is at a frame of an animation."""
-        for name, place in _places(scene).items():
-            scale = np.linalg.norm(place[:3, :3], axis=0)
-            with animation.at_frame(self[name], frame) as key:
-                key.set_transform(place @ np.diag([*(1 / scale), 1.0]))
-                if name.startswith("beams/"):
-                    key.set_property("scale", "vector3", scale.tolist())
-
     def _band(self, path: str, way: Sequence[Scene], rewards: Sequence[float]) -> None:
         """A trail along the scenes' paths, if the robot has one and something was paid or lost."""
         points = path_of(way)
@@ -231,14 +238,6 @@ def _fixed_of(solid: Solid) -> tuple[str, str, tuple[float, ...], bytes]:
 
 def _cast_no_shadow(view: library.Visualizer) -> None:
     view["<object>"].set_property(looks.Name("castShadow"), False)
-
-
-def _places(scene: Scene) -> dict[str, np.ndarray]:
-    """Where everything is that may move, and each beam."""
-    places = {solid.name: solid.pose for solid in scene.solids if solid.role != "wall"}
-    for i, (start, end) in enumerate(scene.beams):
-        places[f"beams/{i}"] = looks.beam(start, end)
-    return places
 
 
 @suggests_keywords
@@ -283,6 +282,7 @@ def show_scene(
     scenes: Scene | Sequence[Scene],
     rewards: Sequence[float] | None = None,
     seconds_per_frame: float = 0.15,
+    notes: Sequence[str] = (),
 ) -> Visualizer:
     """One scene as a 3D picture, or several as a replay that starts at once.
 
@@ -294,6 +294,8 @@ def show_scene(
         The reward of each scene's step, shown below the replay.
     seconds_per_frame : float
         How long the replay takes from one scene to the next [s].
+    notes : sequence of str
+        A note for each scene, such as ``T = 0.5``, shown with its reward; none if empty.
 
     Returns
     -------
@@ -318,5 +320,6 @@ def show_scene(
             )
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
-        view.play(scenes, [] if rewards is None else rewards, seconds_per_frame)
+        paid = [] if rewards is None else rewards
+        view.play(scenes, paid, seconds_per_frame, notes)
     return view

@@ -14,11 +14,14 @@ from typing import Any
 import umsgpack
 
 from rlrobot_edu.show.in3d import MESHCAT
+from rlrobot_edu.show.room.scene_data import room_script
+from rlrobot_edu.show.room.tokens import tokens
 
 # Path, kind and property of a command. A later command with the same key replaces it.
 Key = tuple[str, str, str]
 # An object comes before the other commands about it.
-ORDER = ("set_object", "set_transform", "set_property", "set_animation")
+ORDER = ("set_object", "set_transform", "set_property", "set_animation", "replay")
+SCRIPTS = ("bar.js", "replay.js", "chart.js", "chase.js", "map.js", "begin.js")
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 
 
@@ -37,7 +40,10 @@ class Window:
 
     def send(self, command: Any) -> None:
         """Take one of meshcat's commands."""
-        fields = command.lower()
+        self.take(command.lower())
+
+    def take(self, fields: dict[str, Any]) -> None:
+        """Take a command as the page reads it."""
         path, kind = fields["path"], fields["type"]
         key = (path, kind, fields.get("property", ""))
         packed = umsgpack.packb(fields)
@@ -54,21 +60,13 @@ class Window:
         """All commands that a page needs which is opened now."""
         return sorted(self._kept.items(), key=lambda item: ORDER.index(item[0][1]))
 
-    def page(self, *, live: bool = False) -> str:
-        """A stand-alone HTML page, whose content is packed; live: it shows what the page around it sends."""
-        folder = files(__package__)
-        template = folder.joinpath("page.html").read_text("utf-8")
-        script = folder.joinpath("bar.js").read_text("utf-8")
-        library = (MESHCAT / "viewer/dist/main.min.js").read_text("utf-8")
-        commands = []
-        if not live:
-            commands = [_as_text(packed) for _, packed in self.commands()]
-        content = json.dumps([library, commands, self.rewards])
-        return Template(template).substitute(
-            title=html.escape(self.title),
-            packed=_as_text(zlib.compress(content.encode(), 9)),
-            script=script,
-        )
+    def packed(self) -> bytes:
+        """All commands that a page needs which is opened now, as one piece."""
+        return zlib.compress(umsgpack.packb([told for _, told in self.commands()]), 9)
+
+    def page(self) -> str:
+        """A stand-alone HTML page, whose content is packed."""
+        return _page(self.title, self.packed(), self.rewards)
 
     get_scene = page  # by this name meshcat asks for a page
 
@@ -82,6 +80,28 @@ class Window:
         raise RuntimeError(NO_SERVER)
 
     wait = get_image = open
+
+
+def live_page() -> str:
+    """The page without a scene: it shows what the page around it sends."""
+    return _page("A robot in 3D", b"", [])
+
+
+def _page(title: str, packed: bytes, rewards: list[float]) -> str:
+    folder = files(__package__)
+    template = folder.joinpath("page.html").read_text("utf-8")
+    scripts = [folder.joinpath(name).read_text("utf-8") for name in SCRIPTS]
+    library = (MESHCAT / "viewer/dist/main.min.js").read_text("utf-8")
+    return Template(template).substitute(
+        title=html.escape(title),
+        library=_as_text(zlib.compress(library.encode(), 9)),
+        scene=_as_text(packed),
+        rewards=json.dumps(rewards),
+        colours=tokens().replace(
+            "html:has(> body.rl-look), :not(body).rl-look", ":root"
+        ),
+        script="\n".join([room_script(), *scripts]),
+    )
 
 
 def _is_in(path: str, folder: str) -> bool:

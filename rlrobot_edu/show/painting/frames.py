@@ -8,6 +8,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import loss_of
 from rlrobot_edu.show.painting.parts import grid_cell
 from rlrobot_edu.show.painting.room import ASPECT, Room
 from rlrobot_edu.show.palette import LIGHT
@@ -16,18 +17,12 @@ from rlrobot_edu.show.style import font_file
 EDGE = 8  # pixels at both ends of the bar
 LETTERS = 14  # [pixels]; 12 in a narrow picture
 NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
-CLEAR = 5  # a loss stands out if it is at least the fifth part of the film's largest reward or loss
 
 
 def losses(rewards: Sequence[float]) -> list[bool]:
-    """Which steps of a film lost much: no less than a fifth of what was gained or lost at most.
-
-    If all steps lost the same, none of them stands out.
-    """
-    if min(rewards) == max(rewards):
-        return [False] * len(rewards)
-    most = max(abs(r) for r in rewards)
-    return [r < 0 and CLEAR * abs(r) >= most for r in rewards]
+    """Which steps lost much."""
+    limit = loss_of(rewards)
+    return [limit is not None and r <= limit for r in rewards]
 
 
 def frames(

@@ -118,13 +118,17 @@ def _corners(scene: Scene) -> np.ndarray:
 
 
 def _points_to_see(scene: Scene) -> np.ndarray:
-    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (12, 3) [m]."""
+    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (n, 3) [m]."""
     tops = [solid.pose[2, 3] + solid.size[-1] / 2 for solid in scene.solids]
     high = max(tops)
     corners = _corners(scene)
     middle = corners.mean(axis=0)
     inner = middle + INNER * (corners - middle)
     floor = np.insert(corners, 2, 0.0, axis=1)
+    if not has_walls(scene):
+        places = np.array([solid.pose[:3, 3] for solid in scene.solids])
+        places[:, 2] = tops
+        return np.vstack([floor, places])
     walls = np.insert(corners, 2, min(high, WALL_SHOWN), axis=1)
     inside = np.insert(inner, 2, high, axis=1)
     return np.vstack([floor, walls, inside])

@@ -17,7 +17,7 @@ find("kind").append(new Option("bumps", "counts"), new Option("reward", "rewards
 find("kind").onchange = changed;
 addEventListener("resize", changed);
 followTheme(() => {
-  colours = coloursNow();
+  colours = coloursOf(picture);
   changed();
 });
 find("head").open = innerWidth >= 680 && !isFramed;

@@ -2,9 +2,9 @@
 
 // Cells seen from above, one a pair of column and row; learned: tells of a place the action that is best there now.
 function drawCells(canvas, world, place, learned, colours) {
-  const { context, width, height } = sharp(canvas), cells = world.drawn.map(({ cell }) => cell);
+  const { context, width, height } = sharpCanvas(canvas), cells = world.drawn.map(({ cell }) => cell);
   const columns = 1 + Math.max(...cells.map(([x]) => x)), rows = 1 + Math.max(...cells.map(([, y]) => y));
-  const view = new View([-0.05, -0.05, columns + 0.05, rows + 0.05], width, height);
+  const view = new RoomView([-0.05, -0.05, columns + 0.05, rows + 0.05], width, height);
   const is = (some, [x, y]) => some.some(([a, b]) => a === x && b === y), middle = ([x, y]) => view.at(x + 0.5, y + 0.5);
   const box = ([x, y], shrink) => {
     const [left, top] = view.at(x + shrink, y + 1 - shrink), side = view.scale * (1 - 2 * shrink);
@@ -17,13 +17,13 @@ function drawCells(canvas, world, place, learned, colours) {
     const isCliff = is(world.cliff, cell);
     context.fillStyle = isCliff ? colours.line : colours.floor;
     box(cell, isCliff ? 0 : 0.02);
-    context.fillStyle = is([world.goal], cell) ? colours.goal : colours.faint;
+    context.fillStyle = is([world.goal], cell) ? colours.green : colours.faint;
     if (!isCliff) context.fillText(is([world.goal], cell) ? "goal" : learned(i), ...middle(cell));
   });
   const ends = [world.cliff[0], world.cliff.at(-1)].map(middle);
   context.fillStyle = colours.ink;
   context.fillText("cliff", (ends[0][0] + ends[1][0]) / 2, ends[0][1]);
-  context.fillStyle = colours.robot;
+  context.fillStyle = colours.blue;
   context.beginPath();
   context.arc(...middle(place.cell), 0.3 * view.scale, 0, 7);
   context.fill();

@@ -31,7 +31,7 @@ Curve.LENGTH = 240;
 // The curve that grows, and another, dashed; both from step 0 to the step that is the later.
 // words: of the axes, [what the curve shows, what is said of a number of steps]
 function drawCurves(canvas, kind, now, other, [called, timeOf], colours) {
-  const { context, width, height } = sharp(canvas), curves = other ? [other, now] : [now];
+  const { context, width, height } = sharpCanvas(canvas), curves = other ? [other, now] : [now];
   const steps = Math.max(2 * PERIOD, ...curves.map((curve) => curve.steps));
   const lines = curves.map((curve) => curve.of(kind)), all = lines.flat().map(([, mean]) => mean);
   const low = Math.min(0, ...all), high = Math.max(kind === "counts" ? 5 : 0.5, ...all), span = high - low;
@@ -57,7 +57,7 @@ function drawCurves(canvas, kind, now, other, [called, timeOf], colours) {
   context.lineTo(right, y(0));
   context.stroke();
   curves.forEach((curve, k) => {
-    context.strokeStyle = curve === now ? colours.robot : colours.ghost;
+    context.strokeStyle = curve === now ? colours.blue : colours.grey;
     context.setLineDash(curve === now ? [] : [5, 4]);
     context.lineWidth = 2.5;
     context.lineJoin = "round";

@@ -9,7 +9,7 @@ const TELL_MS = 200, FLOOR_MS = 600; // between two times that words and numbers
 const capital = (text) => text[0].toUpperCase() + text.slice(1);
 const say = (text) => { spoken.textContent = text; };
 
-let colours = coloursNow(), yours, rival = null, before = null, racing = ""; // racing: the method of the rival
+let colours = coloursOf(picture), yours, rival = null, before = null, racing = ""; // racing: the method of the rival
 let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0, painted = 0;
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
 const runs = () => (rival ? [yours, rival] : [yours]);
@@ -111,11 +111,12 @@ function changed() {
 function draw(part) {
   const isTime = performance.now() - told >= TELL_MS, isOld = performance.now() - painted >= FLOOR_MS;
   if (isOld) painted = performance.now();
+  const look = { isChosen: chosen === ROBOT, isSlow: settings.speed < 1 && leap === null };
   for (const run of runs()) {
     const figure = find(run === yours ? "yours" : "theirs"), canvas = figure.querySelector("canvas");
     if (run.floor) {
       if (isOld) drawFloor(canvas, run, markedWall(run.world), colours);
-      const seen = drawRobot(canvas, run, between(run, part), chosen === ROBOT, colours);
+      const seen = drawRobot(canvas, run, between(run, part), look, colours);
       if (run === yours) view = seen;
     } else {
       const seen = drawCells(canvas, run.world, run.here, (place) => bestArrow(run, place), colours);

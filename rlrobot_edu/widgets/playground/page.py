@@ -21,6 +21,8 @@ from rlrobot_edu.learning.memory import SETTINGS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.room.scene_data import room_script
+from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -92,7 +94,7 @@ SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
 LUCKS = 10  # seeds to choose from
 SCRIPTS = (
     "theme.js",
-    "room.js",
+    "picture.js",
     "cells.js",
     "numbers.js",
     "curve.js",
@@ -119,8 +121,10 @@ class Playground(Displayed):
         beginning = f"const beginning = {json.dumps(begin)};"
         programs = [_text(name) for name in SCRIPTS]
         self.html = Template(_text("page.html")).substitute(
-            style=_text("style.css"),
-            script="\n".join([simulation_script(), beginning, *programs]),
+            style=look() + _text("style.css"),
+            script="\n".join(
+                [simulation_script(), beginning, room_script(), *programs]
+            ),
             description=escape(STORIES[self._task]),
         )
 

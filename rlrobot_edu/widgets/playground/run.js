@@ -11,6 +11,7 @@ class Run {
     this.curve = new Curve(this.score);
     this.trail = [];
     this.bumps = [];
+    this.isBump = false; // in the last step
     this.from = null; // where it was before the last step
     if (this.world.bounds) this.floor = new Floor(this.world.bounds);
   }
@@ -32,8 +33,9 @@ class Run {
     if (!this.floor) return;
     const [x, y, heading] = world.place;
     this.floor.met(x, y, heading, told.sNext);
-    if (this.trail.push([x, y]) > TRAIL) this.trail.shift();
-    if (told.r <= -2 && !(atMost === null && told.terminated)) this.bumps.push([x, y, this.simulation.t]);
+    if (this.trail.push([x, y, told.r]) > TRAIL) this.trail.shift();
+    this.isBump = told.r <= -2 && !(atMost === null && told.terminated);
+    if (this.isBump) this.bumps.push([x, y, this.simulation.t]);
     if (told.terminated || told.truncated) this.trail = [];
   }
 
@@ -48,6 +50,7 @@ class Run {
   put(place) {
     this.simulation.begin(null, place);
     this.trail = [];
+    this.isBump = false;
     this.from = null;
   }
 }

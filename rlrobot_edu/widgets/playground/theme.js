@@ -1,19 +1,6 @@
 // How the page fits into what is around it: colours, and the height of a frame. In a frame see host_page.js.
 
-const NAMES = ["back", "card", "ink", "faint", "line", "floor", "wall", "chosen", "robot", "beam", "bump", "trail", "goal",
-  "ghost", "value"];
 const isFramed = window !== window.parent;
-
-// The colours of style.css by their names, light or dark as they are now.
-function coloursNow() {
-  const probe = document.body.appendChild(document.createElement("i"));
-  const entries = NAMES.map((name) => {
-    probe.style.color = `var(--${name})`;
-    return [name, getComputedStyle(probe).color];
-  });
-  probe.remove();
-  return Object.fromEntries(entries);
-}
 
 // Calls `changed` when the colours are others.
 function followTheme(changed) {
