@@ -97,4 +97,5 @@ def _outline(body: Solid) -> np.ndarray:
 
 
 def _points(xy: np.ndarray) -> list[list[float]]:
-    return np.round(xy, 3).tolist()
+    points: list[list[float]] = np.round(xy, 3).tolist()
+    return points
