@@ -8,6 +8,7 @@ watching.py     `rl.watch`: a robot that learns, in 3D
 sliders.py      `ParameterSliders`: a learning curve for parameters that the reader sets
 
 They share javascript/ (the kernels' source, translated for a page), kernels.py (the kernels as functions that return
-their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers)
-and wheel_icons.py. Begin with sliders.py, the shortest.
+their result), page_file.py (a page's program as one file), page_script.py (names of sliders for screen readers),
+room_picture.py (a room in a notebook) and motions.py (the names and signs of motions). Begin with sliders.py, the
+shortest.
 """

@@ -108,10 +108,14 @@ def test_a_key_counts_at_once_and_play_at_the_end_begins_again(opened):
 def test_no_label_of_a_cell_lies_on_the_robot(opened):
     page = opened(stepper_of(at=30))
     overlaps = """() => {
-      const inner = (e) => e.getBoundingClientRect(), robot = inner(document.querySelector("polygon[fill='#0067a5']"));
-      const chips = [...document.querySelectorAll(".world .chip rect")].map(inner);
+      const inner = (e) => e.getBoundingClientRect(), box = inner(document.querySelector(".world canvas"));
+      const { scene } = stepper.about.view, { place } = stepper.tape.looks().at(-1), [{ outline }] = stepper.about.rooms[0];
+      const view = RoomView.of(scene.bounds, box.width, box.height), at = outline.map((point) => view.seenFrom(place, point));
+      const xs = at.map(([x]) => box.left + x), ys = at.map(([, y]) => box.top + y);
+      const robot = { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
+      const chips = [...document.querySelectorAll(".world .chip .under")].map(inner);
       const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-      return [chips.length, chips.filter((chip) => meet(chip, robot)).length, robot.width];
+      return [chips.length, chips.filter((chip) => meet(chip, robot)).length, robot.right - robot.left];
     }"""
     chips, on_it, width = page.evaluate(overlaps)
     assert chips > 0 and on_it == 0 and width > 20

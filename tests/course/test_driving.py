@@ -100,9 +100,9 @@ def test_nothing_is_recorded_before_the_first_step(pad):
 
 def test_clicks_drive_and_are_told(pad):
     pad.widget  # noqa: B018 - made when it is first asked for
-    first = pad._picture.value
+    first = pad._picture.shown
     button(pad, "rl-action-8").click()
-    assert len(pad.recording) == 1 and pad._picture.value != first
+    assert len(pad.recording) == 1 and pad._picture.shown != first
     assert "reward +10" in pad._said.value and 'aria-live="polite"' in pad._said.value
     assert "image/gif" in pad.still().mime
     button(pad, "start again").click()

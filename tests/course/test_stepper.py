@@ -404,11 +404,14 @@ def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
         "".join(names.column(a)[0] for a in range(9)) == "↑■↺■■↖↻↗↑"
         and names.column(8) == "↑ 8"
     )
-    assert names.row(0) == "0: ↑ −1, −1"
+    assert names.row(0) == "↑ 0 ahead, 0.2 m/s"
+    assert names.row(3) == "■ 3 stand still"
+    assert names.action(3) == "stand still (0, −1)", "two others are stand still, too"
+    assert names.told(3) == "It stood still"
     simple = stepper_of("wander_simple", at=2)._names
     assert [simple.column(a) for a in range(4)] == list("■↺↻↑") and simple.row(
         3
-    ) == "↑ 1, 1"
+    ) == "↑ ahead, 0.1 m/s"
     line = re.search(r'<p class="rewards".*?</p>', view(stepper))[0]
     assert line.count("<b") == 10 and view(stepper_of(at=31)).count("<i>|</i>") == 1
 

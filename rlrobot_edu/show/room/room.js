@@ -9,7 +9,7 @@
 //   outline: its polygon as seen from its place, x ahead. All in metres and radians.
 // trail: [[x, y, r], …], the places in the order of time and the reward of the step to each; r is null where it was put.
 // loss: a reward up to this one counts as lost, such as a bump's; near: a ray is drawn up to this length [m], one number or
-//   one for each ray. isLost: whether the last step was lost. word: what is written at the robot then.
+//   one for each ray. isBump: whether it bumps, by default if the last step is lost. word: what is written at the robot then.
 // bar: { step, of, reward, sum }, written below the room, with one metre; leave it out for none.
 // A page with pictures of its own on the floor, or with two layers, calls the methods of Room itself, in drawRoom's order.
 
@@ -29,6 +29,13 @@ function coloursOf(element) {
   });
   probe.remove();
   return Object.fromEntries(entries);
+}
+
+// Calls `changed` when the colours are others: with the system's theme, or with that of a page around it.
+function followColours(changed) {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+  const watched = { attributes: true, attributeFilter: ["class", "theme", "data-theme", "data-jp-theme-light"] };
+  for (const element of [document.documentElement, document.body]) new MutationObserver(changed).observe(element, watched);
 }
 
 // A canvas as sharp as the screen: its context, in CSS pixels, empty. seen: the one on the page, of the same size
@@ -74,18 +81,18 @@ class RoomView {
 }
 
 // All of a scene. Tells the view.
-function drawRoom(canvas, scene, { colours = coloursOf(canvas), trail = [], loss = null, near = null, isLost = null, word = "bump!",
+function drawRoom(canvas, scene, { colours = coloursOf(canvas), trail = [], loss = null, near = null, isBump = null, word = "bump!",
   bar = null } = {}) {
   const room = new Room(canvas, scene.bounds, colours, { below: bar ? ROOM_BAR : 0 }), last = trail.at(-1);
-  const isBump = isLost ?? (loss !== null && last !== undefined && last[2] !== null && last[2] <= loss);
+  const isLost = loss !== null && last !== undefined && last[2] !== null && last[2] <= loss, bumps = isBump ?? isLost;
   room.floor();
   room.solids(scene.solids.filter(([role]) => role === "goal"));
   room.walls(scene.walls);
   room.trail(trail, loss);
   room.rays(scene.beams, near);
   room.solids(scene.solids.filter(([role]) => role !== "goal"));
-  if (scene.place) room.robot(scene.place, scene.outline, { isBump });
-  if (scene.place && isBump && word) room.word(scene.place, word);
+  if (scene.place) room.robot(scene.place, scene.outline, { isBump: bumps });
+  if (scene.place && bumps && word) room.word(scene.place, word);
   if (bar) room.bar(bar, loss);
   return room.view;
 }

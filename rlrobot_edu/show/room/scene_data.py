@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -67,17 +66,6 @@ def near_of(task: Task) -> list[float] | None:
     return near if any(near) else None
 
 
-def loss_of(rewards: Sequence[float]) -> float | None:
-    """The largest reward that counts as a loss, such as that of a bump; None if there is none.
-
-    Costs below a fifth of the largest are what a step costs anyway.
-    """
-    losses = [r for r in rewards if r < 0]
-    if not losses:
-        return None
-    return max(r for r in losses if r <= min(losses) / 5)
-
-
 def _driver(scene: Scene) -> Solid | None:
     """The body of a robot that drives, which is one with a nose."""
     named = {solid.name: solid for solid in scene.solids}
@@ -97,4 +85,5 @@ def _outline(body: Solid) -> np.ndarray:
 
 
 def _points(xy: np.ndarray) -> list[list[float]]:
-    return np.round(xy, 3).tolist()
+    points: list[list[float]] = np.round(xy, 3).tolist()
+    return points

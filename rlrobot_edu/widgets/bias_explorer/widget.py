@@ -11,6 +11,7 @@ import numpy as np
 from rlrobot_edu.jupyter import anywidget, traitlets
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
 from rlrobot_edu.learning.selections.softmax import SR
+from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
@@ -46,7 +47,7 @@ def script() -> str:
 
 def style() -> str:
     """How the page looks."""
-    return read_text("bias_explorer/page/style.css")
+    return look() + read_text("bias_explorer/page/style.css")
 
 
 def about(

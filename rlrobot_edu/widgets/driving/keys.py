@@ -8,7 +8,7 @@ from math import dist
 
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.widgets.wheel_icons import motion, wheel_icon
+from rlrobot_edu.widgets.motions import motion_of, signs
 
 BUTTON_KEYS = string.digits[1:] + string.ascii_lowercase  # row by row
 # The speeds of the wheels for each arrow, in parts of full speed
@@ -25,12 +25,13 @@ class Button:
     """The button of an action.
 
     a: number of the action; key: of the keyboard, empty if there are more buttons than keys
-    text: on the button; words: the robot's command; place: its row and column
+    text: on the button; name: of what the robot does; words: its command; place: its row and column
     """
 
     a: int
     key: str
     text: str
+    name: str
     words: str
     place: tuple[int, int]
 
@@ -46,15 +47,17 @@ def buttons_of(task: Task) -> list[Button]:
     if has_wheels(task):
         places = [_place_of_motion(*commands[a].values()) for a in distinct]
         texts = _icons([tuple(commands[a].values()) for a in distinct])
+        names = [motion_of(*commands[a].values()).name for a in distinct]
     else:
         # a column for each value of the last output
         places = [divmod(a, task.actions.shape[-1]) for a in distinct]
         texts = [task.actions.label(a) for a in distinct]
+        names = texts
     buttons = []
-    for a, place, text in zip(distinct, places, texts, strict=True):
-        words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
-        button = Button(a, "", text.replace("-", "−"), words.replace("-", "−"), place)
-        buttons.append(button)
+    for a, place, text, name in zip(distinct, places, texts, names, strict=True):
+        words = ", ".join(f"{key} {value:g}" for key, value in commands[a].items())
+        signs_and_words = [each.replace("-", "−") for each in (text, name, words)]
+        buttons.append(Button(a, "", *signs_and_words, place))
     buttons.sort(key=lambda button: (button.place, button.a))  # row by row
     keys = BUTTON_KEYS.ljust(len(buttons))
     return [replace(buttons[i], key=keys[i].strip()) for i in range(len(buttons))]
@@ -62,13 +65,13 @@ def buttons_of(task: Task) -> list[Button]:
 
 def _place_of_motion(left: float, right: float) -> tuple[int, int]:
     """Row and column among 3 × 3: ahead is the top row, a turn to the left the left column."""
-    ahead, turn = motion(left, right)
+    ahead, turn = signs(left, right)
     return (1 - ahead, 1 - turn)
 
 
 def _icons(speeds: list[tuple[float, ...]]) -> list[str]:
     """An arrow for each pair of wheel speeds, with the speeds where several have the same arrow."""
-    icons = [wheel_icon(left, right) for left, right in speeds]
+    icons = [motion_of(left, right).icon for left, right in speeds]
     texts = []
     for icon, (left, right) in zip(icons, speeds, strict=True):
         is_unique = icons.count(icon) == 1

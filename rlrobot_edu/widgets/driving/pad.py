@@ -20,12 +20,12 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import Film
-from rlrobot_edu.show.painting.room import ASPECT, Room, painted
+from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
+from rlrobot_edu.widgets.room_picture import RoomPicture
 
 LAST = 60  # steps that a saved notebook keeps
-WIDTH = 420  # of the picture [pixels of a page]
 
 
 def teleoperate(env: Env) -> Pad:
@@ -89,7 +89,7 @@ class Pad(Displayed):
         self._ended = terminated or truncated
         scene = self._robot.scene()
         self._driven.append((scene, float(r)))
-        self._way.append(scene)
+        self._way.append((scene, float(r)))
         return float(r)
 
     def start_again(self) -> None:
@@ -119,8 +119,7 @@ class Pad(Displayed):
     def widget(self) -> ipywidgets.HBox:
         """Buttons, keys and picture."""
         self._said = ipywidgets.HTML()
-        self._picture = ipywidgets.HTML()
-        self._room = Room(self._robot.scene(), 2 * WIDTH, round(2 * WIDTH / ASPECT))
+        self._picture = RoomPicture(self._task)
         keys = keys_of(self._task)
         told = "those in brackets"
         if ARROWS.keys() <= keys.keys():
@@ -143,6 +142,7 @@ class Pad(Displayed):
         )
         self._show("nothing driven yet")
         widget.add_class("rl-drive")
+        widget.add_class("rl-look")
         return widget
 
     def still(self) -> Still:
@@ -155,7 +155,8 @@ class Pad(Displayed):
         observation, _ = self._env.reset()
         self._s = self._state_number(observation)
         self._ended = False
-        self._way = deque([self._robot.scene()], maxlen=LAST)  # of this episode
+        start: tuple[Scene, float | None] = (self._robot.scene(), None)
+        self._way = deque([start], maxlen=LAST)  # of this episode
 
     def _grid(self) -> ipywidgets.GridBox:
         """The buttons, each in its row and column."""
@@ -179,7 +180,7 @@ class Pad(Displayed):
             if button.place != (row, column):
                 continue
             text = f"{button.text} [{button.key}]" if button.key else button.text
-            widget = ipywidgets.Button(description=text, tooltip=button.words)
+            widget = ipywidgets.Button(description=text, tooltip=_tooltip(button))
             widget.layout.width = "max-content"
             widget.add_class(f"rl-action-{button.a}")
             widget.on_click(partial(self._pressed, button))
@@ -191,7 +192,7 @@ class Pad(Displayed):
         mean = np.mean([row[2] for row in self._rows])
         n = len(self._rows)
         steps = "1 step" if n == 1 else f"{n} steps"
-        text = f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}."
+        text = f"{button.name}: reward {r:+.4g}. On average {mean:+.2f} in {steps}."
         if self._ended:
             text += " The episode has ended; the next press begins a new one."
         self._show(text.replace("-", "−"))
@@ -202,7 +203,16 @@ class Pad(Displayed):
 
     def _show(self, text: str) -> None:
         """Show the robot and a text."""
-        scene = self._robot.scene()
-        self._picture.value = self._room.still(scene, self._way).html
+        rewards = [row[2] for row in self._rows]
+        last = rewards[-1] if rewards else None
+        bar = {"step": len(rewards), "of": None, "reward": last, "sum": sum(rewards)}
+        self._picture.show(self._way, bar)
         self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
         self._keyboard.answered = len(self._rows)
+
+
+def _tooltip(button: Button) -> str:
+    """What the robot does at a button, and its command."""
+    if button.name in (button.text, button.words):
+        return button.words
+    return f"{button.name}: {button.words}"

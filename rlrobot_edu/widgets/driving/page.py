@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rlrobot_edu.jupyter import anywidget, traitlets
+from rlrobot_edu.show.room.tokens import look
 
 # `busy` is on from a press until the kernel has answered, so a held key asks for one step at a time. Keys count
 # wherever the focus is in the pad, also on a button just clicked; lm-suppress keeps JupyterLab's own shortcuts away,
@@ -39,9 +40,13 @@ export default {
 };
 """
 _STYLE = """
-.rl-drive button { min-width: 3.6em; min-height: 2.4em; padding: 0 6px; }
-.rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid #0067a5 !important; outline-offset: -3px; }
-.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed #8d877d; line-height: 1.4; }
+.rl-drive { padding: 10px; border-radius: var(--round) }
+.rl-drive button { min-width: 4.6em; min-height: 44px; padding: 0 10px; font: 15px var(--sans); color: var(--ink);
+  background: var(--card); border: 1px solid var(--line); border-radius: var(--round-button) }
+.rl-drive button:hover { border-color: var(--blue) }
+.rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid var(--focus) !important; outline-offset: -3px }
+.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed var(--line); line-height: 1.4;
+  border-radius: var(--round-button) }
 """
 
 
@@ -52,7 +57,7 @@ class Keyboard(anywidget.AnyWidget):
     answered: number of the last step that the kernel has taken; after that the next one may come
     """
 
-    _esm, _css = _KEYS, _STYLE
+    _esm, _css = _KEYS, look() + _STYLE
     actions = traitlets.Dict().tag(sync=True)
     told = traitlets.Unicode().tag(sync=True)
     answered = traitlets.Int().tag(sync=True)

@@ -7,7 +7,7 @@ Read in this order:
 - `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
 - `new_simulation.js`: a simulation of given settings; `rlrobot_edu/widgets/javascript/simulation.js`: its steps;
 - `run.js`: a simulation with its score and its floor; `walls.js`: walls inside a room;
-- `page.html`, `style.css`: the looks; `room.js`, `cells.js` and `curve.js` draw it;
+- `page.html`, `style.css`: the looks; `picture.js` (with `rlrobot_edu/show/room`), `cells.js` and `curve.js` draw it;
 - `page.js`: time, and words; `numbers.js`: numbers with the decimals that they need;
 - `settings.js`: sliders and the link; `pointer.js`: dragging; `buttons.js`: buttons;
 - `theme.js`: colours and height within another page; `host_page.js`: the part of that page;

@@ -21,9 +21,9 @@ from rlrobot_edu.learning.memory import SETTINGS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.show.room.scene_data import room_script
 from rlrobot_edu.show.room.tokens import look
-from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.playground.kernels import kernels
@@ -147,7 +147,7 @@ class Playground(Displayed):
             return None
         env = make_env(self._task, engine="kinematic")
         env.reset()
-        return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
+        return painted([env.unwrapped.robot.scene()])  # type: ignore[attr-defined]
 
     @cached_property
     def widget(self) -> PageFrame:

@@ -17,6 +17,7 @@ from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import Bin
+from rlrobot_edu.widgets.motions import name_of
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
 
 World = dict[str, Any]
@@ -36,7 +37,7 @@ def base_world(task: Task) -> World:
     x, y, theta = arena.start
     axle_x, axle_y = chassis.axle_at(x, y, theta)
     twists = [chassis.twist(command) for command in task.commands]
-    motions = [_motion(v, omega) for v, omega in twists]
+    motions = [name_of(v, omega) for v, omega in twists]
     inputs = []
     for variable in task.inputs:
         cuts, sectors = variable.cuts, variable.sectors
@@ -209,15 +210,6 @@ def _actions(task: Task) -> World:
         "actions": [_plain(label) for label in words],
         "actionsCalled": _plain(called),
     }
-
-
-def _motion(v: float, omega: float) -> str:
-    """The motion at v [m/s] and omega [rad/s] in words; a task may command other speeds than its actions name."""
-    if omega == 0:
-        return f"ahead, {v:.1f} m/s" if v else "stand still"
-    path = "arc" if v else "spin"
-    side = "left" if omega > 0 else "right"
-    return f"{path} {side}"
 
 
 def _plain(text: str) -> str:

@@ -8,10 +8,20 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.robots.chassis import CHASSIS
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_edu.task.task import Task
+from rlrobot_edu.widgets.motions import (
+    AHEAD,
+    SPIN_LEFT,
+    SPIN_RIGHT,
+    STILL,
+    motion_of,
+    name_of,
+)
 from rlrobot_edu.widgets.stepper.numerals import given
-from rlrobot_edu.widgets.wheel_icons import wheel_icon
+
+CELL_COMMAND = {"advance", "spin"}  # of the robot in four cells
 
 
 class Names:
@@ -31,6 +41,7 @@ class Names:
         self.outputs = ""
         self._most_letters = 12 if n_actions <= 4 else 8  # of the name of a column
         self._icons: list[str] = []
+        self._motions: list[str] = []
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)
             outputs = tuple(variable.name for variable in task.actions.outputs)
@@ -38,7 +49,9 @@ class Names:
             if outputs == WHEELS:
                 # of the wheels' commands, which some tasks compute from the outputs
                 for a in range(n_actions):
-                    self._icons.append(wheel_icon(*task.command_for(a).values()))
+                    left, right = task.command_for(a).values()
+                    self._icons.append(motion_of(left, right).icon)
+                    self._motions.append(_motion(task, left, right))
         elif len(self.shape) == 1:
             self.inputs = ("state",)
         else:
@@ -68,8 +81,25 @@ class Names:
 
     def row(self, a: int) -> str:
         """Name of action `a`, and its number if that is the heading of its column."""
+        if self._motions:
+            return f"{self.column(a)} {self._motions[a]}"
         name = self.action(a)
         return name if name.startswith(self.column(a)) else f"{a}: {name}"
+
+    def told(self, a: int) -> str:
+        """What a robot did that took action `a`: "It stood still"."""
+        if self.task is None:
+            return f"It took action {a}"
+        command = self.task.command_for(a)
+        if self._icons:
+            return motion_of(*command.values()).told
+        if set(command) == CELL_COMMAND:
+            if command["advance"]:
+                return AHEAD.told
+            return SPIN_LEFT.told if command["spin"] > 0 else SPIN_RIGHT.told
+        if not any(command.values()):
+            return STILL.told
+        return f"It did “{self.action(a)}”"
 
     def _state(self, s: int) -> str:
         """State `s` in words: ``X = 0, Y = 1, theta = 90 deg, d = 0``."""
@@ -77,7 +107,10 @@ class Names:
         return ", ".join(f"{name} = {reading}" for name, reading in pairs)
 
     def _action(self, a: int) -> str:
-        """Action `a` in as few signs as possible: the value of each output, or the task's word for it."""
+        """Action `a` in a few words: the motion, or the value of each output, or the task's word for it.
+
+        Where several actions are the same motion, the values of the outputs follow.
+        """
         if self.task is None:
             return str(a)
         values = self.task.actions.decode(a)
@@ -89,4 +122,16 @@ class Names:
             else:
                 words.append(given(value))
         text = ", ".join(words)
-        return f"{self._icons[a]} {text}" if self._icons else text
+        if not self._motions:
+            stands = not any(self.task.command_for(a).values())
+            return STILL.name if stands else text
+        name = self._motions[a]
+        return name if self._motions.count(name) == 1 else f"{name} ({text})"
+
+
+def _motion(task: Task, left: float, right: float) -> str:
+    """The name of what wheels with these speeds [rad/s] make the task's robot do."""
+    if task.robot not in CHASSIS:
+        return motion_of(left, right).name
+    chassis = CHASSIS[task.robot]
+    return name_of(*chassis.twist({"left_wheel": left, "right_wheel": right}))

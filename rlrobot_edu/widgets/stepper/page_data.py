@@ -130,6 +130,7 @@ def _names_data(names: Names, actions: range) -> Data:
         "actions": [names.action(a) for a in actions],
         "columns": [names.column(a) for a in actions],
         "rows": [names.row(a) for a in actions],
+        "told": [names.told(a) for a in actions],
     }
 
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.robots.scene import Scene, Solid
-from rlrobot_edu.show.describe import path_of
-from rlrobot_edu.show.palette import GREY, ROLE
-from rlrobot_edu.show.top_down import TopDown, footprint, nose
+from rlrobot_edu.show.describe import loss_of, path_of
+from rlrobot_edu.show.palette import GREY
+from rlrobot_edu.show.room.scene_data import (
+    constant_data,
+    moving_data,
+    near_of,
+)
+from rlrobot_edu.show.top_down import TopDown
+from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.stepper.cell_values import CellValues, Mark
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint
 from rlrobot_edu.widgets.stepper.numerals import short
@@ -20,21 +24,22 @@ from rlrobot_edu.widgets.stepper.tape import PATH, Tape
 
 WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
 SHORT = 0.6  # of the line that shows the heading, so that it ends before the mark ahead
-_ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
 class RobotView:
     """Pictures of what `robot` does; the walls are drawn once.
 
     marks: the values of places in the scene, if they can be drawn there
+    task: what the robot does, which says what is near and what is lost
     """
 
-    def __init__(self, robot: Any, marks: CellValues | None) -> None:
+    def __init__(self, robot: Any, marks: CellValues | None, task: Task | None) -> None:
         self.heading = "The world from above"
         if marks is not None:
             self.heading = "From above, and the value of each heading"
         self._robot = robot
         self._marks = marks
+        self._task = task
         self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
@@ -42,42 +47,32 @@ class RobotView:
         scene = self._robot.scene()
         if not self._walls:
             self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
-            self._bounds = scene.bounds
+            self._constant = constant_data(scene)
         others = tuple(solid for solid in scene.solids if solid.role != "wall")
         return scene._replace(solids=others)
 
     def constant_data(self) -> dict[str, Any]:
-        """Walls, bounds and colours; and, if there are marks, their places for each cell of the box."""
+        """What stays in the scenes; and, if there are marks, their places for each cell of the box."""
+        near, loss = None, None
+        if self._task is not None:
+            near = near_of(self._task)
+            loss = loss_of(self._task.rewards or ())
         return {
             "kind": "robot",
-            "bounds": self._bounds,
-            "roles": ROLE,
-            "walls": [_points(footprint(solid)) for solid in self._walls],
+            "scene": self._constant,
+            "near": near,
+            "loss": loss,
             "marks": None if self._marks is None else self._marks.constant_data(),
         }
 
     def look_data(self, look: Scene) -> dict[str, Any]:
-        """Where everything is that may move [m], the robot's x, y and heading [rad], and its nose."""
-        moving = []
-        for solid in sorted(look.solids, key=lambda solid: _ORDER.index(solid.role)):
-            moving.append([solid.role, _points(footprint(solid))])
-        place, nose_at, box_at = None, None, None
-        named = {solid.name: solid for solid in look.solids}
-        if "robot/body" in named:
-            body = named["robot/body"]
-            x, y = body.pose[:2, 3].tolist()
-            place = [x, y, math.atan2(body.pose[1, 0], body.pose[0, 0])]
-            nose_at = nose(body)[1].tolist()
-        if "box" in named:
-            corner = named["box"].pose[:2, 3] + 0.5
-            box_at = [round(x) for x in corner.tolist()]
-        return {
-            "moving": moving,
-            "beams": np.round(look.beams[:, :, :2].reshape(-1, 4), 3).tolist(),
-            "place": place,
-            "nose": nose_at,
-            "box": box_at,
-        }
+        """What may move, as room.js wants it, and the cell of the box."""
+        data = moving_data(look)
+        for solid in look.solids:
+            if solid.name == "box":
+                corner = solid.pose[:2, 3] + 0.5
+                data["box"] = [round(x) for x in corner.tolist()]
+        return data
 
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The last scene and the path to it, on matplotlib's axes without numbers, which leaves room for the marks."""
@@ -114,7 +109,3 @@ def _draw_mark(ax: Axes, mark: Mark, most: float) -> None:
     text = f"{mark.icons}\n{short(mark.value)}"
     letters = ax.text(mark.x, mark.y, text, ha="center", va="center", fontsize=8.5)
     letters.set(linespacing=0.9, zorder=21)
-
-
-def _points(xy: np.ndarray) -> list[list[float]]:
-    return np.round(xy, 3).tolist()

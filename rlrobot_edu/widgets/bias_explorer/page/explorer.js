@@ -10,15 +10,15 @@ function explorerHtml(about) {
   const { inputs, actions, originals } = about, option = (text, i) => `<option value="${i}">${escaped(text)}</option>`;
   const choices = inputs.map(({ name, sign, words }, i) =>
     `<label>${sign} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
-  return '<div class="rl-bias"><div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> ' +
-    '<button name="next" title="Next (key →)"></button> <button name="all">All columns</button> ' +
+  return '<div class="rl-bias rl-look"><div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> ' +
+    '<button name="next" class="main" title="Next (key →)"></button> <button name="all">All columns</button> ' +
     `<label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
     '<p class="rl-finding" data-from="4"></p><p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
     '<div class="rl-columns rl-heads"><b>Q of <i>s</i> and its similar states</b><b data-from="2">mean of each set</b>' +
     '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
     `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div><div class="rl-chooser">` +
-    "<h2>The state: click one, or choose its inputs</h2>" +
-    `<div class="rl-states" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
+    `<h2>The state: click one, or choose its inputs${isRoom(about) ? ". A bar: something is right ahead (d = 1)" : ""}</h2>` +
+    `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
     `<div class="rl-inputs">${choices.join(" ")}</div><h2>The values of Q: edit them in the first column</h2>` +
     `<label>Q-table <select name="table">${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
     '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div></div></div>';
@@ -47,6 +47,17 @@ function actionHtml({ inputs, shape }, name, a) {
 function typed(x) {
   const text = x.toFixed(3), short = x.toFixed(2);
   return +text === x && !text.endsWith("0") ? text : +short === 0 ? "0.00" : short;
+}
+
+// Whether the states are places and headings of a robot, which can be drawn.
+const isRoom = ({ inputs }) => /^X,Y,(θ|theta),d$/.test(inputs.map(({ name }) => name).join());
+
+// The robot in a state, from above: its heading, and a bar where something is right ahead.
+function robotSvg({ bins }, inputs) {
+  const [heading, ahead] = bins.slice(-2).map((bin, i) => parseInt(inputs.at(i - 2).values[bin].replace("−", "-"), 10));
+  const bar = ahead ? '<path d="M31-24V24" stroke="var(--wall)" stroke-width="8"/>' : "";
+  return `<svg class="rl-robot" viewBox="-40 -40 80 80" aria-hidden="true"><g transform="rotate(${-heading})">${bar}` +
+    '<circle r="21" fill="var(--blue)" stroke="var(--card)" stroke-width="4"/><path d="M17 0 3-11V11Z" fill="var(--on-blue)"/></g></svg>';
 }
 
 // Every state as a button. Those that differ in their last two inputs alone are a block: a column for each value of the
@@ -154,7 +165,8 @@ class Explorer {
     const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s]]);
     this.buttons.forEach((button, k) => {
       const input = inputOf.get(k), { colour = "", ink = "" } = about.inputs[input] ?? {};
-      button.innerHTML = k + (input === undefined ? "" : `<span>${marksHtml(about, input)}</span>`);
+      const robot = isRoom(about) ? robotSvg(about.states[k], about.inputs) : "";
+      button.innerHTML = robot + k + (input === undefined ? "" : `<span>${marksHtml(about, input)}</span>`);
       button.setAttribute("aria-pressed", k === s);
       Object.assign(button.style, { background: colour, color: ink });
     });

@@ -1,4 +1,5 @@
-// Numbers as they stand in tables and equations (numerals.py), and the colours of values (colours.py).
+// Numbers as they stand in tables and equations (numerals.py), and the colours of values (colours.py),
+// whose BLUE, VERMILION and ORANGE saved_page.py gives.
 
 const tidy = (text) => text.replace("e+", "e").replaceAll("-", "−");
 const withoutZeros = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
@@ -33,7 +34,6 @@ function short(x) { // six signs at most: 12.3, 0.90, −0.021, 4e−5; a plain 
   return x === 0 ? "0" : tidy(x.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 3));
 }
 
-const BLUE = "#0067a5", VERMILION = "#c24e00", ORANGE = "#e69f00"; // of Okabe and Ito
 const FAINTEST = 0.10, STRONGEST = 0.68; // opacities; black on white and white on black stand out on all of them
 
 // The value of the strongest colour: 1, 2 or 5 times a power of ten, no less than any |Q| and than rMax.

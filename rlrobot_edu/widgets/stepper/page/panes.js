@@ -22,8 +22,16 @@ function stepInWords(about, frame) {
     ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
 }
 
+// The same for a beginner: what the robot did, and what came of it.
+function simply({ names, view }, frame) {
+  if (!frame) return "";
+  const { a, r } = frame, paid = r < 0 ? `cost ${given(-r)}` : r > 0 ? `earned ${given(r)}` : "brought nothing";
+  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}.`;
+}
+
 function viewHtml(always, tape) {
   const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
+  const plainly = frame ? `<b class="simply">${escaped(simply(about, frame))}</b>` : "";
   const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
   const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
@@ -43,7 +51,7 @@ function viewHtml(always, tape) {
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
   // three beats: world, equation, table
   const left = world + choice, right = update + q + traces;
-  return `<div class="said">${said} ${badge}</div><div class="panes">` +
+  return `<div class="said">${plainly}${said} ${badge}</div><div class="panes">` +
     `<div class="left">${left}</div><div class="right">${right}</div></div>`;
 }
 
@@ -107,13 +115,24 @@ function explained(about, frame) {
 
 const asText = (line) => line.map(({ text }) => ("+−←=".includes(text) ? ` ${text} ` : text)).join("").trim();
 
+// The terms of a line in groups that stay on one line of the page: each begins with a sign outside of all brackets.
+function summands(line) {
+  let depth = 0;
+  const groups = [[]];
+  for (const term of line) {
+    if (depth === 0 && "+−←=".includes(term.text) && groups.at(-1).length) groups.push([]);
+    groups.at(-1).push(term);
+    depth += (term.text === "(") - (term.text === ")");
+  }
+  return groups;
+}
+
 function updateHtml(about, frame, most) {
   if (!frame) return '<p class="note">Press Step: the agent acts, and learns from what happens.</p>';
   const { lines, note } = explained(about, frame);
   const drawn = lines.map((line) => {
-    const pieces = line.map((term) => termHtml(term, most));
-    const terms = `${pieces.slice(0, -2).join("")}<nobr>${pieces.slice(-2).join("")}</nobr>`;
-    return `<div class="line" role="math" aria-label="${escaped(asText(line))}">${terms}</div>`;
+    const terms = summands(line).map((piece) => `<nobr>${piece.map((term) => termHtml(term, most)).join("")}</nobr>`);
+    return `<div class="line" role="math" aria-label="${escaped(asText(line))}">${terms.join("")}</div>`;
   });
   const error = lines.length === 1 ? `TD error δ = ${number(frame.delta)}. ` : "";
   return `${drawn.join("")}<p class="note">${error}${escaped(note)}</p>`;

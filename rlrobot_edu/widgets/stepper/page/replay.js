@@ -106,10 +106,10 @@ class Replay {
     const moved = ([x, y]) => [place[0] + (x - x0) * cos - (y - y0) * sin, place[1] + (x - x0) * sin + (y - y0) * cos];
     const box = world.drawn ? world.drawn[world.place].box : null;
     const aside = box ? box.map((at, i) => at - scene.box[i]) : [0, 0];
-    const moving = scene.moving.map(([role, points]) => [role, role === "goal" ? points
-      : role === "object" ? points.map(([x, y]) => [x + aside[0], y + aside[1]]) : points.map(moved)]);
+    const solids = scene.solids.map(([role, points]) =>
+      [role, role === "object" ? points.map(([x, y]) => [x + aside[0], y + aside[1]]) : points]);
     const [x, y] = moved(scene.place);
-    return { place: [x, y, scene.place[2] + turn], nose: moved(scene.nose), moving, beams: this.beams(), box };
+    return { place: [x, y, scene.place[2] + turn], solids, beams: this.beams(), box };
   }
 
   cellPlace() {

@@ -38,9 +38,9 @@ class Stepper {
   // Draw the stepper into an element of a page; link: whether the page's address leads to the step shown.
   mount(root, link = false) {
     const buttons = Object.entries(BUTTONS).map(([name, [text, title]]) =>
-      `<button class="rl-${name}" name="${name}" title="${title}">${text}</button>`).join("");
+      `<button class="rl-${name}${name === "play" ? " main" : ""}" name="${name}" title="${title}">${text}</button>`).join("");
     const speeds = SPEEDS.map((each) => `<option value="${each}"${each === 2 ? " selected" : ""}>${each} steps/s</option>`);
-    root.innerHTML = `<div class="rl-stepper" data-lm-suppress-shortcuts="true"><div class="rl-bar" role="group" ` +
+    root.innerHTML = `<div class="rl-stepper rl-look" data-lm-suppress-shortcuts="true"><div class="rl-bar" role="group" ` +
       `aria-label="Controls">${buttons}<select class="rl-speed" aria-label="speed">${speeds.join("")}</select>` +
       '<label>go to step <input class="rl-go" type="number" min="0" title="Number of a step, then Enter"></label>' +
       '<input class="rl-slider" type="range" aria-label="step" title="The steps that are kept"></div>' +
@@ -68,6 +68,9 @@ class Stepper {
     };
     this.root.onkeydown = (event) => this.key(event);
     this.show();
+    const repaint = () => paintRooms(this.root, this.about.rooms);
+    new ResizeObserver(repaint).observe(this.root);
+    followColours(repaint);
   }
 
   // A key counts wherever the focus is, also on a button just clicked, but for what has keys of its own.
@@ -189,10 +192,12 @@ class Stepper {
 
   show() {
     const { tape, about, recorded } = this, slider = this.find("slider");
+    about.rooms = []; // what the canvases show
     this.find("paid").innerHTML = this.paid(); // what it lights on the map is drawn after it
     if (this.from !== null) recorded.go(Math.min(Math.max(tape.t, recorded.first), recorded.end));
     this.find("futures").innerHTML = this.from === null || tape.t > recorded.end ? "" : comparisonHtml(about, recorded, tape, this.from);
     this.find("view").innerHTML = viewHtml(about, tape);
+    paintRooms(this.root, about.rooms);
     Object.assign(slider, { min: tape.first, max: tape.end, value: tape.t });
     this.find("go").value = tape.t;
     clearTimeout(this.speech);
@@ -258,11 +263,11 @@ class Stepper {
     }
   }
 
-  // The settings that can be others; or why nothing can.
+  // The settings that can be others, if the page has the world.
   wishes() {
     const place = this.find("what-if"), { replayData, about } = this, { names } = about;
     if (!replayData || !replayData.kernels) {
-      place.innerHTML = replayData ? `<p class="rl-note">${escaped(replayData.reason)}</p>` : "";
+      place.innerHTML = "";
       return;
     }
     const own = replayData.memory.parameters, as = '<option value="">as it was</option>';

@@ -5,9 +5,6 @@ const CHIP = [0.3, 0.25]; // of a mark [m]; two lines of small letters fit into 
 const AMONG_MARKS = 0.6; // size of a robot that is drawn between marks, so that none lies on it
 
 const worldHtml = (about, tape, most) => ({ robot: robotHtml, state: stateHtml })[about.view.kind](about, tape, most);
-const svgPoints = (xy) => xy.map(([x, y]) => `${+x.toFixed(3)},${+y.toFixed(3)}`).join(" ");
-const polygonHtml = ([role, points], roles) =>
-  `<polygon fill="${roles[role]}"${role === "goal" ? ' fill-opacity="0.45"' : ""} points="${svgPoints(points)}"/>`;
 
 // Value of state s and all actions that are worth it; nothing where the agent never acted.
 function bestIn(tape, s) {
@@ -16,25 +13,44 @@ function bestIn(tape, s) {
   return { value, best: count(tape.nActions).filter((a) => tape.q[s][a] === value) };
 }
 
-// The last scene and the way to it. y grows upwards in the scene and downwards in SVG.
-function robotHtml({ view }, tape, most) {
-  const looks = tape.looks(), { place, nose, moving, beams, box } = looks.at(-1), { roles, walls, marks } = view;
-  const [xMin, yMin, xMax, yMax] = view.bounds, margin = 0.03 * Math.max(xMax - xMin, yMax - yMin);
-  const line = ([x1, y1, x2, y2]) => `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"/>`;
-  const size = marks ? AMONG_MARKS : 1;
-  const shrunk = ([x, y]) => (place ? [place[0] + size * (x - place[0]), place[1] + size * (y - place[1])] : [x, y]);
-  const body = moving.map(([role, points]) => [role, role === "robot" ? points.map(shrunk) : points]);
-  const heading = place ? line([place[0], place[1], ...shrunk(nose)]).replace("<line", '<line class="heading"') : "";
-  const path = looks.filter((look) => look.place).map((look) => look.place);
+// The way that is drawn: places, each with the reward of the step to it.
+function trailOf(tape) {
+  if (tape.t === 0) return [];
+  const latest = tape.latest(PATH), begun = Math.max(0, latest.findLastIndex(({ n }) => n === 1)), seen = latest.slice(begun);
+  const before = lookBefore(tape, seen[0])?.place;
+  const to = seen.filter(({ look }) => look?.place).map(({ look, r }) => [look.place[0], look.place[1], r]);
+  return before ? [[before[0], before[1], null], ...to] : to;
+}
+
+// The last scene and the way to it: a canvas, which paintRooms fills, and on it the values of places and where it was paid.
+// y grows upwards in the scene and downwards in SVG.
+function robotHtml({ view, rooms = [] }, tape, most) {
+  const look = tape.looks().at(-1), { place, box } = look, { marks, near, loss, scene: still } = view;
+  const [xMin, yMin, xMax, yMax] = still.bounds, margin = ROOM_MARGIN * Math.max(xMax - xMin, yMax - yMin);
+  const size = marks ? AMONG_MARKS : 1, outline = still.outline?.map(([x, y]) => [size * x, size * y]);
   const says = `A room of ${(xMax - xMin).toFixed(1)} by ${(yMax - yMin).toFixed(1)} metres` + (place
     ? `, the robot at x = ${place[0].toFixed(1)}, y = ${place[1].toFixed(1)}, heading ${Math.round((place[2] * 180) / Math.PI)} degrees` : "");
+  const isBump = bumped(view, tape.frame), word = marks ? "" : "bump!", trail = trailOf(tape);
+  rooms.push([{ ...still, ...look, outline }, { trail, loss, near, isBump, word }]);
   const between = marks ? '<path class="lines" d="M0,-1V1M-1,0H1"/>' : ""; // the four cells of the worked example
-  const drawn = (solids) => solids.map((solid) => polygonHtml(solid, roles)).join("");
-  const viewBox = [xMin - margin, -yMax - margin, xMax - xMin + 2 * margin, yMax - yMin + 2 * margin];
-  return `<svg viewBox="${viewBox.map((x) => x.toFixed(3)).join(" ")}" role="img" aria-label="${says.replaceAll("-", "−")}.">` +
-    `<g transform="scale(1,-1)">${drawn(walls.map((points) => ["wall", points]))}${between}` +
-    `<polyline class="path" points="${svgPoints(path)}"/><g class="beams">${beams.map(line).join("")}</g>` +
-    `${drawn(body)}${heading}${litHtml(tape, (frame) => lookBefore(tape, frame)?.place)}</g>${marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : ""}</svg>`;
+  const viewBox = [xMin - margin, -yMax - margin, xMax - xMin + 2 * margin, yMax - yMin + 2 * margin].map((x) => x.toFixed(3));
+  const lit = litHtml(tape, (frame) => lookBefore(tape, frame)?.place);
+  const chips = marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : "";
+  return `<div class="room" role="img" aria-label="${says.replaceAll("-", "−")}." style="aspect-ratio:${viewBox[2]} / ${viewBox[3]}">` +
+    `<canvas data-room="${rooms.length - 1}"></canvas><svg viewBox="${viewBox.join(" ")}" aria-hidden="true">` +
+    `<g transform="scale(1,-1)">${between}${lit}</g>${chips}</svg></div>`;
+}
+
+// Whether a robot that drives has bumped in this step: then it lost much.
+const bumped = ({ loss = null }, frame) => Boolean(frame?.look?.place) && loss !== null && frame.r <= loss;
+
+// Fill the canvases of an element.
+function paintRooms(element, rooms) {
+  for (const canvas of element.querySelectorAll("canvas[data-room]")) {
+    if (!canvas.clientWidth) continue; // it is hidden
+    const [scene, options] = rooms[canvas.dataset.room];
+    drawRoom(canvas, scene, options);
+  }
 }
 
 // What the agent thinks of a place: the icons of the best actions there, above their value.
@@ -42,9 +58,9 @@ function chipHtml({ at: [x, y], s, icons }, tape, most) {
   const { value, best } = bestIn(tape, s), [wide, high] = CHIP;
   if (value === null) return "";
   const text = best.map((a) => icons[a]).join("");
-  const rect = `<rect x="${(x - wide / 2).toFixed(3)}" y="${(-y - high / 2).toFixed(3)}" width="${wide}" height="${high}"`;
+  const rect = `<rect x="${(x - wide / 2).toFixed(3)}" y="${(-y - high / 2).toFixed(3)}" width="${wide}" height="${high}" rx="0.03"`;
   const line = (down, words) => `<text x="${x.toFixed(2)}" y="${(-y + down).toFixed(2)}">${words}</text>`;
-  return `<g class="chip"><title>state ${s}: ${text} ${short(value)}</title>${rect} fill="#fff"/>` +
+  return `<g class="chip"><title>state ${s}: ${text} ${short(value)}</title>${rect} class="under"/>` +
     `${rect} fill="${tint(value, most)}"/>${line(-0.01, text)}${line(0.08, short(value))}</g>`;
 }
 
