@@ -1,5 +1,6 @@
-"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D are in in3d/,
-the room that pages draw in room/.
+"""What a person looks at: curves, pictures of a robot's scenes and films.
+
+painting/ paints what is kept, room/ draws on pages, and in3d/ is the live view, meshcat.
 
 Data types first:
 
@@ -17,9 +18,9 @@ images.py    images as small files
 display.py   what a notebook asks an object for
 picture.py   figures, and the axes to draw on
 ends.py      the names of curves at their ends
-describe.py  what all views of scenes share: the path, a description in words
-top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
-film.py      `film`, a scene from above for each step, as a GIF
+describe.py  what all views of scenes share: the path, what is a loss, a description in words
+top_down.py  `plot_scene`, a scene from above
+film.py      `film`, a scene for each step, as a GIF and in 3D
 curves.py    `plot_learning`, learning curves
 map_of_settings.py  what a method earns, over two of its parameters
 """
