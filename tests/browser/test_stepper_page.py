@@ -109,8 +109,10 @@ def test_no_label_of_a_cell_lies_on_the_robot(opened):
     page = opened(stepper_of(at=30))
     overlaps = """() => {
       const inner = (e) => e.getBoundingClientRect(), box = inner(document.querySelector(".world canvas"));
-      const { scene } = stepper.about.view, { place } = stepper.tape.looks().at(-1), [{ outline }] = stepper.about.rooms[0];
-      const view = RoomView.of(scene.bounds, box.width, box.height), at = outline.map((point) => view.seenFrom(place, point));
+      const { scene } = stepper.about.view, { place } = stepper.tape.looks().at(-1);
+      const [{ outline }] = stepper.about.rooms[0];
+      const view = RoomView.of(scene.bounds, box.width, box.height);
+      const at = outline.map((point) => view.seenFrom(place, point));
       const xs = at.map(([x]) => box.left + x), ys = at.map(([, y]) => box.top + y);
       const robot = { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
       const chips = [...document.querySelectorAll(".world .chip .under")].map(inner);
