@@ -1,1 +1,1 @@
-"""What the figures of several lessons begin with: plots, rooms, paths through a room, curves of runs."""
+"""What the figures of several lessons begin with: plots, rooms, words, paths through a room, curves of runs."""
