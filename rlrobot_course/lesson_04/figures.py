@@ -88,7 +88,10 @@ def sharpest_and_dullest(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) 
     """How often the rules take the best action: the one that does so most often, and the one that does so least."""
     best = int(np.argmax(q_s))
     shares = {name: 100 * p[best] for name, p in rules.items()}
-    most, least = max(shares, key=shares.__getitem__), min(shares, key=shares.__getitem__)
+    most, least = (
+        max(shares, key=shares.__getitem__),
+        min(shares, key=shares.__getitem__),
+    )
     return (
         f"The best action is taken in {shares[most]:.0f} % by {most}, "
         f"and in {shares[least]:.0f} % by {least}"

@@ -276,7 +276,10 @@ def plot_over_alpha(
 
 def best_and_worst(earned: Mapping[str, float], alpha: float) -> str:
     """Which traces earn most and which least, as a sentence. earned: means by the name of the trace, with this α"""
-    best, worst = max(earned, key=earned.__getitem__), min(earned, key=earned.__getitem__)
+    best, worst = (
+        max(earned, key=earned.__getitem__),
+        min(earned, key=earned.__getitem__),
+    )
     return (
         f"At α = {alpha:g}, {SHORT[best]} traces earn most, {earned[best]:.2f} a step; "
         f"{SHORT[worst]} ones {earned[worst]:.2f}"

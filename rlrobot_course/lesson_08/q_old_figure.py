@@ -40,9 +40,7 @@ def numbers() -> Numbers:
         (A, 0, 0.0, B, 0, False),
     ]
     zeros = np.zeros((2, 1))
-    ideal = [
-        q[:, 0] for q in online_lambda_return(turns, zeros, ALPHA, DECAY, DECAY)
-    ]
+    ideal = [q[:, 0] for q in online_lambda_return(turns, zeros, ALPHA, DECAY, DECAY)]
     noted, now = float(ideal[0][A]), float(ideal[1][A])
     b, b_after = float(ideal[1][B]), float(ideal[2][B])
     shown = DECAY * b
@@ -104,10 +102,14 @@ def _draw_third(ax: Axes, n: Numbers) -> None:
     ax.text(-0.35, n.shown + 0.15, text, va="bottom")
     _note(ax, left, n.noted)
     draw_arrow(ax, (left, n.noted), (left, n.shown), BLUE, 3)
-    _beside(ax, left + 0.04, 1.8, f"{long:.1f}: the 0 in\nB's target is\nreplaced", BLUE)
+    _beside(
+        ax, left + 0.04, 1.8, f"{long:.1f}: the 0 in\nB's target is\nreplaced", BLUE
+    )
     _value(ax, right, n.now, named=False)
     draw_arrow(ax, (right, n.now), (right, n.shown), RED, 3)
-    _beside(ax, right + 0.05, n.now - 0.35, f"δ = {short:.2f}: for\nthis visit of A", RED)
+    _beside(
+        ax, right + 0.05, n.now - 0.35, f"δ = {short:.2f}: for\nthis visit of A", RED
+    )
     for x in (B + left, B + right):
         _value(ax, x, n.b, named=False)
     draw_arrow(ax, (B + left, n.b), (B + left, n.b_after), BLUE, 3)

@@ -69,9 +69,7 @@ def test_a_bar_is_the_reward_and_what_counts_of_it():
 def test_the_finding_says_how_far_the_returns_are_apart():
     policies = {"one": [1.0, 0.0], "other": [0.0, 4.0]}
     finding = plot_returns(policies, [0.5, 1.0], shown=2).finding
-    assert (
-        finding == "The returns are apart by 1.00 with γ = 0.5, by 3.00 with γ = 1.0"
-    )
+    assert finding == "The returns are apart by 1.00 with γ = 0.5, by 3.00 with γ = 1.0"
 
 
 def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():

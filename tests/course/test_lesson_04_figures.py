@@ -27,9 +27,7 @@ def test_the_segment_under_the_point_is_the_action_that_is_sampled():
     for u in (0.0, 0.49, 0.5, 0.99):
         figure = plot_draw([0.0, 0.5, 0.5], u)
         strong = [
-            bar
-            for bar in figure.axes[0].patches
-            if to_hex(bar.get_facecolor()) == BLUE
+            bar for bar in figure.axes[0].patches if to_hex(bar.get_facecolor()) == BLUE
         ]
         assert (
             len(strong) == 1

@@ -13,13 +13,14 @@ from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import path_of
 from rlrobot_edu.show.palette import GREY, ROLE
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
-from rlrobot_edu.widgets.stepper.cell_values import CellValues, Mark
+from rlrobot_edu.widgets.stepper.cell_values import ASIDE, CellValues, Mark
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.tape import PATH, Tape
 
-WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
-SHORT = 0.6  # of the line that shows the heading, so that it ends before the mark ahead
+WIDE, HIGH = 0.26, 0.19  # of a mark [m]; two lines of small letters fit into it
+# of a mark in the still from the middle of its cell [m], across and upwards: beside the robot, not on it
+OUT = (0.44, 0.405)
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
@@ -94,10 +95,6 @@ class RobotView:
             between_cells = {"color": GREY, "linewidth": 0.8, "alpha": 0.5, "zorder": 0}
             ax.axvline(0, **between_cells)
             ax.axhline(0, **between_cells)
-            line = view.heading.get_xydata()
-            centre = line[0]
-            shorter = centre + SHORT * (line - centre)
-            view.heading.set_data(shorter[:, 0], shorter[:, 1])
         most = scale_limit(tape.q, tape.agent.parameters.r_max)
         for mark in marks:
             _draw_mark(ax, mark, most)
@@ -106,14 +103,21 @@ class RobotView:
 def _draw_mark(ax: Axes, mark: Mark, most: float) -> None:
     """A value and its best actions, on white and the value's colour."""
     colour, opacity = tint(mark.value, most)
-    corner = (mark.x - WIDE / 2, mark.y - HIGH / 2)
+    x, y = _pushed_out(mark.x, OUT[0]), _pushed_out(mark.y, OUT[1])
+    corner = (x - WIDE / 2, y - HIGH / 2)
     for ink, alpha in (("white", 1), (colour, opacity)):
         box = Rectangle(corner, WIDE, HIGH, color=ink, alpha=alpha, linewidth=0)
         box.set_zorder(20)
         ax.add_patch(box)
     text = f"{mark.icons}\n{short(mark.value)}"
-    letters = ax.text(mark.x, mark.y, text, ha="center", va="center", fontsize=8.5)
+    letters = ax.text(x, y, text, ha="center", va="center", fontsize=9.6)
     letters.set(linespacing=0.9, zorder=21)
+
+
+def _pushed_out(at: float, out: float) -> float:
+    """A coordinate of a mark [m], so far from the middle of its cell if it is not in the middle."""
+    middle = math.floor(at) + 0.5
+    return middle + (at - middle) * out / ASIDE
 
 
 def _points(xy: np.ndarray) -> list[list[float]]:
