@@ -1,6 +1,7 @@
 """The figure of lesson 00: the laser beams that count, among all that the robot has."""
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -92,7 +93,7 @@ def free_place(beam: np.ndarray, obstacles: Sequence[np.ndarray]) -> np.ndarray:
 def _points_on(line: np.ndarray) -> np.ndarray:
     """Points on a line of straight pieces, close to each other; array (m, 2) [m]."""
     shares = np.linspace(0, 1, 30)[:, None]
-    pieces = [a + shares * (b - a) for a, b in zip(line[:-1], line[1:], strict=True)]
+    pieces = [a + shares * (b - a) for a, b in pairwise(line)]
     return np.vstack(pieces)
 
 

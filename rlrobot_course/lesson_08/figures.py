@@ -89,7 +89,7 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float) -> Picture
 
 
 def farthest_off(curves: Mapping[str, Sequence[float]], ideal: float) -> str:
-    """Which traces end farthest from the ideal, as a sentence. curves: values after each step, by the name of the traces"""
+    """Which traces end farthest from the ideal, as a sentence. curves: values after each step, by the traces' name"""
     off = {trace: abs(values[-1] - ideal) for trace, values in curves.items()}
     worst = max(off, key=off.__getitem__)
     end = with_minus(curves[worst][-1])

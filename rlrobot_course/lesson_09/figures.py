@@ -102,8 +102,8 @@ def plot_pull(
     curve.grid(axis="y")
     told = [f"{labels[a]}: Q {q_s[a]:.2f}, bias {bias[a]:.2f}" for a in best]
     figure.alt = (
-        f"Arrows from Q to the sum of Q and bias, of the best two of {len(x)} actions, {'; '.join(told)}. A curve: the first is taken with "
-        f"probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, {warm:.2f} at T = 1 and "
+        f"Arrows from Q to the sum of Q and bias, of the best two of {len(x)} actions, {'; '.join(told)}. "
+        f"A curve: the first is taken with probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, {warm:.2f} at T = 1 and "
         f"{p[-1]:.2f} at T = 50."
     )
     return figure
@@ -220,7 +220,8 @@ def who_gains(pairs: Mapping[str, tuple[Score, Score]]) -> str:
     """How many kinds of robots gain by loop evasion, by more than the interval of the difference, as a sentence."""
     gains, others = [], []
     for name, (without, evading) in pairs.items():
-        gain = evading.mean - without.mean
+        # of the rounded means, so that a reader who subtracts finds the same
+        gain = round(evading.mean, 2) - round(without.mean, 2)
         half = np.hypot(evading.half, without.half)
         # without spaces round the sign, so that a line does not end there
         kind = name.replace("\n", ", ").replace(" = ", "=")

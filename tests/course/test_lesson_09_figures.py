@@ -76,3 +76,10 @@ def test_each_kind_of_robot_has_two_means():
     assert picture.finding == (
         "Loop evasion adds 1.00 for cold; nothing that shows for warm"
     )
+
+
+def test_a_reader_who_subtracts_the_means_finds_the_gain():
+    pairs = {"cold": (Score(2.535, 0.1), Score(4.104, 0.1))}
+    without, evading = (f"{score.mean:.2f}" for score in pairs["cold"])
+    gain = float(evading) - float(without)
+    assert f"{gain:.2f} for cold" in plot_worth(pairs).finding
