@@ -76,8 +76,8 @@ def plot_q_old() -> Picture:
     figure.alt = (
         f"Three panels, a step each, with Q(A) and Q(B). In step 2 Q(A) = {n.noted:.0f} is noted as Q_old, "
         f"and then rises to {n.now:.2f}; Q(B) rises to {n.b:.2f}. Step 3 shows that A is worth {n.shown:.1f}: "
-        f"{long:.1f} above what was noted, {short:.2f} above what Q(A) is now. With the first, Q(B) becomes {n.b_after:.2f}, with "
-        f"the second {n.b_alone:.2f}."
+        f"{long:.1f} above what was noted, {short:.2f} above what Q(A) is now. "
+        f"With the first, Q(B) becomes {n.b_after:.2f}, with the second {n.b_alone:.2f}."
     )
     return figure
 
