@@ -1,5 +1,6 @@
 """The figures of lesson 09: what holds a robot in a loop, how the temperature frees it, and what that is worth."""
 
+import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -27,6 +28,7 @@ from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.widgets.kernels import probabilities
 
+MINUS = re.compile(r"-(?=\d)")  # of a number
 TEMPERATURES = np.logspace(
     -2, np.log10(50), 60
 )  # from a cold robot to the highest that LRLE sets
@@ -70,7 +72,7 @@ def plot_pull(
     """
     x = (q_s + bias) * 100 / q_max
     best = (-x).argsort(kind="stable")[:2]
-    held, other = (plain(labels[a]).replace("-", "−") for a in best)
+    held, other = (MINUS.sub("−", plain(labels[a])) for a in best)
     p = probability_of_best(x, TEMPERATURES)
     (warm,) = probability_of_best(x, np.ones(1))
     figure = Picture(figsize=(8.4, 4.0))
