@@ -163,7 +163,7 @@ class SideBySide(Displayed):
                 f"{film.notes[0]}, at the end: {describe(film.frames[-1])}"
                 for film in films
             )
-            alt = f"Films of robots from above, side by side. {' '.join(ends)}"
+            alt = f"Films of robots, side by side. {' '.join(ends)}"
             return Still(alt, side_by_side(films), EACH * len(films), "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):

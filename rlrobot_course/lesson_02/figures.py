@@ -18,6 +18,7 @@ from rlrobot_course.figures.plots import (
 )
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
+from rlrobot_edu.show.palette import LIGHT
 
 ARROWS = {
     0: (-1, 0),
@@ -63,29 +64,48 @@ def plot_returns(
 
     gathered: the rewards of each policy, the next one first; shown: how many are drawn, the return has them all
     """
-    figure = Picture((4.4 * len(gathered), 1.8 * len(gammas) + 0.5))
+    figure = Picture((4.2 * len(gathered), 1.8 * len(gammas) + 0.7))
+    returns = {gamma: returns_of(gathered, gamma) for gamma in gammas}
+    figure.headline(
+        how_far_apart(returns),
+        f"grey: the first {shown} rewards; blue: what counts of each in the return G",
+    )
     panels = figure.subplots(
         len(gammas), len(gathered), sharex=True, sharey=True, squeeze=False
     )
     said, k = [], np.arange(shown)
     for row, gamma in zip(panels, gammas, strict=True):
         for ax, (name, rewards) in zip(row, gathered.items(), strict=True):
-            r = np.array(rewards)
-            discounted = r * gamma ** np.arange(len(r))
-            ax.bar(k, r[:shown], color="#e0e0e0", label="reward")
-            ax.bar(k, discounted[:shown], color=BLUE, label="what counts of it")
-            ax.set_title(
-                f"{name}, γ = {gamma}: G = {discounted.sum():.2f}", fontsize=10
-            )
-            said.append(f"{name}, γ = {gamma}: {discounted.sum():.2f}")
+            r = np.array(rewards)[:shown]
+            ax.bar(k, r, color=LIGHT["line"])
+            ax.bar(k, r * gamma**k, color=BLUE)
+            total = returns[gamma][name]
+            ax.set_title(f"{name}, γ = {gamma}: G = {total:.2f}")
+            said.append(f"{name}, γ = {gamma}: {total:.2f}")
     for ax in panels[-1]:
         ax.set_xlabel("steps ahead, k")
-    figure.supylabel("reward", fontsize=10)
-    figure.legend(
-        *panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2
-    )
     figure.alt = f"Bars of the first {shown} rewards, each with the part that counts in the return. {'; '.join(said)}."
     return figure
+
+
+def returns_of(
+    gathered: Mapping[str, Sequence[float]], gamma: float
+) -> dict[str, float]:
+    """The return of each policy, from all its rewards."""
+    returns = {}
+    for name, rewards in gathered.items():
+        r = np.array(rewards)
+        returns[name] = float(r @ gamma ** np.arange(len(r)))
+    return returns
+
+
+def how_far_apart(returns: Mapping[float, Mapping[str, float]]) -> str:
+    """How far apart the returns of the policies are with each discount rate, as a sentence."""
+    parts = []
+    for gamma, of_each in returns.items():
+        apart = max(of_each.values()) - min(of_each.values())
+        parts.append(f"{apart:.2f} with γ = {gamma}")
+    return f"The returns are apart by {', by '.join(parts)}"
 
 
 def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
@@ -93,13 +113,17 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
 
     q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `Sweeps`
     """
-    figure = Picture(figsize=(5, 4.6))
-    ax = figure.subplots()
-    draw_values(ax, q.max(axis=1), desc, numbers=False)
+    figure = Picture(figsize=(5.4, 5.4))
     best = {
         s: np.flatnonzero(np.isclose(q[s], q[s].max()))
         for s in np.flatnonzero(np.isin(desc, [b"S", b"F"]))
     }
+    figure.headline(
+        uphill(q.max(axis=1), best, desc),
+        "arrows: best actions; colour: value V(s); hatched: holes; G: the goal",
+    )
+    ax = figure.subplots()
+    draw_values(ax, q.max(axis=1), desc, numbers=False)
     for s, actions in best.items():
         y, x = divmod(s, desc.shape[1])
         for a in actions:
@@ -109,14 +133,32 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
             drawn.arrow_patch.set_path_effects(
                 [withStroke(linewidth=4, foreground="black")]
             )
-    figure.colorbar(ax.images[0], ax=ax, label="V(s)")
-    figure.headline("The best actions lead uphill in value")
+    scale = figure.colorbar(ax.images[0], ax=ax, shrink=0.8)
+    scale.outline.set_visible(False)
+    scale.ax.set_title("V(s)")
     several = sum(len(actions) > 1 for actions in best.values())
     figure.alt = (
         f"The same map with an arrow for every best action. {several} of {len(best)} squares have more than one; holes "
         "are hatched, and the goal is in the lower right corner."
     )
     return figure
+
+
+def uphill(v: np.ndarray, best: Mapping[int, np.ndarray], desc: np.ndarray) -> str:
+    """How many best actions lead to the goal or to a square of higher value, as a sentence.
+
+    v: array (n_states,); best: the best actions of each square
+    """
+    columns = desc.shape[1]
+    rises = []
+    for s, actions in best.items():
+        for a in actions:
+            right, down = ARROWS[int(a)]
+            after = s + right + columns * down
+            rises.append(desc.flat[after] == b"G" or v[after] > v[s])
+    if all(rises):
+        return f"All {len(rises)} best actions lead uphill in value"
+    return f"{sum(rises)} of {len(rises)} best actions lead uphill in value"
 
 
 def draw_values(

@@ -17,8 +17,9 @@ from rlrobot_course.figures.plots import (
 )
 from rlrobot_edu import Agent, Task, make_env
 from rlrobot_edu import steps as walk
+from rlrobot_edu.show.ends import End, name_ends
 
-LAST = 1000  # steps, whose mean is told
+LAST = 1000  # steps, whose mean is written
 
 
 def plot_towards(
@@ -29,14 +30,16 @@ def plot_towards(
     labelled: so many of the first gaps carry their numbers
     """
     figure, ax = chart(
-        (6.5, 3.6),
+        (6.5, 3.9),
         "how often the step was taken",
-        "Q(s, a)",
-        "Each step closes a part of the gap",
+        "",
+        f"Each step closes {100 * alpha:.0f} % of the gap to the target",
+        grid="y",
+        note="blue: Q(s, a); orange: the step, α · δ; dotted: the gap δ",
     )
     values = target * (1 - (1 - alpha) ** np.arange(steps + 1))
     ax.axhline(target, color=BLACK, linewidth=1, linestyle=":")
-    ax.text(0, target, f"the target: {target:g}", va="bottom")
+    ax.text(-0.3, target, f"target: {target:g}", va="bottom")
     for i, (before, after) in enumerate(pairwise(values)):
         ax.plot(
             [i + 0.5] * 2, [before, target], color=BLACK, linewidth=1, linestyle=":"
@@ -66,40 +69,55 @@ def plot_one_value(
     s: int,
     a: int,
     settings: Mapping[str, Mapping[str, Any]],
-    title: str,
     *,
     steps: int = 6000,
     true: float | None = None,
 ) -> Picture:
-    """Q(s, a) after each step of Q-learning, one curve a setting, and its mean and range in the last 1000 steps.
+    """Q(s, a) after each step of Q-learning, one curve a setting, and its mean in the last 1000 steps.
 
     task: what is learned; s, a: the entry; settings: label of a curve -> parameters of an `Agent`; true: the value that
     the entry should come to, drawn as a line
     The actions are drawn at random with one seed, so every curve learns from the same steps.
     """
-    figure, ax = chart((6.5, 4.4), "step", f"Q({s}, {a})  (discounted reward)", title)
     curves = {}
     for label, setting in settings.items():
         agent = Agent(task, "Q+RANDOM", seed=0, **setting)
-        values = np.array(
-            [agent.q[s, a] for _ in walk(agent, make_env(task, seed=0), steps)]
-        )
-        last = values[-LAST:]
-        curves[
-            f"{label}: {last.min():.0f} to {last.max():.0f}, mean {last.mean():.1f}"
-        ] = values
-    draw_curves(ax, curves)
-    figure.alt = f"Curves of Q({s}, {a}) over {steps} steps. {'; '.join(curves)}."
-    if true is not None:
-        ax.axhline(
-            true,
-            color=BLACK,
-            linewidth=1,
-            linestyle=":",
-            label=f"the true value, {true:.1f}",
-        )
-        figure.alt += f" A line at {true:.1f}, the true value."
-    figure.legend(
-        loc="outside lower center", title=f"range and mean of the last {LAST} steps"
+        walked = walk(agent, make_env(task, seed=0), steps)
+        curves[label] = np.array([agent.q[s, a] for _ in walked])
+    lasts = {label: values[-LAST:] for label, values in curves.items()}
+    note = f"Q({s}, {a}), a discounted reward, learned from the same steps; number: mean of the last {LAST}"
+    figure, ax = chart(
+        (6.5, 4.2), "step", "", who_rests(lasts, true), grid="y", note=note
     )
+    draw_curves(ax, curves, width=1.8)
+    ends, told = [], []
+    for (label, last), line in zip(lasts.items(), ax.lines, strict=True):
+        name = f"{label}\n{last.mean():.1f}"
+        ends.append(End(float(last.mean()), name, str(line.get_color())))
+        told.append(
+            f"{label}: {last.min():.0f} to {last.max():.0f}, mean {last.mean():.1f}"
+        )
+    figure.alt = f"Curves of Q({s}, {a}) over {steps} steps. {'; '.join(told)}."
+    if true is not None:
+        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":")
+        ends.append(End(true, f"true value\n{true:.1f}", BLACK))
+        figure.alt += f" A line at {true:.1f}, the true value."
+    name_ends(ax, ends)
     return figure
+
+
+def who_rests(lasts: Mapping[str, np.ndarray], true: float | None) -> str:
+    """Which curve leaps most at its end and which least, and how far that one is from the true value, as a sentence.
+
+    lasts: label of a curve -> its last values
+    """
+    leaps = {label: np.ptp(last) for label, last in lasts.items()}
+    wildest = max(leaps, key=leaps.__getitem__)
+    calmest = min(leaps, key=leaps.__getitem__)
+    low, high = lasts[wildest].min(), lasts[wildest].max()
+    text = f"With {wildest} Q leaps between {low:.0f} and {high:.0f}; with {calmest} it is smooth"
+    if true is None:
+        return text
+    gap = lasts[calmest].mean() - true
+    side = "below" if gap < 0 else "above"
+    return f"{text}, {abs(gap):.0f} {side} the true value"

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import gymnasium
 import numpy as np
+from matplotlib.axes import Axes
 
 from rlrobot_course.figures.plots import (
     BLACK,
@@ -16,31 +17,30 @@ from rlrobot_course.figures.plots import (
     plain,
 )
 from rlrobot_course.figures.runs import mean_and_half
+from rlrobot_course.figures.words import as_sentence
 from rlrobot_edu import Agent, Task, learn, make_env, plot_learning
 from rlrobot_edu.learning.history import History
+from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.palette import LIGHT
 
 
 def plot_draw(p: Sequence[float], u: float) -> Picture:
     """Sampling an action: the probabilities end to end on a line from 0 to 1, and the point `u` that picks one of them.
 
-    p: array (n_actions,), sums to 1, at most seven of them; u: in [0, 1)
+    p: array (n_actions,), sums to 1; u: in [0, 1)
     """
     ends = np.cumsum(p)
     sampled = int(np.argmax(ends > u))
-    figure = Picture(figsize=(7, 1.7))
+    figure = Picture(figsize=(7, 2.0))
+    figure.headline(
+        f"u = {u:g} draws action {sampled}",
+        "the probabilities end to end; below: their running sum",
+    )
     ax = figure.subplots()
-    for a, (colour, _) in zip(range(len(p)), CURVES, strict=False):
-        ax.barh(
-            0,
-            p[a],
-            left=ends[a] - p[a],
-            color=colour,
-            alpha=1 if a == sampled else 0.35,
-            edgecolor=BLACK,
-        )
-        ax.text(
-            ends[a] - p[a] / 2, 0.5, f"action {a}: {p[a]:g}", ha="center", va="bottom"
-        )
+    for a, end in enumerate(ends):
+        colour = BLUE if a == sampled else LIGHT["line"]
+        ax.barh(0, p[a], left=end - p[a], color=colour, edgecolor="white")
+        ax.text(end - p[a] / 2, 0.5, f"action {a}: {p[a]:g}", ha="center", va="bottom")
     ax.plot([u, u], [-0.55, 0.45], color=BLACK, linewidth=2.5)
     ax.text(u, -0.6, f"u = {u:g}", ha="center", va="top")
     ax.set(
@@ -49,8 +49,6 @@ def plot_draw(p: Sequence[float], u: float) -> Picture:
         yticks=[],
         xticks=[0, *ends],
     )
-    figure.headline(f"u = {u:g} draws action {sampled}")
-    ax.set_xlabel("running sum of the probabilities")
     cuts = ", ".join(f"{end:g}" for end in ends)
     figure.alt = f"A line from 0 to 1, cut at {cuts}. u = {u:g} draws action {sampled}."
     return figure
@@ -61,24 +59,43 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
 
     q_s: array (n_actions,); rules: title of a panel -> array (n_actions,), sums to 1
     """
-    figure = Picture(figsize=(9, 2.7))
+    figure = Picture(figsize=(8.4, 3.3))
+    figure.headline(
+        sharpest_and_dullest(q_s, rules),
+        "grey: Q(s, a) of each action; blue: the probability that a rule gives it",
+    )
     first, *others = figure.subplots(1, 1 + len(rules))
-    first.bar(range(len(q_s)), q_s, color=GREY)
-    first.set(title="values", ylabel="Q(s, a)")
+    bars = first.bar(range(len(q_s)), q_s, color=GREY)
+    first.bar_label(bars, [f"{q:g}" for q in q_s])
+    first.set_title("values")
+    first.margins(y=0.12)
     for ax, (name, p) in zip(others, rules.items(), strict=True):
         bars = ax.bar(range(len(p)), p, color=BLUE)
-        ax.bar_label(bars, [f"{one:.2f}" for one in p], fontsize=9)
-        ax.set(ylim=(0, 1.12), yticks=[0, 0.5, 1])
+        ax.bar_label(bars, [f"{one:.2f}" for one in p])
+        ax.set(ylim=(0, 1.12))
         ax.set_title(plain(name))
-    others[0].set_ylabel("probability")
     for ax in figure.axes:
-        ax.set(xlabel="action", xticks=range(len(q_s)))
+        ax.set(xlabel="action", xticks=range(len(q_s)), yticks=[])
     told = [
         f"{name}: {', '.join(f'{one:.2f}' for one in p)}" for name, p in rules.items()
     ]
     values = ", ".join(f"{q:g}" for q in q_s)
     figure.alt = f"Probabilities of {len(q_s)} actions with values {values}, as bars. {'; '.join(told)}."
     return figure
+
+
+def sharpest_and_dullest(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> str:
+    """How often the rules take the best action: the one that does so most often, and the one that does so least."""
+    best = int(np.argmax(q_s))
+    shares = {name: 100 * p[best] for name, p in rules.items()}
+    most, least = (
+        max(shares, key=shares.__getitem__),
+        min(shares, key=shares.__getitem__),
+    )
+    return (
+        f"The best action is taken in {shares[most]:.0f} % by {most}, "
+        f"and in {shares[least]:.0f} % by {least}"
+    )
 
 
 def learn_in_units(
@@ -122,82 +139,124 @@ def plot_units(
         for name in ("not normalised", "normalised")
     }
     labels = [f"rewards × {factor:g}" for factor in factors]
-    return plot_side_by_side(panels, labels, "Rewards in three units")
+    return plot_side_by_side(panels, labels)
 
 
 def plot_side_by_side(
-    panels: Mapping[str, Sequence[Sequence[History]]], labels: Sequence[str], title: str
+    panels: Mapping[str, Sequence[Sequence[History]]], labels: Sequence[str]
 ) -> Picture:
     """Learning curves in panels that share their labels and the axis of rewards.
 
     panels: title of a panel -> for each label the repetitions to average, see `plot_learning`
     """
-    figure, told = Picture(figsize=(8.5, 3.6)), []
+    figure, told = Picture(figsize=(8.4, 4.0)), []
+    ends = {
+        name: [np.mean([run.average_reward[-1] for run in group]) for group in groups]
+        for name, groups in panels.items()
+    }
+    figure.headline(
+        how_far_apart(ends),
+        "average reward a step so far; line: mean, band: its 95 % interval",
+    )
     for ax, name, groups in in_panels(figure, panels, sharey=True):
         plot_learning(*groups, labels=labels, ax=ax, title=name)
         ax.get_legend().remove()
-        ends = [
-            np.mean([history.average_reward[-1] for history in group])
-            for group in groups
+        ax.set_ylabel("")
+        words = [
+            f"{label} {end:.2f}" for label, end in zip(labels, ends[name], strict=True)
         ]
-        told.append(
-            f"{name}: "
-            + ", ".join(
-                f"{label} {end:.2f}" for label, end in zip(labels, ends, strict=True)
-            )
-        )
+        told.append(f"{name}: {', '.join(words)}")
     axes = figure.axes
-    axes[1].set_ylabel("")
     # the bands of the first steps are as wide as the rewards themselves; the means decide what is shown
     means = np.concatenate([line.get_ydata() for ax in axes for line in ax.lines])
     axes[0].set_ylim(
         means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means)
     )
-    figure.headline(title)
-    note = "means, and bands of their 95 % intervals"
-    names = [plain(label) for label in labels]
-    figure.legend(
-        axes[0].lines, names, loc="outside lower center", ncols=len(names), title=note
-    )
+    for ax, values in zip(axes, ends.values(), strict=True):
+        _name_together(ax, labels, values)
     figure.alt = f"Learning curves, average reward at the end. {'; '.join(told)}."
     return figure
 
 
-def plot_ends(
-    worlds: Mapping[str, Mapping[str, Sequence[History]]], title: str
-) -> Picture:
+def how_far_apart(ends: Mapping[str, Sequence[float]]) -> str:
+    """In which panel the curves end apart and in which together, as a sentence. ends: of the curves, by panel"""
+    parts = []
+    for name, values in ends.items():
+        panel = name.split(" (")[0]
+        low, high = f"{min(values):.2f}", f"{max(values):.2f}"
+        if low == high:
+            parts.append(f"{panel}: all end at {low}")
+        else:
+            parts.append(f"{panel}: {low} to {high} a step")
+    return as_sentence("; ".join(parts))
+
+
+def _name_together(ax: Axes, labels: Sequence[str], ends: Sequence[float]) -> None:
+    """Name the curves at their ends; those that end alike have one name."""
+    alike: dict[str, list[int]] = {}
+    for i, end in enumerate(ends):
+        alike.setdefault(f"{end:.2f}", []).append(i)
+    names = []
+    for value, curves in alike.items():
+        last = curves[-1]
+        name = labels[last] if len(curves) == 1 else f"all {len(curves)}"
+        names.append(End(float(ends[last]), f"{name}\n{value}", CURVES[last][0]))
+    name_ends(ax, names)
+
+
+def plot_ends(worlds: Mapping[str, Mapping[str, Sequence[History]]]) -> Picture:
     """What each robot earns in the last 200 of its steps: a dot a robot, a line for the mean of all, a panel a world.
 
     worlds: title of a panel -> name of a rule -> the repetitions
     """
-    figure, told = Picture(figsize=(8.5, 3.6)), []
-    for ax, world, groups in in_panels(figure, worlds):
+    figure, told = Picture(figsize=(8.4, 3.9)), []
+    earned = {
+        world: {
+            name: np.array([history.rewards[-200:].mean() for history in group])
+            for name, group in groups.items()
+        }
+        for world, groups in worlds.items()
+    }
+    figure.headline(
+        who_earns_most(earned),
+        "reward a step in the last 200 steps; dot: a robot, line: the mean, box: its 95 % interval",
+    )
+    for ax, world, groups in in_panels(figure, earned):
+        best = max(groups, key=lambda name, of=groups: of[name].mean())
         means = []
-        for i, ((name, group), (colour, _)) in enumerate(
-            zip(groups.items(), CURVES, strict=False)
-        ):
-            ends = np.array([history.rewards[-200:].mean() for history in group])
-            ax.plot(
-                i + np.linspace(-0.25, 0.25, len(ends)),
-                ends,
-                "o",
-                color=colour,
-                alpha=0.7,
-                markersize=4,
-            )
-            ax.plot([i - 0.35, i + 0.35], [ends.mean()] * 2, color=BLACK, linewidth=2)
+        for i, (name, ends) in enumerate(groups.items()):
+            colour = BLUE if name == best else GREY
             mean, half = mean_and_half(ends)
+            box = {"color": colour, "alpha": 0.2, "linewidth": 0}
+            ax.fill_between([i - 0.35, i + 0.35], mean - half, mean + half, **box)
+            places = i + np.linspace(-0.25, 0.25, len(ends))
+            ax.plot(places, ends, "o", color=colour, alpha=0.7, markersize=4)
+            ax.plot([i - 0.35, i + 0.35], [ends.mean()] * 2, color=colour, linewidth=3)
             means.append(
                 f"{name} {mean:.2f} ± {half:.2f} (from {ends.min():.2f} to {ends.max():.2f})"
             )
-        ax.set(
-            xticks=range(len(groups)),
-            xticklabels=map(plain, groups),
-            title=plain(world),
-        )
-        ax.grid(alpha=0.3, axis="y")
+        names = [f"{name}\n{ends.mean():.2f}" for name, ends in groups.items()]
+        ax.set_xticks(range(len(groups)), [plain(name) for name in names])
+        ax.set_title(plain(world))
+        ax.grid(axis="y")
         told.append(f"{world}: " + ", ".join(means))
-    figure.axes[0].set_ylabel("reward per step, last 200 steps")
-    figure.headline(title)
     figure.alt = f"One dot for each robot, what it earns in its last 200 steps. {'; '.join(told)}."
     return figure
+
+
+def who_earns_most(earned: Mapping[str, Mapping[str, np.ndarray]]) -> str:
+    """Which rule earns most in each world, as a sentence; too close to tell, if the next one's interval meets its own.
+
+    earned: world -> rule -> what each robot earns
+    """
+    parts = []
+    for world, groups in earned.items():
+        intervals = {name: mean_and_half(ends) for name, ends in groups.items()}
+        order = sorted(intervals, key=lambda name, of=intervals: of[name], reverse=True)
+        (mean, half), (next_mean, next_half) = (intervals[name] for name in order[:2])
+        where = world.split(", ")[0]
+        if mean - half > next_mean + next_half:
+            parts.append(f"{order[0]} earns most in the {where} ({mean:.2f})")
+        else:
+            parts.append(f"too close to tell in the {where}")
+    return as_sentence(", ".join(parts))

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart, legend_below
+from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
 from rlrobot_edu import load_task
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of
@@ -23,7 +23,13 @@ def plot_similar_states(s: int) -> Picture:
     """
     task = load_task("worked_example")
     sets = task.states.siblings(s)
-    figure = Picture(figsize=(5.2, 5.8))
+    similar = {int(k) for states in sets.values() for k in states} - {s}
+    figure = Picture(figsize=(5.2, 6.5))
+    figure.headline(
+        f"State {s} ({state_words(task, s)}) has {len(similar)} similar states "
+        f"in {len(sets)} sets, and is itself in each set",
+        "row: a set; arrow: the robot; thick bar: something is ahead",
+    )
     maps = figure.subplots(len(sets), 3)
     for row, (name, states), mark in zip(
         maps, sets.items(), marks_of(task).values(), strict=True
@@ -40,7 +46,6 @@ def plot_similar_states(s: int) -> Picture:
                     fontsize=10,
                     weight="bold" if k == s else "normal",
                 )
-    figure.headline(f"State {s} ({state_words(task, s)}) is in each of its sets")
     words = "; ".join(
         f"{name_text(name)}: {', '.join(map(str, states))}"
         for name, states in sets.items()
@@ -72,35 +77,35 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
 
 
 def plot_draws(taken: Mapping[str, Sequence[int]], actions: Sequence[str]) -> Picture:
-    """How often each action was drawn, a bar for each of two ways to choose; the looks are those of the explorer.
+    """How often each action was drawn, a bar for each of two ways to choose.
 
     taken: by the name of what softmax looked at, the actions drawn; actions: their names
     """
-    figure, ax = chart((6.5, 3.2), "", "times drawn", "", grid="y")
     counts = {
         name: np.bincount(drawn, minlength=len(actions))
         for name, drawn in taken.items()
     }
-    looks = ({"color": "white", "edgecolor": GREY, "hatch": "//////"}, {"color": BLUE})
-    for shift, (name, times), look in zip(
-        (-0.2, 0.2), counts.items(), looks, strict=True
+    without, with_bias = (times[0] for times in counts.values())
+    n_draws = max(map(len, taken.values()))
+    figure, ax = chart(
+        (6.5, 3.5),
+        "",
+        "",
+        f"The same {n_draws} draws: {without} bumps without the bias, {with_bias} with it",
+        grid="y",
+        note=f"how often each action was drawn by {' and by '.join(f'softmax of {name}' for name in taken)}",
+    )
+    names = ("without\nthe bias\n", "with it\n")
+    for i, (times, colour) in enumerate(
+        zip(counts.values(), (GREY, BLUE), strict=True)
     ):
-        ax.bar_label(
-            ax.bar(
-                np.arange(len(actions)) + shift,
-                times,
-                0.4,
-                label=f"softmax of {name}",
-                **look,
-            )
-        )
+        labels = [str(n) for n in times]
+        labels[0] = names[i] + labels[0]
+        places = np.arange(len(actions)) + 0.4 * i - 0.2
+        bars = ax.bar(places, times, 0.4, color=colour, edgecolor="white")
+        ax.bar_label(bars, labels, padding=2, linespacing=1.05)
     ax.set_xticks(range(len(actions)), actions)
     ax.margins(y=0.15)
-    bumps = [times[0] for times in counts.values()]
-    figure.headline(
-        f"The same {len(next(iter(taken.values())))} draws: {bumps[0]} bumps without the bias, {bumps[1]} with it"
-    )
-    legend_below(figure, 2)
     told = (
         f"{name}: {', '.join(f'{a} {n}' for a, n in zip(actions, times, strict=True))}"
         for name, times in counts.items()

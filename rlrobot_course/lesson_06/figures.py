@@ -9,19 +9,21 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.figures.plots import (
+    BLACK,
     BLUE,
-    CURVES,
-    RED,
+    GREY,
+    PURPLE,
     ROLE,
     Picture,
     centred,
     chart,
     draw_lattice,
-    legend_below,
     plain,
 )
+from rlrobot_course.figures.words import as_sentence, with_minus
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
+from rlrobot_edu.show.ends import End, name_ends
 from rlrobot_edu.widgets.playground.cliff import (
     CLIFF,
     GOAL,
@@ -32,6 +34,8 @@ from rlrobot_edu.widgets.playground.cliff import (
 )
 
 FALL = -100  # the reward of a step into the cliff
+# Q-learning, with which SARSA is compared, then SARSA, and last the reader's own
+LOOKS = [(GREY, "--"), (PURPLE, "-."), (BLUE, "-")]
 WAYS = ("up to row 0", "up to row 1", "along the edge", "lost")
 
 
@@ -42,18 +46,21 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
     The ways of lost agents are not drawn.
     groups: names and the histories of repetitions of one method, which keep their transitions
     """
-    figure = Picture(figsize=(7.2, 2.6 * len(groups)))
+    figure = Picture(figsize=(7.2, 2.3 * len(groups) + 1.0))
+    figure.headline(
+        where_most_go(groups),
+        "ways without exploring, thicker: more agents; "
+        "grey: the cliff, with an agent's falls in its last 5000 steps",
+    )
     figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
     for ax, (name, histories) in zip(grids, groups.items(), strict=True):
         _draw_grid(ax)
-        colour = (
-            BLUE if name.startswith("Q") else RED
-        )  # SARSA's, as its curve in `plot_returns`
         paths = [
             greedy_path(history.q) for history in histories if way_of(history) != "lost"
         ]
         moves = Counter(move for path in paths for move in pairwise(path))
+        colour = GREY if name.startswith("Q") else BLUE
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
             ax.plot(
@@ -66,14 +73,29 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         falls = falls_of(histories)
         for cell, n in zip(CLIFF, falls, strict=True):
             row, column = np.unravel_index(cell, SHAPE)
-            centred(ax, column, row, f"{n:.1f}" if n else "", fontsize=9)
+            centred(ax, column, row, f"{n:.1f}" if n else "")
         ways = Counter(way_of(history) for history in histories)
         told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
         title = f"{name}: of {len(histories)} agents {told}"
         title += f"; {falls.sum():.0f} falls each" if falls.any() else "; no falls"
-        ax.set_title(plain(title), fontsize=10)
+        if len(groups) > 1:
+            ax.set_title(plain(title))
         figure.alt += f" {title}."
     return figure
+
+
+def where_most_go(groups: Mapping[str, Sequence[History]]) -> str:
+    """The way that most agents of each group go, and how often they fall, as a sentence."""
+    parts = []
+    for name, histories in groups.items():
+        ways = Counter(way_of(history) for history in histories)
+        way, agents = ways.most_common(1)[0]
+        part = f"{name}: {agents} of {len(histories)} {way}"
+        falls = falls_of(histories).sum()
+        if falls:
+            part += f", {falls:.0f} falls each"
+        parts.append(part)
+    return as_sentence("; ".join(parts))
 
 
 def way_of(history: History) -> str:
@@ -106,70 +128,65 @@ def first_returns(histories: Sequence[History], episodes: int) -> np.ndarray:
 
 
 def plot_returns(
-    groups: Mapping[str, Sequence[History]],
-    title: str,
-    *,
-    episodes: int = 500,
-    window: int = 10,
+    groups: Mapping[str, Sequence[History]], *, episodes: int = 500, window: int = 10
 ) -> Picture:
     """Sum of the rewards of an episode while learning, mean of the repetitions with its 95 % interval.
 
-    groups: names and the histories of repetitions of one method; title: of the figure
+    groups: names and the histories of repetitions of one method
     episodes: how many are drawn; window: so many episodes in a row make one point, which smooths the curve
     """
-    figure, ax = _figure("episode", title)
-    for (name, histories), (colour, dashes) in zip(
-        groups.items(), CURVES, strict=False
-    ):
-        blocks = (
-            first_returns(histories, episodes)
-            .reshape(len(histories), -1, window)
-            .mean(axis=2)
-        )
+    points = {}
+    for name, histories in groups.items():
+        returns = first_returns(histories, episodes)
+        points[name] = returns.reshape(len(histories), -1, window).mean(axis=2)
+    last = {name: float(blocks.mean(axis=0)[-1]) for name, blocks in points.items()}
+    repetitions = " or ".join(str(n) for n in sorted({len(h) for h in groups.values()}))
+    figure, ax = chart(
+        (6.5, 4.4),
+        "episode",
+        "",
+        _ends_in_words(last),
+        grid="y",
+        note=f"rewards of an episode while they explore, {window} episodes a point; "
+        f"line: mean of {repetitions} agents, band: its 95 % interval",
+    )
+    figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
+    ends = [End(SHORTEST, f"shortest way\n{with_minus(SHORTEST)}", BLACK)]
+    ax.axhline(SHORTEST, color=BLACK, linewidth=1, linestyle=":")
+    looks = LOOKS[: len(points) - 1] + LOOKS[-1:]
+    for (name, blocks), (colour, dashes) in zip(points.items(), looks, strict=False):
         mean = blocks.mean(axis=0)
         middle = window * (np.arange(len(mean)) + 0.5)
-        ax.fill_between(
-            middle, *mean_band(blocks), color=colour, alpha=0.2, linewidth=0
-        )
-        label = f"{name} ({len(histories)} repetitions)"
-        ax.plot(
-            middle,
-            mean,
-            color=colour,
-            linestyle=dashes,
-            linewidth=1.8,
-            label=plain(label),
-        )
-        figure.alt += f" {name} ends at {mean[-1]:.0f}."
-    ax.set_ylim(
-        -110, 0
-    )  # the first episodes lie far below and would flatten all that follows
-    legend_below(figure, 2, title="means, and their 95 % intervals")
+        band = {"color": colour, "alpha": 0.2, "linewidth": 0}
+        ax.fill_between(middle, *mean_band(blocks), **band)
+        ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8)
+        ends.append(End(last[name], f"{name}\n{with_minus(last[name])}", colour))
+        figure.alt += f" {name} ends at {last[name]:.0f}."
+    # the first episodes lie far below and would flatten all that follows
+    ax.set_ylim(-110, 0)
+    ax.margins(x=0)
+    name_ends(ax, ends)
     return figure
+
+
+def _ends_in_words(last: Mapping[str, float]) -> str:
+    """What the last points of the curves say."""
+    (first, value), *others = last.items()
+    text = f"{first} ends at {with_minus(value)} an episode"
+    for name, value in others:
+        text += f", {name} at {with_minus(value)}"
+    return as_sentence(text)
 
 
 def _draw_grid(ax: Axes) -> None:
     """Cells, cliff, start and goal, row 0 on top."""
     rows, columns = SHAPE
     draw_lattice(ax, SHAPE)
-    ax.set(xticks=range(columns), yticks=range(rows), ylabel="row")
-    ax.set_xlabel("column; grey: the cliff, with the falls into each cell")
+    ax.set_xticks(range(columns))
+    ax.set_yticks(range(rows), [f"row {row}" for row in range(rows)])
     ax.add_patch(
         Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4)
     )
     for state, word in ((START, "start"), (GOAL, "goal")):
         row, column = np.unravel_index(state, SHAPE)
-        centred(ax, column, row + 0.28, word, fontsize=9)
-
-
-def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
-    figure, ax = chart((6.5, 4.2), xlabel, "sum of the rewards of an episode", title)
-    ax.axhline(
-        SHORTEST,
-        color="black",
-        linewidth=1,
-        linestyle=":",
-        label=f"the shortest way: −{-SHORTEST}",
-    )
-    figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
-    return figure, ax
+        centred(ax, column, row + 0.3, word)

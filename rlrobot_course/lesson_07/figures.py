@@ -7,39 +7,55 @@ import numpy as np
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    RED,
+    GREY,
     Picture,
     centred,
     chart,
     in_panels,
     plain,
 )
+from rlrobot_edu.show.ends import End, name_ends
 
 
-def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
+def plot_corridor(values: Mapping[str, np.ndarray]) -> Picture:
     """How far a reward has got in a corridor: one panel a method, one row an episode, one column a cell.
 
     values: name of the method to array (episodes, cells), Q of each cell after each episode
     """
     highest = max(table.max() for table in values.values())
-    picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0))
-    picture.headline(title)
+    picture = Picture(figsize=(0.4 + 4.0 * len(values), 4.6))
+    picture.headline(
+        drives_to_the_start(values),
+        "Q of each cell after each drive; the reward lies behind the last cell",
+    )
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
-    picture.alt = f"{title}. {'; '.join(known)}."
+    picture.alt = f"How far the reward is known. {'; '.join(known)}."
     for ax, name, table in in_panels(picture, values):
         ax.imshow(table, cmap="cividis", vmin=0, vmax=highest, aspect="auto")
         for (row, column), q in np.ndenumerate(table):
             colour = BLACK if q > 0.45 * highest else "white"
-            centred(ax, column, row, f"{q:.1f}", color=colour, fontsize=8)
-        ax.set(
-            title=plain(name),
-            xlabel="cell (the reward lies behind the last one)",
-            ylabel="after episode",
-        )
+            centred(ax, column, row, f"{q:.1f}", color=colour)
+        ax.set(title=plain(name), xlabel="cell")
         ax.set_xticks(range(table.shape[1]))
         ax.set_yticks(range(table.shape[0]), range(1, table.shape[0] + 1))
+    picture.axes[0].set_ylabel("after drive")
     return picture
+
+
+def drives_to_the_start(values: Mapping[str, np.ndarray]) -> str:
+    """After how many drives the first cell has a value, with each method, as a sentence."""
+    parts = []
+    for name, table in values.items():
+        drives = np.flatnonzero(table[:, 0])
+        method = name.split(",")[0]
+        if len(drives) == 0:
+            parts.append(f"with {method} not in {len(table)} drives")
+        elif drives[0] == 0:
+            parts.append(f"with {method} in 1 drive")
+        else:
+            parts.append(f"with {method} in {drives[0] + 1} drives")
+    return f"The reward reaches the first cell {', '.join(parts)}"
 
 
 def trace_curve(
@@ -65,30 +81,28 @@ def plot_trace(
     """The trace of one pair, replacing and accumulating, with a mark at each visit."""
     replacing = trace_curve(visits, steps, gamma, lam)
     accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
-    title = "Replacing stops at 1, accumulating adds up"
-    picture, ax = chart((6.5, 3.6), "step", "trace e(s, a)", title)
+    picture, ax = chart(
+        (6.5, 4.0),
+        "step",
+        "",
+        f"Replacing stops at {replacing.max():g}, accumulating adds up to {accumulating.max():.2f}",
+        grid="y",
+        note=f"trace e(s, a) of one pair; triangle: the pair is visited; γ = {gamma:g}, λ = {lam:g}",
+    )
     picture.alt = (
         f"The trace of one pair over {steps} steps, visited at {', '.join(map(str, visits))}. It fades after each "
         f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
     )
     t = np.arange(steps)
-    ax.plot(
-        t,
-        accumulating,
-        color=RED,
-        linestyle="--",
-        marker="s",
-        markersize=3.5,
-        label="accumulating: e + 1",
-    )
-    ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5, label="replacing: 1")
-    ax.plot(
-        visits,
-        np.full(len(visits), -0.12),
-        "^",
-        color=BLACK,
-        markersize=7,
-        label="the pair is visited",
-    )
-    ax.legend(loc="upper right")
+    dashed = {"color": GREY, "linestyle": "--", "marker": "s", "markersize": 3.5}
+    ax.plot(t, accumulating, **dashed)
+    ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5)
+    at = np.full(len(visits), -0.12)
+    ax.plot(visits, at, "^", color=BLACK, markersize=7)
+    ax.margins(x=0.02)
+    ends = [
+        End(float(accumulating[-1]), "accumulating: e + 1", GREY),
+        End(float(replacing[-1]), "replacing: 1", BLUE),
+    ]
+    name_ends(ax, ends)
     return picture

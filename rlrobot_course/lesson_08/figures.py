@@ -8,31 +8,33 @@ from matplotlib.ticker import MaxNLocator
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    GREEN,
     GREY,
+    PURPLE,
     RED,
     Picture,
     centred,
     chart,
     draw_weight,
-    legend_below,
     plain,
 )
 from rlrobot_course.figures.runs import error_bars
+from rlrobot_course.figures.words import as_sentence, with_minus
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.show.ends import End, name_ends
 
 NAMES = {
     "accumulating": "SARSA(λ), accumulating traces",
     "replacing": "SARSA(λ), replacing traces",
     "dutch": "true online SARSA(λ)",
 }
+SHORT = {name: name for name in NAMES} | {"dutch": "true online"}
 CREDITED = {**NAMES, "ideal": "the ideal"}
 # colour, dashes and mark of each kind of trace, the same in every picture of the lesson
 LOOK = {
     "accumulating": {"color": RED, "linestyle": "--", "marker": "^"},
-    "replacing": {"color": BLUE, "linestyle": "-.", "marker": "s"},
-    "dutch": {"color": GREEN, "linestyle": "-", "marker": "o"},
+    "replacing": {"color": PURPLE, "linestyle": "-.", "marker": "s"},
+    "dutch": {"color": BLUE, "linestyle": "-", "marker": "o"},
 }
 
 
@@ -47,9 +49,7 @@ def pair_over_time(trace: str, steps: Sequence[tuple], alpha: float) -> list[flo
     ]
 
 
-def plot_one_pair(
-    steps: Sequence[tuple], *traces: str, alpha: float, title: str
-) -> Picture:
+def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float) -> Picture:
     """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
     steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
@@ -59,38 +59,41 @@ def plot_one_pair(
     ideal = [
         q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)
     ]
-    figure, ax = chart((6.5, 4), "step", "Q(open, ahead)", title)
-    ax.plot(
-        t,
-        ideal,
-        color=BLACK,
-        linewidth=5,
-        alpha=0.35,
-        label="ideal: all updates done again",
+    curves = {trace: pair_over_time(trace, steps, alpha) for trace in traces}
+    figure, ax = chart(
+        (6.5, 4.4),
+        "step",
+        "",
+        farthest_off(curves, ideal[-1]),
+        grid="y",
+        note=f"Q(open, ahead) after each step, α = {alpha:g}; dotted: a bump",
     )
-    ends = [f"The ideal ends at {ideal[-1]:.1f}"]
-    for trace in traces:
-        values = pair_over_time(trace, steps, alpha)
-        ax.plot(t, values, **LOOK[trace], markersize=5, label=NAMES[trace])
-        ends.append(f"{NAMES[trace]} at {values[-1]:.1f}")
+    ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35)
+    ends = [End(float(ideal[-1]), f"ideal\n{with_minus(ideal[-1], 1)}", BLACK)]
+    said = [f"The ideal ends at {ideal[-1]:.1f}"]
+    for trace, values in curves.items():
+        ax.plot(t, values, **LOOK[trace], markersize=5)
+        name = f"{trace}\n{with_minus(values[-1], 1)}"
+        ends.append(End(values[-1], name, str(LOOK[trace]["color"])))
+        said.append(f"{NAMES[trace]} at {values[-1]:.1f}")
     ax.axhline(0, color=GREY, linewidth=0.8)
     for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
         ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
-        ax.text(
-            bump - 0.05,
-            0.97,
-            "bump",
-            rotation=90,
-            ha="right",
-            va="top",
-            transform=ax.get_xaxis_transform(),
-        )
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
-    ax.legend()
+    ax.margins(x=0.02)
+    name_ends(ax, ends)
     figure.alt = (
-        f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+        f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(said)}."
     )
     return figure
+
+
+def farthest_off(curves: Mapping[str, Sequence[float]], ideal: float) -> str:
+    """Which traces end farthest from the ideal, as a sentence. curves: values after each step, by the traces' name"""
+    off = {trace: abs(values[-1] - ideal) for trace, values in curves.items()}
+    worst = max(off, key=off.__getitem__)
+    end = with_minus(curves[worst][-1])
+    return f"{as_sentence(worst)} traces end at {end}, the ideal at {with_minus(ideal)}"
 
 
 def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
@@ -194,69 +197,90 @@ def plot_traces(visits: Sequence[bool], alpha: float) -> Picture:
 
     visits: list (n,), whether the pair is visited in each step; alpha: learning rate
     """
+    curves = {trace: trace_over_time(trace, visits, alpha) for trace in TRACES}
     figure, ax = chart(
-        (6.5, 3.6),
+        (6.5, 4.2),
         "step",
-        "trace e(s, a) at the update",
-        f"The trace of one pair, α = {alpha:g}",
+        "",
+        who_overshoots(curves, alpha),
+        grid="y",
+        note=f"trace e(s, a) of one pair at the update, α = {alpha:g}; tick: the pair is visited",
     )
-    t, ends = np.arange(1, len(visits) + 1), []
-    for trace in TRACES:
-        e = trace_over_time(trace, visits, alpha)
-        ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
-        ends.append(f"{trace} {e.max():.1f}")
+    t = np.arange(1, len(visits) + 1)
+    ends, said = [], []
+    for trace, e in curves.items():
+        ax.plot(t, e, **LOOK[trace], markersize=4)
+        ends.append(End(float(e[-1]), trace, str(LOOK[trace]["color"])))
+        said.append(f"{trace} {e.max():.1f}")
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
-    ax.plot(
-        t[np.array(visits)],
-        np.full(sum(visits), -0.25),
-        "|",
-        color=BLACK,
-        markersize=8,
-        label="visit",
-    )
-    ax.axhline(
-        1 / alpha,
-        color=GREY,
-        linestyle=(0, (1, 1)),
-        label=f"α · e = 1, at e = {1 / alpha:g}",
-    )
-    ax.legend(loc="upper right")
+    seen = t[np.array(visits)]
+    ax.plot(seen, np.full(len(seen), -0.25), "|", color=BLACK, markersize=8)
+    ax.axhline(1 / alpha, color=BLACK, linewidth=1, linestyle=(0, (1, 1)))
+    ends.append(End(1 / alpha, "α · e = 1", BLACK))
+    ax.margins(x=0.02)
+    name_ends(ax, ends)
     figure.alt = (
         f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps, with α = {alpha:g}. Largest "
-        f"values: {', '.join(ends)}. α · e is above 1 where the trace is above {1 / alpha:g}."
+        f"values: {', '.join(said)}. α · e is above 1 where the trace is above {1 / alpha:g}."
     )
     return figure
 
 
+def who_overshoots(curves: Mapping[str, np.ndarray], alpha: float) -> str:
+    """Whose α · e exceeds 1, and how far, as a sentence. curves: traces over the steps, by their names"""
+    most = {trace: float(e.max()) * alpha for trace, e in curves.items()}
+    over = [trace for trace in curves if most[trace] > 1]
+    if not over:
+        return "No trace makes α · e exceed 1"
+    only = "only " if len(over) == 1 else ""
+    text = f"{only}{' and '.join(over)} traces make α · e exceed 1: up to {max(most.values()):.1f}"
+    return as_sentence(text)
+
+
 def plot_over_alpha(
-    alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str
+    alphas: Sequence[float], rewards: Mapping[str, np.ndarray]
 ) -> Picture:
     """Average reward over the learning rate, one curve for each kind of trace, with 95 % intervals.
 
     alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
     """
-    figure, ax = chart((6.5, 4.2), "learning rate α", "average reward per step", title)
-    ends = []
-    aside = 0.008 * np.ptp(
-        alphas
-    )  # so that the intervals of one α do not hide each other
+    repetitions = np.shape(next(iter(rewards.values())))[1]
+    last = {trace: float(np.mean(of_each[-1])) for trace, of_each in rewards.items()}
+    figure, ax = chart(
+        (6.5, 4.2),
+        "learning rate α",
+        "",
+        best_and_worst(last, alphas[-1]),
+        grid="y",
+        note=f"average reward a step; mark: mean of {repetitions} agents, line: its 95 % interval",
+    )
+    ends, said = [], []
+    # so that the intervals of one α do not hide each other
+    aside = 0.008 * np.ptp(alphas)
     for i, (trace, averages) in enumerate(rewards.items()):
         mean, reach = error_bars(np.asarray(averages).T)
-        ax.errorbar(
-            np.asarray(alphas) + (i - 1) * aside,
-            mean,
-            reach,
-            **LOOK[trace],
-            capsize=3,
-            label=NAMES[trace],
-        )
-        ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
-    repetitions = np.shape(next(iter(rewards.values())))[1]
+        places = np.asarray(alphas) + (i - 1) * aside
+        ax.errorbar(places, mean, reach, **LOOK[trace], capsize=3)
+        name = f"{SHORT[trace]}\n{mean[-1]:.2f}"
+        ends.append(End(float(mean[-1]), name, str(LOOK[trace]["color"])))
+        said.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
-    legend = f"means of {repetitions} repetitions, and their 95 % intervals"
-    legend_below(figure, 2, title=legend)
+    ax.set_xticks(alphas)
+    name_ends(ax, ends)
     figure.alt = (
-        f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
+        f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(said)}."
     )
     return figure
+
+
+def best_and_worst(earned: Mapping[str, float], alpha: float) -> str:
+    """Which traces earn most and which least, as a sentence. earned: means by the name of the trace, with this α"""
+    best, worst = (
+        max(earned, key=earned.__getitem__),
+        min(earned, key=earned.__getitem__),
+    )
+    return (
+        f"At α = {alpha:g}, {SHORT[best]} traces earn most, {earned[best]:.2f} a step; "
+        f"{SHORT[worst]} ones {earned[worst]:.2f}"
+    )

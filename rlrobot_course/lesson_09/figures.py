@@ -1,24 +1,33 @@
 """The figures of lesson 09: what holds a robot in a loop, how the temperature frees it, and what that is worth."""
 
+import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from rlrobot_course.figures.plots import (
+    BLACK,
     BLUE,
     GREEN,
     GREY,
-    ORANGE,
     RED,
     Picture,
     chart,
-    legend_below,
+    draw_arrow,
+    name_rows,
     plain,
 )
+from rlrobot_course.figures.words import with_minus
 from rlrobot_course.play.challenge import Score
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.describe import describe
+from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.widgets.kernels import probabilities
 
+MINUS = re.compile(r"-(?=\d)")  # of a number
 TEMPERATURES = np.logspace(
     -2, np.log10(50), 60
 )  # from a cold robot to the highest that LRLE sets
@@ -31,6 +40,27 @@ def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
     )
 
 
+def plot_rut(scene: Scene, history: History) -> Picture:
+    """The robot where it is caught, with its beams and what is near; history: of its learning, up to now"""
+    last = history.rewards[-1]
+    others = np.flatnonzero(history.rewards != last)
+    since = int(others[-1]) + 1 if others.size else 0
+    n_steps = len(history.rewards) - since
+    picture = Picture((5.2, 5.8), describe(scene))
+    picture.headline(
+        f"For {n_steps} steps the robot has been here and earned {with_minus(last, 2)} a step",
+        "seen from above, with its lasers; white: where it looks",
+    )
+    ax = picture.subplots()
+    plot_scene(scene, ax)
+    ax.set_title("")
+    (body,) = (solid for solid in scene.solids if solid.name == "robot/body")
+    x, y = body.pose[:2, 3]
+    left, bottom = max(x - 1.2, scene.bounds[0] - 0.1), y - 1.2
+    ax.set(xlim=(left, left + 2.4), ylim=(bottom, bottom + 2.4))
+    return picture
+
+
 def plot_pull(
     q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: float
 ) -> Picture:
@@ -40,48 +70,69 @@ def plot_pull(
     """
     x = (q_s + bias) * 100 / q_max
     best = (-x).argsort(kind="stable")[:2]
-    figure = Picture(figsize=(8.2, 3.2))
-    bars, curve = figure.subplots(1, 2, width_ratios=(3, 2))
-    parts = {"Q(s, a)": q_s, "bias": bias, "sum": q_s + bias}
-    for k, (name, values) in enumerate(parts.items()):
-        look = {
-            "color": (BLUE, ORANGE, GREY)[k],
-            "hatch": ("", "//", "..")[k],
-            "edgecolor": "white",
-        }
-        drawn = bars.bar(
-            np.arange(2) + 0.27 * (k - 1), values[best], 0.25, label=name, **look
-        )
-        bars.bar_label(drawn, [f"{value:.2f}" for value in values[best]])
-    bars.axhline(0, color=GREY, linewidth=1)
-    bars.set_xticks((0, 1), [plain(labels[a]) for a in best])
-    bars.margins(y=0.15)
-    bars.set(ylabel="value (reward)")
-    bars.set_title(f"The bias holds it: {bias[best[0]]:.2f}", fontsize=11)
-    figure.legend(loc="outside lower left", ncols=3)
+    held, other = (MINUS.sub("−", plain(labels[a])) for a in best)
     p = probability_of_best(x, TEMPERATURES)
-    curve.semilogx(TEMPERATURES, p, color=RED)
+    (warm,) = probability_of_best(x, np.ones(1))
+    figure = Picture(figsize=(8.4, 4.0))
+    figure.headline(
+        what_holds(q_s, bias, int(best[0]), float(p[0]), float(warm)),
+        f"left: Q(s, a), the bias on top of it, and their sum, for the best two of {len(x)} actions; "
+        "right: how often the best one is taken",
+    )
+    pull, curve = figure.subplots(1, 2, width_ratios=(3, 2))
+    for row, a in enumerate(best):
+        _draw_pull(pull, row, float(q_s[a]), float(bias[a]), BLUE if row == 0 else GREY)
+    ends = np.concatenate([[0], q_s[best], (q_s + bias)[best]])
+    aside = 0.15 * np.ptp(ends)
+    pull.set_xlim(ends.min() - aside, ends.max() + aside)
+    pull.axvline(0, color=GREY, linewidth=1, zorder=0)
+    pull.set_yticks((0, 1), [held, other])
+    pull.set(ylim=(1.6, -0.7), xlabel="value (reward)")
+    curve.semilogx(TEMPERATURES, p, color=BLUE)
+    curve.plot([TEMPERATURES[0], 1], [p[0], warm], "o", color=BLUE)
+    beside = {"textcoords": "offset points", "color": BLUE, "weight": "bold"}
+    curve.annotate(f"{p[0]:.2f}", (TEMPERATURES[0], p[0]), (4, -14), **beside)
+    curve.annotate(f"{warm:.2f}", (1, warm), (4, 5), **beside)
     curve.axhline(1 / len(x), color=GREY, linestyle=":")
-    curve.annotate(
-        "pure chance",
-        (TEMPERATURES[0], 1 / len(x)),
-        (0, 3),
-        textcoords="offset points",
-        color="#505050",
-    )
+    low = (TEMPERATURES[0], 1 / len(x))
+    curve.annotate("pure chance", low, (0, 3), textcoords="offset points")
     curve.set_xticks([0.01, 0.1, 1, 10, 50], ["0.01", "0.1", "1", "10", "50"])
-    curve.set(
-        xlabel="temperature T", ylabel=plain(f"P({labels[best[0]]})"), ylim=(0, 1.05)
-    )
-    curve.set_title("Only heat loosens its hold", fontsize=11)
-    curve.grid(alpha=0.3)
+    curve.set(xlabel="temperature T", ylim=(0, 1.08))
+    curve.set_title(f"P({held})")
+    curve.grid(axis="y")
     told = [f"{labels[a]}: Q {q_s[a]:.2f}, bias {bias[a]:.2f}" for a in best]
     figure.alt = (
-        f"Bars of Q and bias of the best two of {len(x)} actions, {'; '.join(told)}. A curve: the first is taken with "
-        f"probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, {probability_of_best(x, np.ones(1))[0]:.2f} at T = 1 and "
+        f"Arrows from Q to the sum of Q and bias, of the best two of {len(x)} actions, {'; '.join(told)}. "
+        f"A curve: the first is taken with probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, {warm:.2f} at T = 1 and "
         f"{p[-1]:.2f} at T = 50."
     )
     return figure
+
+
+def what_holds(
+    q_s: np.ndarray, bias: np.ndarray, best: int, cold: float, warm: float
+) -> str:
+    """What lifts the best action, and what the temperature makes of it, as a sentence. cold, warm: its probabilities"""
+    total = with_minus(q_s[best] + bias[best], 2)
+    q = with_minus(q_s[best], 2)
+    if bias[best] > 0:
+        text = f"The bias lifts the best action from {q} to {total}"
+    else:
+        text = f"The best action is worth {q}, with the bias {total}"
+    return f"{text}; cold it is taken in {100 * cold:.0f} %, at T = 1 in {100 * warm:.0f} %"
+
+
+def _draw_pull(ax: Axes, row: int, q: float, bias: float, colour: str) -> None:
+    """Q as a dot, and from there an arrow as long as the bias, to the sum."""
+    ax.plot(q, row, "o", color=BLACK, markersize=7)
+    ax.text(q, row + 0.16, f"Q\n{with_minus(q, 2)}", ha="center", va="top")
+    draw_arrow(ax, (q, row), (q + bias, row), colour, 4)
+    look = {"color": colour, "weight": "bold"}
+    sign = "+" if bias >= 0 else ""
+    text = f"bias {sign}{with_minus(bias, 2)}"
+    ax.text(q + bias / 2, row - 0.1, text, ha="center", va="bottom", **look)
+    total = f"sum\n{with_minus(q + bias, 2)}"
+    ax.text(q + bias, row + 0.16, total, ha="center", va="top", **look)
 
 
 def plot_escape(steps: Sequence[Step], default: float) -> Picture:
@@ -94,25 +145,26 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     rank = np.array([order.setdefault(step.s, len(order) + 1) for step in steps])
     paid = np.array([step.r > 0 for step in steps])
     heat = np.array([step.temperature for step in steps])
-    figure = Picture(figsize=(7, 4.6))
-    above, below = figure.subplots(2, 1, sharex=True)
-    above.plot(t[~paid], rank[~paid], "x", color=RED, label="reward below 0")
-    above.plot(
-        t[paid], rank[paid], "o", color=GREEN, markersize=4, label="reward above 0"
+    hot = t[heat > default]
+    figure = Picture(figsize=(7, 5.2))
+    figure.headline(
+        heats_and_pays(hot, t[paid]),
+        "above: states in the order of their first visit; ● reward above 0, × below; below: temperature T",
     )
-    above.set(ylabel="state, in order\nof first visit")
+    above, below = figure.subplots(2, 1, sharex=True)
+    above.plot(t[~paid], rank[~paid], "x", color=RED)
+    above.plot(t[paid], rank[paid], "o", color=GREEN, markersize=4)
     above.locator_params(axis="y", integer=True)
-    above.legend(loc="upper left")
+    above.set_title("state")
     below.step(t, heat, where="mid", color=BLUE)
     below.axhline(default, color=GREY, linestyle=":")
-    below.annotate(
-        f"default, {default:g}", (t[0], default), (0, 3), textcoords="offset points"
-    )
-    below.set(xlabel="step", ylabel="temperature T")
+    at = (t[0], default)
+    below.annotate(f"default, {default:g}", at, (0, 4), textcoords="offset points")
+    below.set_title("temperature T")
+    below.set(xlabel="step")
     for ax in (above, below):
-        ax.grid(alpha=0.3)
+        ax.grid(axis="y")
         ax.margins(x=0.01)
-    figure.headline("The temperature rises until the robot leaves the rut")
     figure.alt = (
         f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
         f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
@@ -121,39 +173,67 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     return figure
 
 
-def plot_worth(pairs: Mapping[str, tuple[Score, Score]], title: str) -> Picture:
-    """What robots earn without loop evasion and with it, two bars with 95 % intervals for each kind of robot.
+def heats_and_pays(hot: np.ndarray, paid: np.ndarray) -> str:
+    """When the temperature first rises, and when the robot is first paid after that. hot, paid: numbers of steps"""
+    if not hot.size:
+        return "The temperature never rises"
+    later = paid[paid > hot[0]]
+    if not later.size:
+        return f"The temperature rises in step {hot[0]}, and the robot is not paid after that"
+    return f"The temperature rises in step {hot[0]}, and in step {later[0]} the robot is paid"
+
+
+def plot_worth(pairs: Mapping[str, tuple[Score, Score]]) -> Picture:
+    """What robots earn without loop evasion and with it, two means with 95 % intervals for each kind of robot.
 
     pairs: by the name of a kind, its scores without and with
     """
-    figure, ax = chart((7, 3.6), "", "reward a step", title, grid="y")
-    looks = ({"color": "white", "edgecolor": GREY, "hatch": "//"}, {"color": BLUE})
-    for i, (name, look) in enumerate(zip(("without", "with"), looks, strict=True)):
-        means, halves = np.array([both[i] for both in pairs.values()]).T
-        where = np.arange(len(pairs)) + 0.4 * i - 0.2
-        ax.bar(
-            where,
-            means,
-            0.4,
-            yerr=halves,
-            capsize=4,
-            label=f"{name} loop evasion",
-            **look,
-        )
-        for x, mean, half in zip(where, means, halves, strict=True):
-            ax.annotate(
-                f"{mean:.2f}",
-                (x, mean + half),
-                (0, 3),
-                textcoords="offset points",
-                ha="center",
-            )
-    ax.set_xticks(range(len(pairs)), map(plain, pairs))
-    ax.margins(y=0.12)
-    legend_below(figure, 2)
+    figure, ax = chart(
+        (7, 4.2),
+        "reward a step",
+        "",
+        who_gains(pairs),
+        grid="x",
+        note="grey: without loop evasion, blue: with it; dot: mean, line: its 95 % interval",
+    )
+    for i, (colour, side) in enumerate(((GREY, -0.17), (BLUE, 0.17))):
+        for row, both in enumerate(pairs.values()):
+            mean, half = both[i]
+            y = row + side
+            ax.plot([mean - half, mean + half], [y, y], color=colour, linewidth=3)
+            ax.plot(mean, y, "o", color=colour, markersize=8)
+            text = f"{mean:.2f} {'without' if i == 0 else 'with'}"
+            look = {"color": colour, "weight": "bold", "va": "center"}
+            ax.text(mean + half + 0.08, y, text, **look)
+    name_rows(ax, list(pairs))
+    ax.set_xlim(left=0)
+    ax.margins(x=0.15, y=0.12)
     told = "; ".join(
         f"{plain(name)}: {both[0]} without, {both[1]} with"
         for name, both in pairs.items()
     )
     figure.alt = f"Reward a step, means with 95 % intervals, without and with loop evasion. {told}."
     return figure
+
+
+def who_gains(pairs: Mapping[str, tuple[Score, Score]]) -> str:
+    """How many kinds of robots gain by loop evasion, by more than the interval of the difference, as a sentence."""
+    gains, others = [], []
+    for name, (without, evading) in pairs.items():
+        # of the rounded means, so that a reader who subtracts finds the same
+        gain = round(evading.mean, 2) - round(without.mean, 2)
+        half = np.hypot(evading.half, without.half)
+        # without spaces round the sign, so that a line does not end there
+        kind = name.replace("\n", ", ").replace(" = ", "=")
+        if gain > half:
+            gains.append(f"{gain:.2f} for {kind}")
+        else:
+            others.append(kind)
+    text = "Loop evasion adds nothing that shows"
+    if gains:
+        text = f"Loop evasion adds {' and '.join(gains)}"
+        if others:
+            text += "; nothing that shows"
+    if others:
+        text += f" for {' and '.join(others)}"
+    return text

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 from rlrobot_edu.experiments.compare import repeat
+from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.agent import Agent
@@ -126,9 +129,20 @@ class ParameterSliders(Displayed):
         """
         yours = self._run(**settings)
         start = {name: self._start[name] for name in settings}
-        labels = [f"yours: {_in_symbols(settings)}", f"defaults: {_in_symbols(start)}"]
-        title = f"{self._method} with your settings"
-        return plot_learning(yours, self._defaults, labels=labels, title=title)
+        labels = ["yours", "defaults"]
+        picture = plot_learning(
+            yours,
+            self._defaults,
+            labels=labels,
+            title=compared(yours, self._defaults, _in_symbols(settings)),
+        )
+        # from 0, so that a small difference looks small
+        low, high = picture.axes[0].get_ylim()
+        picture.axes[0].set_ylim(min(0, low), max(0, high))
+        for label, values in zip(labels, (settings, start), strict=True):
+            said = f"{label}: {_in_symbols(values)}"
+            picture.alt = picture.alt.replace(f"{label} ends", f"{said} ends")
+        return picture
 
     def still(self) -> Still:
         """The curves as they are now.
@@ -150,6 +164,23 @@ class ParameterSliders(Displayed):
         n = len(self.sliders)
         count = "1 slider" if n == 1 else f"{n} sliders"
         return f"<{count}, {symbols}, and a learning curve>"
+
+
+def compared(yours: Runs, defaults: Runs, settings: str) -> str:
+    """Whether these settings earn more or less than the defaults, or too little else to tell, as a sentence."""
+    ends = [runs.curves[:, -1] for runs in (yours, defaults)]
+    means = [float(end.mean()) for end in ends]
+    difference = means[0] - means[1]
+    half = 0.0
+    if min(map(len, ends)) > 1:
+        bands = [mean_band(end[:, None]) for end in ends]
+        half = math.hypot(*(float(high[0] - low[0]) / 2 for low, high in bands))
+    if difference == 0:
+        return f"With {settings} the robot earns what it earns with the defaults"
+    if abs(difference) <= half:
+        return f"With {settings} the robot earns about what it earns with the defaults: too close to tell"
+    side = "more" if difference > 0 else "less"
+    return f"With {settings} the robot earns {abs(difference):.2f} a step {side} than with the defaults"
 
 
 def _new_slider(slider: Slider, value: float) -> Any:

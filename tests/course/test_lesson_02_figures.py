@@ -66,6 +66,12 @@ def test_a_bar_is_the_reward_and_what_counts_of_it():
     assert ax.get_title().endswith("G = 10.00")
 
 
+def test_the_finding_says_how_far_the_returns_are_apart():
+    policies = {"one": [1.0, 0.0], "other": [0.0, 4.0]}
+    finding = plot_returns(policies, [0.5, 1.0], shown=2).finding
+    assert finding == "The returns are apart by 1.00 with γ = 0.5, by 3.00 with γ = 1.0"
+
+
 def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():
     v = np.array(
         [
@@ -79,6 +85,8 @@ def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():
             _, s_next, r, terminated = LAKE.P[s][a][0]
             q[s, a] = r + (0 if terminated else GAMMA * v[s_next])
     figure = plot_ways(q, LAKE.desc)
+    assert figure.finding.startswith("All ")
+    assert "of" in plot_ways(-q, LAKE.desc).finding.split()
     arrows = [
         (text.xyann, text.xy)
         for text in figure.axes[0].texts

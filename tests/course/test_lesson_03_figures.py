@@ -3,7 +3,7 @@
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03.figures import plot_one_value, plot_towards
+from rlrobot_course.lesson_03.figures import plot_one_value, plot_towards, who_rests
 
 
 def test_every_curve_is_q_learning_over_the_same_steps():
@@ -12,7 +12,7 @@ def test_every_curve_is_q_learning_over_the_same_steps():
     rates = {"slow": 0.02, "jumps": 1.0}
     s_shown, a_shown = 0, 2
     settings = {label: {"alpha": alpha} for label, alpha in rates.items()}
-    figure = plot_one_value(task, s_shown, a_shown, settings, "a title", steps=400)
+    figure = plot_one_value(task, s_shown, a_shown, settings, steps=400)
     walk = list(
         rl.steps(rl.Agent(task, "Q+RANDOM", seed=0), rl.make_env(task, seed=0), 400)
     )
@@ -32,3 +32,16 @@ def test_a_value_moves_towards_its_target_by_a_share_of_the_gap():
         if len(line.get_ydata()) == 4
     )
     assert list(line.get_ydata()) == [0, 5, 7.5, 8.75]
+
+
+def test_the_finding_names_the_wildest_and_the_calmest_curve():
+    lasts = {"α = 1": np.array([3.0, 41.0]), "α = 0.1": np.array([5.0, 7.0])}
+    assert who_rests(lasts, None) == (
+        "With α = 1 Q leaps between 3 and 41; with α = 0.1 it is smooth"
+    )
+    assert who_rests(lasts, true=10.0).endswith("4 below the true value")
+    assert who_rests(lasts, true=2.0).endswith("4 above the true value")
+
+
+def test_the_finding_says_which_share_of_the_gap_a_step_closes():
+    assert "closes 25 % of the gap" in plot_towards(8.0, 0.25).finding

@@ -2,25 +2,33 @@
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.runs import plot_runs
+from rlrobot_course.figures.words import as_sentence
 from rlrobot_course.lesson_04.figures import (
+    how_far_apart,
     learn_in_units,
     plot_draw,
     plot_ends,
     plot_rules,
     plot_side_by_side,
+    sharpest_and_dullest,
+    who_earns_most,
 )
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.show.palette import BLUE
 
 
 def test_the_segment_under_the_point_is_the_action_that_is_sampled():
     for u in (0.0, 0.49, 0.5, 0.99):
         figure = plot_draw([0.0, 0.5, 0.5], u)
-        strong = [bar for bar in figure.axes[0].patches if bar.get_alpha() == 1]
+        strong = [
+            bar for bar in figure.axes[0].patches if to_hex(bar.get_facecolor()) == BLUE
+        ]
         assert (
             len(strong) == 1
             and strong[0].get_x() <= u < strong[0].get_x() + strong[0].get_width()
@@ -68,13 +76,11 @@ def history(rewards: list[float]) -> History:
 
 def test_each_panel_has_its_curves():
     groups = [[history([0.0, 2 * end])] for end in (1.5, -2.5)]
-    figure = plot_side_by_side(
-        {"one": groups, "two": groups[::-1]}, ["A", "B"], "title"
-    )
+    figure = plot_side_by_side({"one": groups, "two": groups[::-1]}, ["A", "B"])
     assert [ax.get_title() for ax in figure.axes] == ["one", "two"]
     assert [line.get_ydata()[-1] for line in figure.axes[1].lines] == [-2.5, 1.5]
     with pytest.raises(ValueError, match="2 curves"):
-        plot_side_by_side({"one": groups, "two": groups}, ["A"], "title")
+        plot_side_by_side({"one": groups, "two": groups}, ["A"])
 
 
 def test_a_dot_a_robot_and_a_bar_for_their_mean():
@@ -83,7 +89,7 @@ def test_a_dot_a_robot_and_a_bar_for_their_mean():
         name: [history([1.0] * 300 + [end] * 200) for end in pair]
         for name, pair in ends.items()
     }
-    ax = plot_ends({"one": groups, "two": groups}, "title").axes[0]
+    ax = plot_ends({"one": groups, "two": groups}).axes[0]
     assert [list(line.get_ydata()) for line in ax.lines] == [
         [2.0, 4.0],
         [3.0, 3.0],
@@ -100,3 +106,30 @@ def test_the_curve_of_a_run_is_the_mean_of_its_rewards_so_far():
         [0.0, 1.0, 2.0],
         [3.0, 3.0, 3.0],
     ]
+
+
+def test_the_finding_says_which_rules_are_sure_and_which_are_not():
+    rules = {"even": np.array([0.5, 0.5]), "sure": np.array([0.1, 0.9])}
+    assert sharpest_and_dullest([1.0, 4.0], rules) == (
+        "The best action is taken in 90 % by sure, and in 50 % by even"
+    )
+
+
+def test_the_finding_says_where_the_curves_end_together():
+    ends = {"not normalised (3 repetitions)": [1.0, 2.5], "normalised": [1.001, 1.0]}
+    assert how_far_apart(ends) == (
+        "Not normalised: 1.00 to 2.50 a step; normalised: all end at 1.00"
+    )
+
+
+def test_the_finding_names_a_best_rule_only_where_the_intervals_are_apart():
+    clear = {"ε-greedy": np.array([1.0, 1.1]), "softmax": np.array([9.0, 9.1])}
+    close = {"ε-greedy": np.array([1.0, 9.0]), "softmax": np.array([2.0, 9.0])}
+    assert who_earns_most({"arena, 2 robots": clear, "cells": close}) == (
+        "Softmax earns most in the arena (9.05), too close to tell in the cells"
+    )
+
+
+def test_a_symbol_at_the_beginning_of_a_sentence_stays_small():
+    assert as_sentence("ε-greedy earns most") == "ε-greedy earns most"
+    assert as_sentence("greedy earns most") == "Greedy earns most"

@@ -42,6 +42,11 @@ def test_each_row_of_maps_is_a_set_and_the_state_itself_is_in_each(s):
         ]
 
 
+def test_the_finding_counts_the_similar_states_without_the_state_itself():
+    finding = plot_similar_states(1).finding
+    assert "5 similar states in 4 sets" in finding
+
+
 def test_a_state_that_does_not_exist_is_named():
     with pytest.raises(ValueError, match="there is no state 24"):
         plot_similar_states(24)

@@ -91,6 +91,15 @@ def test_the_picture_counts_the_ways():
     assert max(widths) > min(widths)
 
 
+def test_the_finding_names_the_way_that_most_agents_go():
+    groups = {
+        "first": [history(q_of(2)), history(q_of(2)), history(q_of(0))],
+        "second": [history(q_of(1))],
+    }
+    finding = plot_paths(groups).finding
+    assert finding == "First: 2 of 3 along the edge; second: 1 of 1 up to row 1"
+
+
 def test_falls_are_counted_in_the_cell_that_was_stepped_into():
     steps = [
         (START, RIGHT, -100.0),
@@ -113,10 +122,11 @@ def test_returns_are_averaged_over_windows_of_episodes():
         history(q_of(2), [-100.0, -20.0, -13.0, -13.0, -7.0]),
         history(q_of(2), [-60.0, -20.0, -15.0, -15.0, -7.0]),
     ]
-    picture = plot_returns({"some": runs}, "A title", episodes=4, window=2)
+    picture = plot_returns({"some": runs}, episodes=4, window=2)
     curve = picture.axes[0].lines[-1]
     np.testing.assert_allclose(curve.get_xdata(), [1, 3])
     np.testing.assert_allclose(curve.get_ydata(), [-50, -14])
+    assert picture.finding == "Some ends at −14 an episode"
     with pytest.raises(ValueError, match="5 finished episodes, 6 are needed"):
         first_returns(runs, 6)
 

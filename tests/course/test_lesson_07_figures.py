@@ -36,9 +36,15 @@ def test_the_picture_of_a_trace_draws_both_kinds():
     assert replacing.max() == 1.0
     assert accumulating.max() == pytest.approx(1 + 0.45**2)
     assert len(visits) == 2
+    assert picture.finding == "Replacing stops at 1, accumulating adds up to 1.20"
 
 
 def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got():
     table = np.array([[0.0, 0.0, 9.0], [0.0, 8.1, 9.0]])
-    picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
+    picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1})
+    assert picture.finding == (
+        "The reward reaches the first cell with SARSA not in 2 drives, with SARSA(λ) in 1 drive"
+    )
+    table[1, 0] = 7.0
+    assert plot_corridor({"SARSA": table}).finding.endswith("with SARSA in 2 drives")
     assert [len(ax.texts) for ax in picture.axes] == [6, 6]

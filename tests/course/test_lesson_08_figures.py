@@ -9,6 +9,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_08.figures import (
     plot_credit,
     plot_one_pair,
+    plot_over_alpha,
     plot_traces,
     trace_over_time,
     weights,
@@ -78,13 +79,14 @@ def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limit
 
 
 def test_the_pictures_draw_what_was_computed():
-    picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5, title="t")
+    picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5)
     ideal, accumulating, dutch = (
         line.get_ydata() for line in picture.axes[0].lines[:3]
     )
     np.testing.assert_allclose(dutch, ideal, atol=1e-10)
     assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 08
     assert accumulating[-1] < -90
+    assert picture.finding == "Accumulating traces end at −95, the ideal at 10"
 
 
 def test_the_picture_of_the_noted_value_has_the_numbers_of_the_lesson():
@@ -92,6 +94,7 @@ def test_the_picture_of_the_noted_value_has_the_numbers_of_the_lesson():
     texts = " ".join(text.get_text() for ax in picture.axes for text in ax.texts)
     for number in ("4.05", "4.5", "0.45", "5.00", "6.82", "5.18"):
         assert number in texts
+    assert "5.18 in place of 6.82" in picture.finding
 
 
 def test_the_picture_of_the_three_traces_draws_each_and_the_limit():
@@ -102,6 +105,23 @@ def test_the_picture_of_the_three_traces_draws_each_and_the_limit():
         -1
     ] == pytest.approx(1)
     assert max(dutch) < limit[0] == 2
+
+
+def test_the_finding_names_the_traces_that_overshoot():
+    seldom = [True] + [False] * 8
+    assert plot_traces(seldom, 0.5).finding == "No trace makes α · e exceed 1"
+    often = plot_traces([True] * 9, 0.5).finding
+    assert often.startswith("Only accumulating traces make α · e exceed 1: up to 2.2")
+
+
+def test_the_finding_names_the_best_and_the_worst_traces():
+    rewards = {
+        "accumulating": np.array([[5.0, 6.0], [1.0, 2.0]]),
+        "dutch": np.array([[4.0, 5.0], [7.0, 8.0]]),
+    }
+    assert plot_over_alpha([0.1, 0.5], rewards).finding == (
+        "At α = 0.5, true online traces earn most, 7.50 a step; accumulating ones 1.50"
+    )
 
 
 @pytest.mark.parametrize("trace", TRACES)

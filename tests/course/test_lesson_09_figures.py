@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
+from matplotlib.text import Annotation
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_09.figures import (
+    heats_and_pays,
     plot_escape,
     plot_pull,
+    plot_rut,
     plot_worth,
     probability_of_best,
 )
@@ -20,13 +23,33 @@ def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
     assert one == pytest.approx(np.exp(5) / np.exp(x).sum())
 
 
-def test_the_bars_of_the_pull_are_q_and_bias():
+def test_the_arrows_of_the_pull_lead_from_q_to_the_sum():
     q_s, bias = np.array([-0.2, 0.0, 0.3]), np.array([2.7, 0.1, 0.0])
     picture = plot_pull(q_s, bias, ["ahead", "left", "right"], q_max=100)
-    heights = [bar.get_height() for bar in picture.axes[0].patches]
-    assert np.allclose(heights, [-0.2, 0.3, 2.7, 0, 2.5, 0.3]), (
-        "of the best two actions Q, bias and their sum"
-    )
+    arrows = [
+        (text.xyann[0], text.xy[0])
+        for text in picture.axes[0].texts
+        if isinstance(text, Annotation)
+    ]
+    assert np.allclose(arrows, [(-0.2, 2.5), (0.3, 0.3)]), "of the best two actions"
+    assert "lifts the best action from −0.20 to 2.50" in picture.finding
+
+
+def test_the_rut_counts_the_steps_since_the_reward_last_changed():
+    env = rl.make_env("worked_example", seed=0)
+    agent = rl.Agent("worked_example", seed=0)
+    history = rl.learn(agent, env, 20, progress=False)
+    history.rewards[:15], history.rewards[15:] = 10.0, -2.0
+    picture = plot_rut(env.unwrapped.robot.scene(), history)
+    assert picture.finding.startswith("For 5 steps")
+    assert "−2.00" in picture.finding
+
+
+def test_the_finding_of_the_escape_names_the_first_payment_after_the_heat():
+    hot, paid = np.array([22, 23]), np.array([3, 25, 26])
+    assert "in step 22, and in step 25" in heats_and_pays(hot, paid)
+    assert "not paid after that" in heats_and_pays(hot, paid[:1])
+    assert heats_and_pays(hot[:0], paid) == "The temperature never rises"
 
 
 def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
@@ -42,16 +65,21 @@ def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
     )
 
 
-def test_each_kind_of_robot_has_two_bars():
+def test_each_kind_of_robot_has_two_means():
     pairs = {
         "cold": (Score(1.0, 0.2), Score(2.0, 0.3)),
         "warm": (Score(4.0, 0.1), Score(3.9, 0.1)),
     }
-    without, evading = (
-        c
-        for c in plot_worth(pairs, "a title").axes[0].containers
-        if hasattr(c, "patches")
+    picture = plot_worth(pairs)
+    dots = [line for line in picture.axes[0].lines if line.get_marker() == "o"]
+    assert [float(dot.get_xdata()[0]) for dot in dots] == [1, 4, 2, 3.9]
+    assert picture.finding == (
+        "Loop evasion adds 1.00 for cold; nothing that shows for warm"
     )
-    assert [bar.get_height() for bar in without] == [1, 4] and [
-        bar.get_height() for bar in evading
-    ] == [2, 3.9]
+
+
+def test_a_reader_who_subtracts_the_means_finds_the_gain():
+    pairs = {"cold": (Score(2.535, 0.1), Score(4.104, 0.1))}
+    without, evading = (f"{score.mean:.2f}" for score in pairs["cold"])
+    gain = float(evading) - float(without)
+    assert f"{gain:.2f} for cold" in plot_worth(pairs).finding

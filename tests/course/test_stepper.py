@@ -26,6 +26,7 @@ from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import given, number, short
 from rlrobot_edu.widgets.stepper.page_data import frame_data
 from rlrobot_edu.widgets.stepper.state_view import StateView
+from rlrobot_edu.widgets.stepper.still_tables import rows_of_step
 from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
 from rlrobot_edu.widgets.stepper.tables import Window, traces_of
 from rlrobot_edu.widgets.stepper.tape import Tape
@@ -643,3 +644,26 @@ def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episod
 
     assert "start" in words(40)
     assert "start" not in words(173)
+
+
+def test_the_still_shows_the_rows_that_the_step_changed_and_no_others():
+    agent = rl.Agent("worked_example", "TOSL+EG", seed=0)
+    stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=12)
+    frame = stepper._tape.frame
+    shown = rows_of_step(stepper._tape).states
+    changed = set((frame.q_change.where // 3).tolist())
+    assert set(shown) == changed | {frame.step.s, frame.step.s_next}
+    assert shown == sorted(shown)
+
+
+def test_no_value_in_the_still_lies_on_the_robot():
+    agent = rl.Agent("worked_example", "Q+RANDOM", seed=0)
+    stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=31)
+    picture = stepper.picture()
+    (robot,) = (p for p in picture.axes[0].patches if p.get_label() == "robot/body")
+    marks = [p for p in picture.axes[0].patches if p.get_zorder() == 20]
+    assert marks
+    assert not any(
+        mark.get_bbox().contains(*xy) for mark in marks for xy in robot.get_xy()
+    )
+    assert "rises from −0.002 to 0.167" in picture.finding

@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib as mpl
 import numpy as np
@@ -18,6 +19,7 @@ from rlrobot_edu.show.images import image_of, in_few_colours
 from rlrobot_edu.show.palette import BLUE, DARK, GREEN, GREY, LIGHT, RED
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.bias_explorer.marks import MARKS
+from rlrobot_edu.widgets.sliders import ParameterSliders, compared
 from rlrobot_grading.exercises import verdict
 
 ROOT = Path(rl.__file__).parents[1]
@@ -144,3 +146,24 @@ def test_every_robot_s_dot_lies_within_the_chart():
     shown = plot_curves([("A", repetitions)], "step", None, None)
     low, high = shown.axes[0].get_ylim()
     assert low <= repetitions[:, -1].min() and repetitions[:, -1].max() <= high
+
+
+def test_the_sliders_say_more_or_less_only_where_it_can_be_told():
+    model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+    sliders = ParameterSliders(model, "Q+EG", ["alpha"], steps=300, repetitions=4)
+    picture = sliders.picture(alpha=0.1)
+    assert "earns what it earns with the defaults" in picture.finding
+    assert picture.axes[0].get_ylim()[0] <= 0
+    assert "yours: α 0.1 ends" in picture.alt
+
+    low, high = (
+        SimpleNamespace(curves=np.array([[x], [x + 1.0]])) for x in (0.0, 99.0)
+    )
+    assert compared(low, high, "α 1").endswith(
+        "99.00 a step less than with the defaults"
+    )
+    assert compared(high, low, "α 1").endswith(
+        "99.00 a step more than with the defaults"
+    )
+    close = SimpleNamespace(curves=np.array([[0.1], [1.2]]))
+    assert "too close to tell" in compared(low, close, "α 1")

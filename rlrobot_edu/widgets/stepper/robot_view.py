@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -17,13 +18,14 @@ from rlrobot_edu.show.room.scene_data import (
 )
 from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.widgets.stepper.cell_values import CellValues, Mark
+from rlrobot_edu.widgets.stepper.cell_values import ASIDE, CellValues, Mark
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint
 from rlrobot_edu.widgets.stepper.numerals import short
 from rlrobot_edu.widgets.stepper.tape import PATH, Tape
 
-WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
-SHORT = 0.6  # of the line that shows the heading, so that it ends before the mark ahead
+WIDE, HIGH = 0.26, 0.19  # of a mark [m]; two lines of small letters fit into it
+# of a mark in the still from the middle of its cell [m], across and upwards: beside the robot, not on it
+OUT = (0.44, 0.405)
 
 
 class RobotView:
@@ -80,7 +82,6 @@ class RobotView:
         scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
         view = TopDown(ax, scene)
         view.update(scene, path_of(looks))
-        ax.set_axis_off()
         marks = [] if self._marks is None else self._marks.of(tape, scene)
         starts_earlier = len(looks) >= PATH
         if marks or starts_earlier:
@@ -89,10 +90,6 @@ class RobotView:
             between_cells = {"color": GREY, "linewidth": 0.8, "alpha": 0.5, "zorder": 0}
             ax.axvline(0, **between_cells)
             ax.axhline(0, **between_cells)
-            line = view.heading.get_xydata()
-            centre = line[0]
-            shorter = centre + SHORT * (line - centre)
-            view.heading.set_data(shorter[:, 0], shorter[:, 1])
         most = scale_limit(tape.q, tape.agent.parameters.r_max)
         for mark in marks:
             _draw_mark(ax, mark, most)
@@ -101,11 +98,18 @@ class RobotView:
 def _draw_mark(ax: Axes, mark: Mark, most: float) -> None:
     """A value and its best actions, on white and the value's colour."""
     colour, opacity = tint(mark.value, most)
-    corner = (mark.x - WIDE / 2, mark.y - HIGH / 2)
+    x, y = _pushed_out(mark.x, OUT[0]), _pushed_out(mark.y, OUT[1])
+    corner = (x - WIDE / 2, y - HIGH / 2)
     for ink, alpha in (("white", 1), (colour, opacity)):
         box = Rectangle(corner, WIDE, HIGH, color=ink, alpha=alpha, linewidth=0)
         box.set_zorder(20)
         ax.add_patch(box)
     text = f"{mark.icons}\n{short(mark.value)}"
-    letters = ax.text(mark.x, mark.y, text, ha="center", va="center", fontsize=8.5)
+    letters = ax.text(x, y, text, ha="center", va="center", fontsize=9.6)
     letters.set(linespacing=0.9, zorder=21)
+
+
+def _pushed_out(at: float, out: float) -> float:
+    """A coordinate of a mark [m], so far from the middle of its cell if it is not in the middle."""
+    middle = math.floor(at) + 0.5
+    return middle + (at - middle) * out / ASIDE

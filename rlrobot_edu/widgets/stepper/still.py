@@ -8,69 +8,71 @@ from matplotlib.axes import Axes
 
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_edu.show.picture import Picture, plain
-from rlrobot_edu.show.style import LETTERS, styled
 from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import given, number
-from rlrobot_edu.widgets.stepper.still_tables import draw_q, draw_traces, n_rows
+from rlrobot_edu.widgets.stepper.still_tables import (
+    draw_q,
+    draw_traces,
+    n_rows,
+    rows_of_step,
+)
 from rlrobot_edu.widgets.stepper.symbols import in_symbols
 from rlrobot_edu.widgets.stepper.tables import Window
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
 WIDTH = 7.8  # of the picture [inch]
-WORLD = 3.3  # height of the world in it [inch]
-ROW = 0.2  # height of a row of a table, and of a line of the title [inch]
+WORLD = 4.1  # height of the world in it [inch]
+ROW = 0.22  # height of a row of a table, and of a line of the note [inch]
 LINE = 92  # signs
 
 
 def still(tape: Tape, names: Names) -> Picture:
     """The view, the choice, the equations, Q and traces at the position of `tape`."""
     frame = tape.frame
-    window = Window.of(tape)
+    window = rows_of_step(tape)
     equations = []
     if frame is not None:
         equations = [as_text(line) for line in explain_update(tape.agent, frame)]
-    title = _title(tape, equations)
+    note = "\n".join(equations)
     n_tables = 2 if tape.agent.method.algorithm.has_traces else 1
     table = n_rows(window) * ROW + 0.75
-    choice = 0.25 * len(window.actions) + 1.2
+    choice = 0.3 * len(window.actions) + 1.2
     above = max(WORLD, choice)
-    n_lines = title.count("\n") + 1
-    figure = Picture(figsize=(WIDTH, ROW * n_lines + above + n_tables * table))
+    n_lines = sum(len(line) // LINE + 1 for line in equations)
+    head = 0.45 + ROW * n_lines
+    figure = Picture(figsize=(WIDTH, head + above + n_tables * table))
     sentences = [sentence(tape, names)]
     sentences += [f"{line}." for line in equations]
     figure.alt = " ".join(sentences)
-    figure.suptitle(plain(title), x=0.02, ha="left", fontsize=LETTERS)
+    figure.headline(_title(tape), note)
     heights = [above] + [table] * n_tables
-    parts = figure.subfigures(1 + n_tables, 1, height_ratios=heights)
-    with styled():
-        left, right = parts[0].subplots(1, 2)
+    grid = figure.add_gridspec(
+        1 + n_tables, 2, height_ratios=heights, width_ratios=(3, 2)
+    )
+    left = figure.add_subplot(grid[0, 0])
     tape.view.draw(left, tape)
-    left.set_title(tape.view.heading, fontsize=9.5)
-    left.set(xlabel="", ylabel="")
-    _draw_choice(right, tape, frame, window, names)
-    draw_q(parts[1].subplots(), tape, window, names)
+    left.set(title=tape.view.heading, xlabel="", ylabel="")
+    _draw_choice(figure.add_subplot(grid[0, 1]), tape, frame, window, names)
+    draw_q(figure.add_subplot(grid[1, :]), tape, window, names)
     if n_tables == 2:
-        draw_traces(parts[2].subplots(), tape, window, names)
+        draw_traces(figure.add_subplot(grid[2, :]), tape, window, names)
     return figure
 
 
-def _title(tape: Tape, equations: list[str]) -> str:
-    """What became of Q(s, a), and the equations below it."""
+def _title(tape: Tape) -> str:
+    """What became of Q(s, a)."""
     frame = tape.frame
     if frame is None:
         return "Before the first step"
     step = frame.step
-    change = "stays"
+    change = "stays at"
     if frame.q_sa_new > frame.q_sa:
-        change = "rises"
+        change = f"rises from {number(frame.q_sa)} to"
     elif frame.q_sa_new < frame.q_sa:
-        change = "falls"
+        change = f"falls from {number(frame.q_sa)} to"
     new = number(frame.q_sa_new)
-    lines = [f"Step {tape.t}: Q({step.s}, {step.a}) {change} to {new}"]
-    for equation in equations:
-        lines.append(textwrap.fill(equation, LINE, subsequent_indent="    "))
-    return "\n".join(lines)
+    return f"Step {tape.t}: Q({step.s}, {step.a}) {change} {new}"
 
 
 def sentence(tape: Tape, names: Names) -> str:
@@ -109,12 +111,12 @@ def _draw_choice(
     step = frame.step
     p = step.probabilities[window.actions]
     rows = range(len(p))
-    ax.barh(rows, p, color=BLUE)
+    ax.barh(rows, p, height=0.6, color=BLUE)
     labels = []
     for a in window.actions:
         arrow = "▶ " if a == step.a else ""
         labels.append(plain(f"{arrow}{names.row(a)}"))
-    ax.set_yticks(rows, labels, fontsize=8.5)
+    ax.set_yticks(rows, labels)
     for row, a in enumerate(window.actions):
         text = f"{p[row]:.3f}"
         if step.bias is not None:
@@ -122,11 +124,10 @@ def _draw_choice(
         _write_on_bar(ax, row, p[row], text)
     ax.invert_yaxis()
     ax.set_xlim(0, 1.02)
-    ax.tick_params(labelsize=8.5)
     label = "probability of each action"
     if "," in names.outputs:  # a single output needs no name
         label += f"\n({names.outputs})"
-    ax.set_xlabel(plain(label), fontsize=8.5)
+    ax.set_xlabel(plain(label))
     heat = ""
     if tape.agent.method.selection.is_softmax:
         heat = f", at T = {given(step.temperature)},"
@@ -134,7 +135,7 @@ def _draw_choice(
         f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); "
         f"r = {given(step.r)}"
     )
-    ax.set_title(plain(textwrap.fill(title, 44)), fontsize=9.5)
+    ax.set_title(plain(textwrap.fill(title, 36)))
 
 
 def _write_on_bar(ax: Axes, row: int, length: float, text: str) -> None:
@@ -143,4 +144,4 @@ def _write_on_bar(ax: Axes, row: int, length: float, text: str) -> None:
         x, side, ink = length - 0.02, "right", "white"
     else:
         x, side, ink = length + 0.02, "left", "black"
-    ax.text(x, row, text, ha=side, va="center", fontsize=8.5, color=ink)
+    ax.text(x, row, text, ha=side, va="center", color=ink)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
@@ -16,7 +17,8 @@ from rlrobot_edu.widgets.stepper.tables import Window, traces_of
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
 COLUMNS = 10  # that fit side by side, with numbers in letters of SIZE points
-SIZE, SMALL = 8.5, 7.5
+SIZE, SMALL = 11.2, 9.6
+MOST_ROWS = 8  # of the states that a step changed
 GAP = 1.3  # cells between two blocks
 UNTRIED = "·"
 
@@ -33,6 +35,26 @@ def n_rows(window: Window) -> int:
     return math.ceil(n_states / blocks)
 
 
+def rows_of_step(tape: Tape) -> Window:
+    """The rows of the tables that the step changed, and those of s and s′; before the first step, the first rows."""
+    window = Window.of(tape)
+    frame = tape.frame
+    n_states, n_actions = tape.q.shape
+    if frame is None:
+        states = [s for s in window.states if s is not None][:MOST_ROWS]
+        return window._replace(states=states, says=f"{len(states)} of {n_states} rows")
+    change = frame.q_change
+    largest_first = np.argsort(-np.abs(change.new - change.old), kind="stable")
+    rows = [frame.step.s, *(change.where[largest_first] // n_actions).tolist()]
+    if frame.step.s_next < n_states:
+        rows.insert(1, frame.step.s_next)
+    each_once = list(dict.fromkeys(rows))
+    says = f"the rows of this step, of {n_states}"
+    if len(each_once) > MOST_ROWS:
+        says = f"the {MOST_ROWS} rows that changed most, of {n_states}"
+    return window._replace(states=sorted(each_once[:MOST_ROWS]), says=says)
+
+
 def draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
     """Q with a dot where nothing was tried; what the step changed is framed and carries ▲ or ▼."""
     most = scale_limit(tape.q, tape.agent.parameters.r_max)
@@ -44,10 +66,7 @@ def draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
         return UNTRIED if is_untried else short(value), colour, opacity
 
     places = _draw(ax, tape, window, names, look)
-    ax.set_title(
-        f"Q: {window.says}; · never tried; framed: changed by this step, bold: (s, a)",
-        fontsize=9.5,
-    )
+    ax.set_title(f"Q: {window.says}; · never tried; framed: changed, bold: (s, a)")
     if tape.frame is not None:
         _mark_changes(ax, tape.frame, tape.q.shape[1], places)
 
@@ -83,7 +102,7 @@ def draw_traces(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
         return short(e) if e else UNTRIED, colour, opacity
 
     _draw(ax, tape, window, names, look)
-    ax.set_title("Traces e, as this update used them", fontsize=9.5)
+    ax.set_title("Traces e, as this update used them")
 
 
 def _draw(

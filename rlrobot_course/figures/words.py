@@ -1,0 +1,14 @@
+"""How the findings of figures are written."""
+
+
+def as_sentence(text: str) -> str:
+    """The text with a capital at its beginning, unless that is a symbol such as ε."""
+    first = text[:1]
+    if first.isascii():
+        first = first.upper()
+    return first + text[1:]
+
+
+def with_minus(number: float, digits: int = 0) -> str:
+    """A number with so many digits behind the point, and with a minus sign as in print."""
+    return f"{number:.{digits}f}".replace("-", "−")
