@@ -157,7 +157,9 @@ def plot_groups(
     for name in groups:
         rows.dots(name)
         told.append(f"{name} {rows.mean(name)}")
-    rows.picture.alt = f"Dots, one an agent, {what}. Means with 95 % intervals: {'; '.join(told)}"
+    rows.picture.alt = (
+        f"Dots, one an agent, {what}. Means with 95 % intervals: {'; '.join(told)}"
+    )
     return rows.picture
 
 

@@ -147,7 +147,11 @@ def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
     ax.plot(*tip, "D", color=RED, markersize=8, zorder=5)
     grey = {"arrowstyle": "-", "color": GREY}
     for text, at, place in (
-        ("object, and 5 cm\naround it", (centre[0] - 0.03, centre[1] + 0.04), (-0.06, 0.14)),
+        (
+            "object, and 5 cm\naround it",
+            (centre[0] - 0.03, centre[1] + 0.04),
+            (-0.06, 0.14),
+        ),
         ("gripper", tip, (0.1, -0.17)),
     ):
         ax.annotate(text, at, place, arrowprops=grey, va="center", linespacing=1.1)

@@ -94,12 +94,16 @@ def plot_many(
             rows.beside(x, name, str(count.sum()), colour)
         near = [f"{np.sum(np.abs(values - m) < 0.25)} near {m:g}" for m in marks or {}]
         reach = f"{len(values)} arms from {min(values):.2f} to {max(values):.2f}"
-        told.append(f"{name}: {', '.join([reach, '; '.join(near)] if near else [reach])}")
+        told.append(
+            f"{name}: {', '.join([reach, '; '.join(near)] if near else [reach])}"
+        )
     # room for the counts, beyond the largest value
     ticks = [tick for tick in rows.ax.get_xticks() if low <= tick <= 1.03 * high]
     rows.ax.set_xticks(ticks)
     rows.ax.set_xlim(low - 0.03 * (high - low), high + 0.22 * (high - low))
-    for name, (x, colour) in zip((bounds.stuck_name, bounds.good_name), COUNTS, strict=True):
+    for name, (x, colour) in zip(
+        (bounds.stuck_name, bounds.good_name), COUNTS, strict=True
+    ):
         rows.heading(x, textwrap.fill(name, 8), colour)
     for mark, text in (marks or {}).items():
         rows.mark(mark, text)
@@ -132,7 +136,9 @@ def leader_finding(groups: Mapping[str, Mapping[str, np.ndarray]]) -> str:
 
 
 def plot_means(
-    groups: Mapping[str, Mapping[str, np.ndarray]], what: str, limits: tuple[float, float]
+    groups: Mapping[str, Mapping[str, np.ndarray]],
+    what: str,
+    limits: tuple[float, float],
 ) -> Picture:
     """A panel for each set-up, in it a row for each method. groups: values of arms by method, by set-up
 
@@ -163,7 +169,9 @@ def _row(ax: Axes, row: int, values: np.ndarray, width: float) -> str:
     ax.axhline(row, color=LIGHT["line"], linewidth=0.8, zorder=0)
     corner = (mean - half, row - 0.66)
     ax.add_patch(Rectangle(corner, 2 * half, 0.66, color=BLUE, alpha=0.16, linewidth=0))
-    ax.scatter(values, row - 0.05 - step * heights, s=12, c=BLUE, linewidths=0, zorder=3)
+    ax.scatter(
+        values, row - 0.05 - step * heights, s=12, c=BLUE, linewidths=0, zorder=3
+    )
     ax.plot([mean, mean], [row, row - 0.66], color=BLACK, linewidth=2, zorder=4)
     centred(ax, mean, row - 0.76, f"{mean:.1f}", weight="bold")
     return f"{mean:.2f} ± {half:.2f}"

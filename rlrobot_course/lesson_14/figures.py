@@ -221,9 +221,13 @@ def plot_gaps(gaps: Mapping[str, Gap]) -> Picture:
         ax.plot([robot, model], [row, row], color=GREY, linewidth=1.5, zorder=1)
         ax.plot(model, row, "o", color=GREY, markersize=9)
         ax.plot(robot, row, "s", color=BLUE, markersize=8)
-        beside.errorbar(gap.mean, row, xerr=gap.half, fmt="D", color=BLACK, markersize=5)
+        beside.errorbar(
+            gap.mean, row, xerr=gap.half, fmt="D", color=BLACK, markersize=5
+        )
         if row == 0:
-            centred(ax, model, -0.36, "in the model", color=LIGHT["faint"], weight="bold")
+            centred(
+                ax, model, -0.36, "in the model", color=LIGHT["faint"], weight="bold"
+            )
             centred(ax, robot, -0.36, "on the robot", color=BLUE, weight="bold")
         told.append(
             f"{name}: model {model:.1f}, robot {robot:.1f}, difference {gap.mean:.1f} ± {gap.half:.1f}"
@@ -235,5 +239,7 @@ def plot_gaps(gaps: Mapping[str, Gap]) -> Picture:
     beside.set_title("model less robot", weight="bold")
     for each in (ax, beside):
         each.grid(axis="x")
-    figure.alt = f"{figure.finding}. Reward per step of the same agents. {'; '.join(told)}."
+    figure.alt = (
+        f"{figure.finding}. Reward per step of the same agents. {'; '.join(told)}."
+    )
     return figure

@@ -100,7 +100,9 @@ def plot_few(
     draws = {n: draws_of_few(a, b, n) for n in sizes}
     found = {n: x.mean(axis=1) - y.mean(axis=1) for n, (x, y) in draws.items()}
     first, second = names
-    note = f"{first} less {second}: difference of the means in 2000 draws, reward a step"
+    note = (
+        f"{first} less {second}: difference of the means in 2000 draws, reward a step"
+    )
     figure, ax = chart((7.2, 3.7), "", "", few_finding(found, names), None, note)
     bins = np.linspace(
         min(map(np.min, found.values())), max(map(np.max, found.values())), 51

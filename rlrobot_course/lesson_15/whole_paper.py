@@ -106,7 +106,10 @@ def plot_report() -> Picture:
         here = {name: found[name][f"{first} less {second}"] for name in found}
         _draw_pair(ax, f"{first}\nless {second}", here, rows)
     axes[0].set_ylim(lines - 0.5, -0.7)
-    names = {row: plain(name.partition("_")[2].replace("wander_", "")) for name, row in rows.items()}
+    names = {
+        row: plain(name.partition("_")[2].replace("wander_", ""))
+        for name, row in rows.items()
+    }
     axes[0].set_yticks(list(names), list(names.values()))
     across = axes[0].get_yaxis_transform()
     for group, row in _heads(rows).items():
@@ -167,7 +170,10 @@ def _draw_pair(
         y = [rows[name] - 0.4, rows[name] + 0.4]
         ax.plot([one.theirs, one.theirs], y, color=BLACK, linewidth=1.5, zorder=4)
     verdicts = [one.verdict for one in here.values()]
-    for x, verdict, side in ((-0.15, "other way", "right"), (0.15, "as the paper", "left")):
+    for x, verdict, side in (
+        (-0.15, "other way", "right"),
+        (0.15, "as the paper", "left"),
+    ):
         text = f"{verdicts.count(verdict)} {verdict}"
         ax.text(x, 1.01, text, transform=ax.get_xaxis_transform(), ha=side, va="bottom", color=LOOKS[verdict][0], weight="bold")  # fmt: skip
     ax.set_xlim(-5.5, 5.5)

@@ -36,7 +36,9 @@ def cuts_finding(found: Found) -> str:
     best = {CUTS[int(np.argmax(numbers, axis=0)[0])] for numbers in paid.values()}
     least = CUTS[int(np.argmin(bumps[HELD], axis=0)[0])]
     if len(best) > 1:
-        return f"Ideal or not, other cuts earn most; where walls hold, {least} bump least"
+        return (
+            f"Ideal or not, other cuts earn most; where walls hold, {least} bump least"
+        )
     return f"Cuts at {best.pop()} earn most; where walls hold, {least} bump least"
 
 

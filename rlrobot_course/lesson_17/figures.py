@@ -123,7 +123,9 @@ def beliefs_finding(tables: Mapping[str, np.ndarray]) -> str:
             return "It knows no way from the start yet"
         return f"It knows a way of {len(way) - 1} steps; the shortest takes {SHORTEST}"
     few, many = len(known_cells(tables[first])), len(known_cells(tables[last]))
-    return f"The news of the goal has reached {many} cells with {last}; {few} with {first}"
+    return (
+        f"The news of the goal has reached {many} cells with {last}; {few} with {first}"
+    )
 
 
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
@@ -163,7 +165,10 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
 def saving_finding(needed: Mapping[str, Sequence[int]]) -> str:
     """How many real steps the middle agent of the quickest group needs, and that of the slowest."""
     middle = {name: float(np.median(steps)) for name, steps in needed.items()}
-    best, worst = min(middle, key=middle.__getitem__), max(middle, key=middle.__getitem__)
+    best, worst = (
+        min(middle, key=middle.__getitem__),
+        max(middle, key=middle.__getitem__),
+    )
     others = [value for name, value in middle.items() if name != best]
     rest = f"with “{worst}”"
     if len(others) > 1 and len(set(others)) == 1:

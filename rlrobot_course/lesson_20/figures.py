@@ -75,5 +75,7 @@ def plot_worth(worth: Mapping[str, Mapping[str, float]]) -> Picture:
     name_rows(ax, list(worth))
     ax.set_ylim(len(worth) - 0.5, -0.75)
     ax.margins(x=0.08)
-    figure.alt = f"Marks, the mean value in the steps of each lesson. {'; '.join(told)}."
+    figure.alt = (
+        f"Marks, the mean value in the steps of each lesson. {'; '.join(told)}."
+    )
     return figure

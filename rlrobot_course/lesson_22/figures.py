@@ -23,5 +23,7 @@ def plot_blind(name: str, earned: Values, most: float) -> Picture:
     rows.line(name, most, f"most: {most:g}")
     rows.ax.set_xlim(-0.02 * most, 1.05 * most)
     told = ", ".join(f"{number:.1f}" for number in numbers)
-    rows.picture.alt = f"Dots, one an agent, reward a step; {most:g} is the most. {name}: {told}."
+    rows.picture.alt = (
+        f"Dots, one an agent, reward a step; {most:g} is the most. {name}: {told}."
+    )
     return rows.picture
