@@ -26,7 +26,10 @@ Values = Sequence[float] | np.ndarray
 
 
 def heaped(values: np.ndarray, width: float) -> np.ndarray:
-    """The heights of dots, 0 at the bottom, so that none lies on another; values: sorted, array (n,); width: of a dot."""
+    """The heights of dots, 0 at the bottom, so that none lies on another.
+
+    values: where they lie, sorted, array (n,); width: of a dot
+    """
     ends: list[float] = []  # of each height, where its latest dot ends
     heights = []
     for value in values:

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Wedge
 
-from rlrobot_course.figures.plots import BLUE, ORANGE, RED, SKY, Picture
+from rlrobot_course.figures.plots import ORANGE, RED, SKY, Picture
 from rlrobot_course.lesson_11.motions import (
     Motion,
     draw_motion,
@@ -92,8 +92,12 @@ def plot_policy(
     figure, told = Picture(figsize=(max(2.8 * columns, 5.6), 2.5 * rows + 1.0)), []
     first, *_ = states
     cuts = task.states.inputs[0].cuts or ()
-    ends = [f"{colour} up to {100 * cut:.0f} cm" for colour, cut in zip(("red", "orange", "light blue"), cuts, strict=False)]  # fmt: skip
-    note = f"for each thing that it does its most frequent situation; a wedge: free floor, not to scale, and the wall at its end: {', '.join(ends)}"
+    names = zip(("red", "orange", "light blue"), cuts, strict=False)
+    ends = [f"{colour} up to {100 * cut:.0f} cm" for colour, cut in names]
+    note = (
+        "for each thing that it does its most frequent situation; a wedge: free floor, not to scale, "
+        f"and the wall at its end: {', '.join(ends)}"
+    )
     figure.headline(policy_finding(task, first, states[first]), note)
     axes = figure.subplots(rows, columns, squeeze=False).flatten()
     for (s, word), ax in zip(states.items(), axes, strict=False):

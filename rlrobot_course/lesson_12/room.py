@@ -107,7 +107,9 @@ def plot_values(
         ax.plot(arena.bounds[::2], [y, y], color=LIGHT["paper"], zorder=1)
     ax.plot(*way.T, color=RED, linewidth=2, zorder=6)
     ax.plot(*way[0], "o", color=RED, markersize=7, zorder=7)
-    ax.text(way[0, 0], way[0, 1] - 0.14, "start", color=RED, weight="bold", ha="center", va="top", zorder=7)  # fmt: skip
+    x, y = way[0]
+    look = {"color": RED, "weight": "bold", "zorder": 7}
+    ax.text(x, y - 0.14, "start", ha="center", va="top", **look)
     told = []
     for heading in range(values.shape[2]):
         known = values[:, :, heading]

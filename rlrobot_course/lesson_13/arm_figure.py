@@ -35,7 +35,8 @@ def arm_finding(task: Task, angles: Angles) -> str:
     x, y, z = link_poses(angles)["gripper"][:3, 3]
     distance = 100 * np.linalg.norm(np.array([x, y, z]) - OBJECT_PLACE)
     bins = [task.inputs[i].bin(value) for i, value in enumerate((x, y))]
-    return f"The gripper starts {distance:.0f} cm from the object; the agent knows its bins alone, {bins[0]} of x and {bins[1]} of y"
+    told = f"the agent knows its bins alone, {bins[0]} of x and {bins[1]} of y"
+    return f"The gripper starts {distance:.0f} cm from the object; {told}"
 
 
 def plot_arm(task: Task) -> Picture:

@@ -1,11 +1,8 @@
 """The figures of lesson 15: what chance alone does, and the paper's differences compared with the report's."""
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations
-from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.ticker import PercentFormatter
 from scipy import stats
 
@@ -18,10 +15,8 @@ from rlrobot_course.figures.plots import (
     Picture,
     chart,
     name_rows,
-    plain,
 )
 from rlrobot_course.play.challenge import Score
-from rlrobot_course.play.report import averages
 from rlrobot_edu.experiments.statistics import Anova, Tukey
 from rlrobot_edu.show.palette import LIGHT
 

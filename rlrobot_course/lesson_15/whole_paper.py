@@ -81,7 +81,8 @@ def report_finding(found: Mapping[str, Mapping[str, Difference]]) -> str:
     verdicts = [one.verdict for pairs in found.values() for one in pairs.values()]
     return (
         f"{verdicts.count('as the paper')} of {len(verdicts)} differences are clearly as the paper found, "
-        f"{verdicts.count('other way')} clearly the other way; {verdicts.count('cannot tell')} are too uncertain to tell"
+        f"{verdicts.count('other way')} clearly the other way; "
+        f"{verdicts.count('cannot tell')} are too uncertain to tell"
     )
 
 
@@ -124,8 +125,8 @@ def plot_report() -> Picture:
     ]
     alike = sum(one.verdict == "as the paper" for one in told)
     figure.alt = (
-        f"Differences of three pairs of methods in {len(found)} set-ups, beside the paper's: {opposite} of {len(told)} are "
-        f"opposite to it, and significantly so {len(shown)}: {'; '.join(shown)}. "
+        f"Differences of three pairs of methods in {len(found)} set-ups, beside the paper's: {opposite} of {len(told)} "
+        f"are opposite to it, and significantly so {len(shown)}: {'; '.join(shown)}. "
         f"Of the others {alike} are significant."
     )
     return figure
@@ -166,7 +167,8 @@ def _draw_pair(
     ax.spines["bottom"].set_visible(False)
     for name, one in here.items():
         colour, mark, face = LOOKS[one.verdict]
-        ax.errorbar(one.ours, rows[name], xerr=one.half, fmt=mark, color=colour, markerfacecolor=face, markersize=5, linewidth=1.6)  # fmt: skip
+        look = {"color": colour, "markerfacecolor": face, "markersize": 5}
+        ax.errorbar(one.ours, rows[name], xerr=one.half, fmt=mark, **look)
         y = [rows[name] - 0.4, rows[name] + 0.4]
         ax.plot([one.theirs, one.theirs], y, color=BLACK, linewidth=1.5, zorder=4)
     verdicts = [one.verdict for one in here.values()]
@@ -175,5 +177,7 @@ def _draw_pair(
         (0.15, "as the paper", "left"),
     ):
         text = f"{verdicts.count(verdict)} {verdict}"
-        ax.text(x, 1.01, text, transform=ax.get_xaxis_transform(), ha=side, va="bottom", color=LOOKS[verdict][0], weight="bold")  # fmt: skip
+        colour, *_ = LOOKS[verdict]
+        look = {"color": colour, "weight": "bold", "ha": side, "va": "bottom"}
+        ax.text(x, 1.01, text, transform=ax.get_xaxis_transform(), **look)
     ax.set_xlim(-5.5, 5.5)

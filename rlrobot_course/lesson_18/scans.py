@@ -54,7 +54,8 @@ def scan_finding(ends: dict[str, tuple[float, float]], scan: Any) -> str:
     if not hidden:
         return "Each of the lasers ends at what the scanner met"
     verb = "ends" if len(hidden) == 1 else "end"
-    return f"{len(hidden)} of {len(ends)} lasers {verb} in the middle of nothing, for what lies behind is hidden: {', '.join(hidden)}"
+    said = f"{len(hidden)} of {len(ends)} lasers {verb} in the middle of nothing"
+    return f"{said}, for what lies behind is hidden: {', '.join(hidden)}"
 
 
 def plot_scan(scan: Any, chassis: Chassis) -> Picture:

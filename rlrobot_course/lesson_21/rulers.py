@@ -83,7 +83,10 @@ def plot_rulers(
         )
     ax.set_yticks([1.0, 0.0], [plain(label) for label in labels])
     ax.set(ylim=(-0.35, 1.35), xlim=(0, FAR))
-    note = f"the front laser's bins (m); a number on a line: the share of the new bin; the last bins go on to {target[-1]:g} m"
+    note = (
+        "the front laser's bins (m); a number on a line: the share of the new bin; "
+        f"the last bins go on to {target[-1]:g} m"
+    )
     figure.headline(rulers_finding(shares), note)
     figure.alt = f"Two rulers with bins: {labels[0]} above {labels[1]}. Shares of the upper bins: {'; '.join(told)}."
     return figure

@@ -16,7 +16,8 @@ def plot_blind(name: str, earned: Values, most: float) -> Picture:
     """
     numbers = np.sort(earned)
     nearly_all = numbers >= NEARLY * most
-    finding = f"{nearly_all.sum()} of {len(numbers)} robots that see nothing earn nearly {most:g}, the most that a step can pay"
+    many = f"{nearly_all.sum()} of {len(numbers)} robots that see nothing"
+    finding = f"{many} earn nearly {most:g}, the most that a step can pay"
     note = "reward a step in an hour; a dot: one robot"
     rows = Rows({name: numbers}, finding, note, limits=(0, most))
     rows.dots(name, [BLUE if nearly else GREY for nearly in nearly_all])
