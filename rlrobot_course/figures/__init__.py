@@ -1,1 +1,1 @@
-"""What the figures of several lessons share: `plots`, `paths` through a room, `runs` as curves, `rows` of robots."""
+"""What the figures of several lessons share: `plots`, `paths` of robots, `runs` as curves, `rows` of robots."""
