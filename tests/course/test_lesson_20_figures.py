@@ -7,8 +7,9 @@ from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.rows import compared, heaped
+from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.lesson_20 import driver
-from rlrobot_course.lesson_20.figures import mean_and_half, plot_dots, plot_worth
+from rlrobot_course.lesson_20.figures import plot_dots, plot_worth
 from rlrobot_course.lesson_20.pupils import copies, pupils
 from rlrobot_edu.experiments.repetitions import repetition
 from rlrobot_edu.widgets.driving.pad import teleoperate
