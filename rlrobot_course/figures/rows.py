@@ -152,10 +152,15 @@ def _in_lines(name: str) -> str:
 
 
 def plot_groups(
-    groups: Mapping[str, Values], finding: str, what: str, hero: str | None = None
+    groups: Mapping[str, Values],
+    finding: str,
+    what: str,
+    when: str = "",
+    hero: str | None = None,
 ) -> Picture:
-    """A dot for each robot and the mean of each group. what: the numbers, with their unit"""
-    rows = Rows(groups, finding, f"{what}; {ROBOTS}", hero=hero)
+    """A dot for each robot and the mean of each group. what: the numbers, with their unit; when: they were measured"""
+    note = f"{what} {when}".strip()
+    rows = Rows(groups, finding, f"{note}; {ROBOTS}", hero=hero)
     told = []
     for name in groups:
         rows.dots(name)

@@ -19,13 +19,13 @@ LOOKS = ((GREY, "D", -7), (RED, "s", 6), (BLUE, "o", 6))
 
 
 def plot_dots(
-    groups: Mapping[str, Values], hero: str, rival: str, what: str
+    groups: Mapping[str, Values], hero: str, rival: str, what: str, when: str = ""
 ) -> Picture:
     """One dot an agent, and the mean of each group; the title compares two of them.
 
-    groups: a number for each agent, by the name of the group; what: the numbers, with their unit
+    groups: a number for each agent, by the name of the group; what: the numbers, with their unit; when: they were measured
     """
-    return plot_groups(groups, compared(groups, hero, rival), what, hero)
+    return plot_groups(groups, compared(groups, hero, rival), what, when, hero)
 
 
 def worth_finding(worth: Mapping[str, Mapping[str, float]]) -> str:
