@@ -239,7 +239,5 @@ def plot_gaps(gaps: Mapping[str, Gap]) -> Picture:
     beside.set_title("model less robot", weight="bold")
     for each in (ax, beside):
         each.grid(axis="x")
-    figure.alt = (
-        f"{figure.finding}. Reward per step of the same agents. {'; '.join(told)}."
-    )
+    figure.alt = f"Model less robot, {n} recordings each. Reward per step of the same agents. {'; '.join(told)}."
     return figure

@@ -23,7 +23,7 @@ def plot_dots(
 ) -> Picture:
     """One dot an agent, and the mean of each group; the title compares two of them.
 
-    groups: a number for each agent, by the name of the group; what: the numbers, with their unit; when: they were measured
+    groups: a number for each agent, by the name of the group; what: the numbers, with their unit; when: of them
     """
     return plot_groups(groups, compared(groups, hero, rival), what, when, hero)
 
