@@ -46,7 +46,7 @@ def plot_shuffled(groups: Mapping[str, np.ndarray], *, times: int = 2000) -> Pic
     shuffled = shuffled_f(groups, times)
     observed = Anova.of(list(groups.values())).f
     names = " and ".join(groups)
-    note = f"{names}: F, spread between them / within them, of {times} shuffles of the labels"
+    note = f"{names}: F, spread between / within, of {times} shuffled labels; last bar: all larger ones"
     finding = shuffled_finding(shuffled, observed)
     figure, ax = chart((7.2, 3.1), "", "", finding, None, note)
     last = max(float(np.quantile(shuffled, 0.99)), 1.5 * observed)
@@ -85,7 +85,7 @@ def few_finding(found: Mapping[int, np.ndarray], names: tuple[str, str]) -> str:
         f"{np.mean(differences * np.sign(means[0]) < 0):.0%} of the draws of {n}"
         for n, differences in found.items()
     ]
-    return f"{worse} is ahead in {', in '.join(behind)} each"
+    return f"{worse} is ahead in {', in '.join(behind)}"
 
 
 def plot_few(
