@@ -1,1 +1,1 @@
-"""What the figures of several lessons begin with: plots, words, paths through a room, curves of runs."""
+"""What the figures of several lessons share: `plots`, `words`, `runs` as curves, `rows` of robots."""

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from rlrobot_course.figures.plots import BLACK, BLUE, PURPLE, RED, Picture
+from rlrobot_course.figures.plots import BLACK, BLUE, Picture
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.task.task import Task
 
@@ -45,9 +45,7 @@ def path_of(v: float, turn: float, seconds: float = SECONDS) -> np.ndarray:
 def draw_robot(ax: Axes) -> None:
     """The robot's outline from above, its axle at (0, 0), its front along x."""
     hull = [(x - PIONEER.axle, y) for x, y in PIONEER.hull]
-    ax.add_patch(
-        Polygon(hull, facecolor="#a8a8a8", edgecolor="#606060", linewidth=0.8, zorder=5)
-    )
+    ax.add_patch(Polygon(hull, facecolor=BLUE, linewidth=0, zorder=5))
     ax.plot(
         [0.06, 0.2],
         [0, 0],
@@ -62,25 +60,20 @@ def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
     """An arrow from the front of the robot that `draw_robot` draws; scale: of its length."""
     word = in_words(v, turn)
     if word == "stays":
-        ax.plot([0], [0], "s", color=BLACK, markersize=9, zorder=9)
+        ax.plot([0], [0], "s", color="white", markersize=8, zorder=9)
         return
-    colour = RED
-    if word in ("forward", "backward"):
-        colour = BLUE
-    elif "curves" in word:
-        colour = PURPLE
     way = np.array([FRONT, 0]) + scale * path_of(v, turn)
     if "spins" in word:
         angles = np.radians(np.linspace(0, SECONDS * turn, 40))
         way = SPIN * np.column_stack([np.cos(angles), np.sin(angles)])
-    ax.plot(*way[:-2].T, color=colour, linewidth=2.8, zorder=9)
+    ax.plot(*way[:-2].T, color=BLACK, linewidth=2.8, zorder=9)
     x, y = way[-1] - way[-5]
     head = (
         3,
         0,
         math.degrees(math.atan2(y, x)) - 90,
     )  # a triangle that points along the way
-    ax.plot(*way[-1], marker=head, color=colour, markersize=9, zorder=10)
+    ax.plot(*way[-1], marker=head, color=BLACK, markersize=9, zorder=10)
 
 
 def motion_of(task: Task, a: int, motion: Motion) -> tuple[float, float]:
@@ -94,10 +87,18 @@ def motion_of(task: Task, a: int, motion: Motion) -> tuple[float, float]:
     )
 
 
-def plot_motions(task: Task, motion: Motion, title: str) -> Picture:
+def motions_finding(task: Task, motion: Motion) -> str:
+    """How many different motions the actions make, and how many of the actions stay."""
+    found = [motion_of(task, a, motion) for a in range(task.actions.n)]
+    different = {(round(v, 6), round(turn, 6)) for v, turn in found}
+    still = sum(in_words(v, turn) == "stays" for v, turn in found)
+    return f"{len(found)} actions make {len(different)} different motions; {still} of them stay"
+
+
+def plot_motions(task: Task, motion: Motion) -> Picture:
     """All actions of a task: one small robot each, with the way that it goes in four seconds."""
     rows, columns = task.actions.shape
-    figure, told = Picture(figsize=(2.1 * columns, 1.95 * rows + 0.5)), []
+    figure, told = Picture(figsize=(2.1 * columns, 1.95 * rows + 0.9)), []
     for a, ax in enumerate(figure.subplots(rows, columns).flat):
         v, turn = motion_of(task, a, motion)
         draw_robot(ax)
@@ -105,17 +106,16 @@ def plot_motions(task: Task, motion: Motion, title: str) -> Picture:
         ax.set(
             xlim=(-0.45, 1.15), ylim=(-0.5, 0.5), aspect="equal", xticks=[], yticks=[]
         )
+        ax.spines["bottom"].set_visible(False)
         left, right = task.actions.decode(a).values()
-        ax.set_title(
-            f"{a}: left {left:g}, right {right:g}".replace("-", "−"), fontsize=9.5
-        )
+        ax.set_title(f"{a}: left {left:g}, right {right:g}".replace("-", "−"))
         ax.set_xlabel(
-            f"{v:.2f} m/s, {turn:+.0f} °/s".replace("-", "−").replace("+0 ", "0 "),
-            fontsize=9,
+            f"{v:.2f} m/s, {turn:+.0f} °/s".replace("-", "−").replace("+0 ", "0 ")
         )
         told.append(
             f"action {a} {in_words(v, turn)}, {v:.2f} m/s and {turn:.0f} degrees a second"
         )
-    figure.headline(title)
+    note = "number of the action and speeds of the wheels; an arrow: the way of 4 s; a square: it stays"
+    figure.headline(motions_finding(task, motion), note)
     figure.alt = f"Small robots with arrows, one an action: {'; '.join(told)}."
     return figure

@@ -4,9 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.patches import Patch, Wedge
+from matplotlib.patches import Wedge
 
 from rlrobot_course.figures.plots import (
     BLACK,
@@ -18,12 +17,12 @@ from rlrobot_course.figures.plots import (
     SKY,
     Picture,
     centred,
-    legend_below,
     plain,
 )
 from rlrobot_edu import InputVariable, Task
 from rlrobot_edu.robots.chassis import PIONEER
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.style import SMALLEST
 from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.robot_cards import LASERS
 
@@ -95,7 +94,7 @@ def draw_sector(
         centre[1] + rim * math.sin(towards),
         f"{name}\n{seen}".strip(),
         color=BLACK,
-        fontsize=8.5 if name else 10,
+        fontsize=SMALLEST,
         weight="bold",
         zorder=9,
         clip_on=True,
@@ -107,25 +106,17 @@ def draw_sector(
     )
 
 
-def legend_of(laser: InputVariable) -> list[Artist]:
-    """What the colours and hatchings of a laser's bins mean."""
-    handles: list[Artist] = []
-    for number, (low, high) in enumerate(rings_of(laser)):
-        colour, hatch = style_of(number, laser.n_bins)
-        upto = (
-            f"{low:g} to {high:g} m"
-            if number < laser.n_bins - 1
-            else f"beyond {low:g} m"
-        )
-        handles.append(
-            Patch(
-                facecolor=(colour, 0.4),
-                edgecolor=colour,
-                hatch=hatch,
-                label=f"bin {number}: {upto}",
-            )
-        )
-    return handles
+def rings_finding(moments: Sequence[Moment], task: Task) -> str:
+    """What became of the distances: a number, or, of two moments, how far the robot moved and what is near it then."""
+    last = moments[-1].readings
+    names = [variable.name for variable in task.states.inputs]
+    if len(moments) == 1:
+        return f"{len(names)} distances become one number, state {task.states.encode(last)}"
+    first = moments[0].readings
+    moved = 100 * math.dist((first["x"], first["y"]), (last["x"], last["y"]))
+    nearest = min(names, key=lambda name: last[name])
+    where = nearest.removeprefix("laser_").replace("_", " ")
+    return f"It has moved {moved:.0f} cm, and the nearest wall is {100 * last[nearest]:.0f} cm off, {where}"
 
 
 def plot_rings(
@@ -140,7 +131,8 @@ def plot_rings(
     still: whether all show the same part of the arena, close up, with a cross where the robot was in the first; else
         each is centred on its robot
     """
-    figure = Picture(figsize=(0.6 + 3.3 * max(len(moments), 2), 4.5))
+    width = 3.7 * len(moments) if len(moments) > 1 else 5.6
+    figure = Picture(figsize=(width, 5.2 if len(moments) == 1 else 4.6))
     names = titles or [
         f"state {task.states.encode(moment.readings)}" for moment in moments
     ]
@@ -153,9 +145,12 @@ def plot_rings(
             ax.plot(
                 x, y, "+", color=BLACK, markersize=16, markeredgewidth=1.6, zorder=12
             )
-        ax.set_title(plain(name), fontsize=11)
-    first = task.states.inputs[0]
-    legend_below(figure, 2 if len(moments) < 3 else 4, handles=legend_of(first))
+        ax.set_title(plain(name), weight="bold")
+        ax.set_axis_off()
+    note = "rings: the bins of each laser, to scale; coloured: the bin in which it lies; small numbers: cuts (m)"
+    if still:
+        note += "; cross: where the robot was"
+    figure.headline(rings_finding(moments, task), note)
     figure.alt = (
         f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
     )
@@ -187,7 +182,7 @@ def _draw(ax: Axes, moment: Moment, task: Task) -> str:
                 centre[0] + cut * math.cos(edge),
                 centre[1] + cut * math.sin(edge),
                 f"{cut:g}",
-                fontsize=8.5,
+                fontsize=SMALLEST,
                 zorder=10,
                 clip_on=True,
                 bbox={

@@ -22,18 +22,28 @@ from rlrobot_edu.robots.arm.arm_body import (
     OBJECT_PLACE,
     Angles,
     link_poses,
-    solids_of,
 )
-from rlrobot_edu.show.top_down import footprint
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.task import Task
 
 CONTACT = 0.05  # [m]
+FOOT = 0.055  # radius of the arm's foot in a picture [m]
+
+
+def arm_finding(task: Task, angles: Angles) -> str:
+    """How far the gripper is from the object, and what the agent is told of that."""
+    x, y, z = link_poses(angles)["gripper"][:3, 3]
+    distance = 100 * np.linalg.norm(np.array([x, y, z]) - OBJECT_PLACE)
+    bins = [task.inputs[i].bin(value) for i, value in enumerate((x, y))]
+    told = f"the agent knows its bins alone, {bins[0]} of x and {bins[1]} of y"
+    return f"The gripper starts {distance:.0f} cm from the object; {told}"
 
 
 def plot_arm(task: Task) -> Picture:
     """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
-    figure = Picture(figsize=(9.5, 4.6))
-    side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
+    figure = Picture(figsize=(8.4, 4.5))
+    figure.headline(arm_finding(task, HOME))
+    side, above = figure.subplots(1, 2, width_ratios=(1.15, 1))
     _from_the_side(side, HOME)
     _from_above(above, task, HOME)
     x, y, _ = link_poses(HOME)["gripper"][:3, 3]
@@ -99,82 +109,68 @@ def _from_the_side(ax: Axes, angles: Angles) -> None:
             arrowprops={"arrowstyle": "-", "color": GREY},
             ha="left",
             va="center",
-            fontsize=9,
         )
     for text, (one, other), shift in (
         ("upper arm\n0.23 m", (shoulder, elbow), (0.01, -0.085)), ("lower arm\n0.25 m", (elbow, tip), (0.03, -0.04)),
     ):  # fmt: skip
-        ax.text(*((one + other) / 2 + shift), text, fontsize=9, color=BLUE)
-    ax.set(xlim=(-0.2, 0.45), ylim=(-0.09, 0.38), aspect="equal", title="from the side")
-    ax.set(xlabel="out from the foot (m)", ylabel="height above the table (m)")
+        ax.text(*((one + other) / 2 + shift), text, color=BLUE, linespacing=1.1)
+    ax.set(xlim=(-0.23, 0.42), ylim=(-0.12, 0.4), aspect="equal")
+    ax.set_title("from the side", weight="bold")
+    ax.set_axis_off()
 
 
 def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
+    """The table with the bins of the gripper, the object, and the arm with the ways in which two joints move it."""
     x_min, y_min, x_max, y_max = FIELD
     x_cuts, y_cuts = (task.inputs[i].cuts for i in (0, 1))
-    for solid in solids_of(angles):
-        colour = BLUE if solid.role == "robot" else BLACK
-        ax.fill(*footprint(solid).T, color=colour, alpha=0.55, linewidth=0, zorder=2)
-    for x in x_cuts:
-        ax.plot([x, x], [y_min, y_max], color=GREY, linewidth=1)
-    for y in y_cuts:
-        ax.plot([x_min, x_max], [y, y], color=GREY, linewidth=1)
-    ax.add_patch(
-        Rectangle(
-            (x_min, y_min), x_max - x_min, y_max - y_min, fill=False, edgecolor=BLACK
-        )
-    )
+    line = {"color": LIGHT["line"], "linewidth": 1, "zorder": 1}
+    for x in (x_min, *x_cuts, x_max):
+        ax.plot([x, x], [y_min, y_max], **line)
+    for y in (y_min, *y_cuts, y_max):
+        ax.plot([x_min, x_max], [y, y], **line)
+    faint = {"color": LIGHT["faint"], "ha": "center", "va": "center"}
     for i, x in enumerate(_middles(x_cuts, x_min, x_max)):
-        ax.text(x, y_max + 0.008, str(i), ha="center", fontsize=9)
+        ax.text(x, y_max + 0.014, str(i), **faint)
     for i, y in enumerate(_middles(y_cuts, y_min, y_max)):
-        ax.text(x_max + 0.008, y, str(i), va="center", fontsize=9)
-    ax.text((x_min + x_max) / 2, y_max + 0.03, "bins of x", ha="center", fontsize=9)
-    ax.text(x_max + 0.03, 0, "bins of y", va="center", rotation=90, fontsize=9)
-    ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, zorder=3))
-    ax.add_patch(
-        Circle(
-            OBJECT_PLACE[:2],
-            CONTACT,
-            fill=False,
-            edgecolor=RED,
-            linestyle="--",
-            zorder=3,
-        )
-    )
-    line = {"arrowstyle": "-", "color": GREY}
-    ax.annotate(
-        "object, and 5 cm\naround it",
-        (0.24, 0.12),
-        (0.03, 0.15),
-        arrowprops=line,
-        fontsize=9,
-    )
-    x, y, _ = link_poses(angles)["gripper"][:3, 3]
-    ax.plot(x, y, "D", color=RED, markersize=8, zorder=4)
-    ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
-    out = np.array([x, y]) / np.hypot(x, y)
+        ax.text(x_max + 0.016, y, str(i), **faint)
+    ax.text((x_min + x_max) / 2, y_max + 0.036, "bins of x", **faint)
+    ax.text(x_max + 0.04, 0, "bins of y", rotation=90, **faint)
+    centre = OBJECT_PLACE[:2]
+    ax.add_patch(Circle(centre, OBJECT[0], color=ORANGE, zorder=3))
+    ring = {"fill": False, "edgecolor": RED, "linestyle": "--", "zorder": 3}
+    ax.add_patch(Circle(centre, CONTACT, **ring))
+    there = link_poses(angles)
+    tip = there["gripper"][:2, 3]
+    ax.add_patch(Circle((0, 0), FOOT, color=BLUE, zorder=2))
+    ax.text(0, 0, "foot", color="white", ha="center", va="center", zorder=6)
+    look = {"color": BLUE, "linewidth": 7, "solid_capstyle": "round", "zorder": 4}
+    ax.plot([0, tip[0]], [0, tip[1]], **look)
+    ax.plot(*tip, "D", color=RED, markersize=8, zorder=5)
+    grey = {"arrowstyle": "-", "color": GREY}
+    for text, at, place in (
+        (
+            "object, and 5 cm\naround it",
+            (centre[0] - 0.03, centre[1] + 0.04),
+            (-0.06, 0.14),
+        ),
+        ("gripper", tip, (0.1, -0.17)),
+    ):
+        ax.annotate(text, at, place, arrowprops=grey, va="center", linespacing=1.1)
+    out = tip / np.hypot(*tip)
+    left = np.array([-out[1], out[0]])
     ways = (
-        (np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)),
-        (-out, "forearm +", (-0.03, -0.034)),
+        (left, 0.0 * left, "arm +", (0.012, 0.018)),
+        (-out, 0.018 * left, "forearm +", (-0.02, 0.012)),
     )
-    for way, text, shift in ways:
-        end = np.array([x, y]) + 0.045 * way
-        ax.annotate(
-            "",
-            end,
-            (x, y),
-            arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2},
-            zorder=5,
-        )
-        ax.text(*(end + shift), text, color=BLACK, fontsize=9, ha="center", zorder=5)
-    ax.set(
-        xlim=(-0.08, 0.38),
-        ylim=(-0.2, 0.21),
-        aspect="equal",
-        xlabel="x (m)",
-        ylabel="y (m)",
-        title="from above",
-    )
+    for way, aside, text, shift in ways:
+        begin = tip + aside
+        end = begin + 0.06 * way
+        arrow = {"arrowstyle": "-|>", "color": GREEN, "linewidth": 2.5}
+        ax.annotate("", end, begin, arrowprops=arrow, zorder=6)
+        ax.text(*(end + shift), text, color=GREEN, weight="bold", ha="center", zorder=6)
+    ax.set(xlim=(-0.08, 0.38), ylim=(-0.18, 0.21), aspect="equal")
+    ax.set_title("from above", weight="bold")
+    ax.set_axis_off()
 
 
 def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:

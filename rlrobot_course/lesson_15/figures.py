@@ -1,7 +1,6 @@
 """The figures of lesson 15: what chance alone does, and the paper's differences compared with the report's."""
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations
 
 import numpy as np
 from matplotlib.ticker import PercentFormatter
@@ -12,30 +11,14 @@ from rlrobot_course.figures.plots import (
     BLUE,
     GREEN,
     GREY,
-    ORANGE,
     RED,
     Picture,
     chart,
-    legend_below,
     name_rows,
-    plain,
 )
 from rlrobot_course.play.challenge import Score
-from rlrobot_course.play.report import averages
 from rlrobot_edu.experiments.statistics import Anova, Tukey
-
-METHODS = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")
-# The paper's differences of means: Q of Tukey's test, times √(mean square within / n). Of the methods above, the first
-# less the second, the first less the third, the second less the third.
-PAPER = {
-    "wander_simple": (-0.101, 1.32, 1.42),
-    "wander_1k": (1.67, 3.02, 1.35),
-    "wander_4k": (1.56, 2.16, 0.601),
-    "arm_1k": (0.882, 3.25, 2.37),
-    "arm_4k": (1.30, 4.67, 3.37),
-    "navigation_1k": (1.08, 2.25, 1.18),
-    "giraff_wander_1k": (0.958, 1.78, 0.822),
-}
+from rlrobot_edu.show.palette import LIGHT
 
 
 def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000) -> np.ndarray:
@@ -50,33 +33,35 @@ def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000) -> np.ndarra
     )
 
 
-def plot_shuffled(
-    groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000
-) -> Picture:
+def shuffled_finding(shuffled: np.ndarray, observed: float) -> str:
+    """In how many of the shuffles chance alone makes as large a difference."""
+    share = np.mean(shuffled >= observed)
+    if share == 0:
+        return f"None of {len(shuffled)} shuffles makes so large a difference"
+    return f"Chance alone makes so large a difference in {share:.1%} of the shuffles"
+
+
+def plot_shuffled(groups: Mapping[str, np.ndarray], *, times: int = 2000) -> Picture:
     """Histogram of `shuffled_f`, and the F that was observed as a line."""
-    shuffled, observed = (
-        shuffled_f(groups, times),
-        Anova.of(list(groups.values())).f,
-    )
-    x = "F, spread between the methods / spread within them"
-    figure, ax = chart((6.5, 3.2), x, "share of the shuffles", title, grid=None)
-    bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
-    ax.hist(
-        shuffled,
-        bins,
-        weights=np.full(times, 1 / times),
-        color=BLUE,
-        label=f"labels shuffled, {times} times",
-    )
-    ax.axvline(
-        observed,
-        color=RED,
-        linestyle="--",
-        linewidth=2,
-        label=f"as found: F = {observed:.1f}",
-    )
+    shuffled = shuffled_f(groups, times)
+    observed = Anova.of(list(groups.values())).f
+    names = " and ".join(groups)
+    note = f"{names}: F, spread between / within, of {times} shuffled labels; last bar: all larger ones"
+    finding = shuffled_finding(shuffled, observed)
+    figure, ax = chart((7.2, 3.1), "", "", finding, None, note)
+    last = max(float(np.quantile(shuffled, 0.99)), 1.5 * observed)
+    bins = np.arange(0, 41) * observed / round(40 * observed / last)
+    for part, colour in ((shuffled < observed, GREY), (shuffled >= observed, BLUE)):
+        weights = np.full(part.sum(), 1 / times)
+        ax.hist(shuffled[part].clip(max=bins[-1]), bins, weights=weights, color=colour)
+    ax.axvline(observed, color=BLACK, linewidth=2)
+    top = ax.get_ylim()[1]
+    ax.text(observed, top, f"  ours: F = {observed:.1f}", weight="bold", va="top")
+    share = np.mean(shuffled >= observed)
+    told = f"  {share:.1%} of the shuffles: as large, or larger"
+    ax.text(observed, 0.86 * top, told, color=BLUE, va="top")
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.legend()
+    ax.set_xlim(0, bins[-1])
     figure.alt = (
         f"Histogram of F for shuffled labels, from 0 to {shuffled.max():.1f}, and a line at the observed F of "
         f"{observed:.1f}: {np.mean(shuffled >= observed):.1%} of the shuffles lie at or above it."
@@ -92,38 +77,46 @@ def draws_of_few(
     return rng.choice(a, (times, n)), rng.choice(b, (times, n))
 
 
+def few_finding(found: Mapping[int, np.ndarray], names: tuple[str, str]) -> str:
+    """How often the worse method is ahead, by the number of agents. found: differences of means by that number"""
+    means = [differences.mean() for differences in found.values()]
+    worse = names[1] if np.mean(means) > 0 else names[0]
+    behind = [
+        f"{np.mean(differences * np.sign(means[0]) < 0):.0%} of the draws of {n}"
+        for n, differences in found.items()
+    ]
+    return f"{worse} is ahead in {', in '.join(behind)}"
+
+
 def plot_few(
-    a: np.ndarray,
-    b: np.ndarray,
-    sizes: Sequence[int],
-    names: tuple[str, str],
-    title: str,
+    a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[str, str]
 ) -> Picture:
     """Histograms of differences of means, by the numbers of agents in `sizes` that are drawn; names: of the methods."""
     draws = {n: draws_of_few(a, b, n) for n in sizes}
     found = {n: x.mean(axis=1) - y.mean(axis=1) for n, (x, y) in draws.items()}
-    first, second = map(plain, names)
-    x = f"{first} − {second}, difference of the means (reward a step)"
-    figure, ax = chart((6.5, 3.5), x, "share of 2000 draws", title, grid=None)
+    first, second = names
+    note = (
+        f"{first} less {second}: difference of the means in 2000 draws, reward a step"
+    )
+    figure, ax = chart((7.2, 3.7), "", "", few_finding(found, names), None, note)
     bins = np.linspace(
         min(map(np.min, found.values())), max(map(np.max, found.values())), 51
     )
-    looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (RED, "..")]
+    colours = [GREY, BLUE, GREEN, RED]
     for i, (n, differences) in enumerate(found.items()):
-        colour, hatch = looks[i % len(looks)]
-        share = np.full(len(differences), 1 / len(differences))
-        ax.hist(
-            differences,
-            bins,
-            weights=share,
-            alpha=0.6,
-            color=colour,
-            hatch=hatch,
-            label=f"{n} agents a method",
-        )
-    ax.axvline(0, color="black", linewidth=1)
+        colour = colours[i % len(colours)]
+        share, _ = np.histogram(differences, bins)
+        share = share / len(differences)
+        ax.stairs(share, bins, fill=True, color=colour, alpha=0.35)
+        ax.stairs(share, bins, color=colour, linewidth=1.8)
+        # named at the right shoulder, where it has fallen to half its height
+        k = np.flatnonzero(share >= share.max() / 2)[-1]
+        ax.text(bins[k + 2], share[k], f"{n} agents each", color=colour, weight="bold")
+    ax.axvline(0, color=BLACK, linewidth=1)
+    top = ax.get_ylim()[1]
+    for x, name, side in ((-0.1, second, "right"), (0.1, first, "left")):
+        ax.text(x, top, f"{name} ahead", ha=side, va="bottom", color=LIGHT["faint"])
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.legend()
     figure.alt = "Histograms of the difference of means. " + "; ".join(
         f"{n} agents a method: from {d.min():.1f} to {d.max():.1f}, below 0 in {np.mean(d < 0):.1%}"
         for n, d in found.items()
@@ -147,7 +140,7 @@ def two_intervals(
 
 def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
     """Each robot as a dot, and the difference of each pair with its interval by both tests. groups: arrays (n,)"""
-    picture = Picture(figsize=(9.0, 3.6))
+    picture = Picture(figsize=(8.4, 3.7))
     left, right = picture.subplots(1, 2)
     rng = np.random.default_rng(0)
     for row, x in enumerate(groups.values()):
@@ -155,7 +148,8 @@ def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
         left.plot(x, beside, ".", color=GREY, markersize=4)
         left.plot([x.mean()] * 2, [row - 0.35, row + 0.35], color=BLUE, linewidth=2)
     name_rows(left, list(groups))
-    left.set_xlabel("final average reward; line: mean")
+    left.set_title("final average reward", weight="bold")
+    left.spines["bottom"].set_visible(False)
     looks = {"Tukey": (RED, "s", -0.14), "Games and Howell": (BLUE, "o", 0.14)}
     names, apart, told = [], [], []
     for row, pair in enumerate(Tukey.of(groups).pairs):
@@ -171,9 +165,9 @@ def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
                 xerr=(high - low) / 2,
                 fmt=marker,
                 color=colour,
-                capsize=3,
-                label=test if row == 0 else None,
             )
+            if row == len(groups) - 1:
+                right.text(high, row + shift, f" {test}", color=colour, va="center")
         tukey, games_howell = (
             f"{low:.2f} to {high:.2f}" for low, high in ends.values()
         )
@@ -183,13 +177,15 @@ def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
     name_rows(right, names)
     right.set_ylim(len(names) - 0.5, -0.5)
     right.axvline(0, color=BLACK, linewidth=1)
-    right.set_xlabel("difference, 95 % interval")
-    right.grid(alpha=0.3, axis="x")
-    legend_below(picture, 2)
+    right.set_title("difference, 95 % interval", weight="bold")
+    right.margins(x=0.2)
+    right.grid(axis="x")
     title = "Both tests say the same of every pair"
     if apart:
         title = f"The two tests disagree on {' and on '.join(apart)}"
-    picture.headline(title)
+    n = len(next(iter(groups.values())))
+    note = f"reward a step; left, a dot: one of {n} robots, line: their mean; right, two tests of each pair"
+    picture.headline(title, note)
     spreads = [f"{method} {x.std(ddof=1):.2f}" for method, x in groups.items()]
     picture.alt = (
         f"Left, the final average rewards of each method's robots; SDs: {', '.join(spreads)}. "
@@ -203,80 +199,3 @@ def step_p(before: Score, after: Score, n: int) -> float:
     t = stats.t.ppf(0.975, n - 1) / n**0.5  # half interval over SD
     numbers = (before.mean, before.half / t, n, after.mean, after.half / t, n)
     return float(stats.ttest_ind_from_stats(*numbers, equal_var=False).pvalue)
-
-
-def set_ups() -> dict[str, tuple[str, dict[str, np.ndarray]]]:
-    """Name of a set-up of the report -> its task, and the final average rewards of the paper's three methods."""
-    found = {}
-    for (experiment, length), its in averages().items():
-        task = experiment.removeprefix("robot_")
-        if task in PAPER:
-            found[f"{task}, {length}"] = (
-                task,
-                {method: its[method] for method in METHODS},
-            )
-        if experiment == "cause_walls_wander_1k":
-            found[f"wander_1k, walls hold, {length}"] = "wander_1k", its
-    return dict(sorted(found.items(), key=lambda one: list(PAPER).index(one[1][0])))
-
-
-def plot_report() -> Picture:
-    """Differences of three pairs of methods in each set-up: ours with Tukey's 95 % intervals, and the paper's."""
-    rows = set_ups()
-    figure = Picture(figsize=(9.0, 1.8 + 0.3 * len(rows)))
-    axes = figure.subplots(1, 3, sharey=True)
-    opposite, alike, shown = 0, 0, list[str]()
-    for row, (name, (task, groups)) in enumerate(rows.items()):
-        within, n = Anova.of(list(groups.values())), len(groups[METHODS[0]])
-        half = stats.studentized_range.ppf(0.95, 3, within.df_within) * np.sqrt(
-            within.ms_within / n
-        )
-        for ax, pair, theirs in zip(
-            axes, Tukey.of(groups).pairs, PAPER[task], strict=True
-        ):
-            turned = pair.difference * theirs < 0
-            look = {"fmt": "s", "color": RED} if turned else {"fmt": "o", "color": BLUE}
-            face = look["color"] if pair.p < 0.05 else "white"
-            ax.errorbar(
-                pair.difference,
-                row,
-                xerr=half,
-                markersize=5,
-                markerfacecolor=face,
-                **look,
-            )
-            ax.plot(theirs, row, "D", color=BLACK, markerfacecolor="none", markersize=7)
-            opposite += turned
-            alike += not turned and pair.p < 0.05
-            if turned and pair.p < 0.05:
-                shown.append(f"{name}: {pair.first} less {pair.second}")
-    for ax, pair in zip(axes, combinations(METHODS, 2), strict=True):
-        ax.axvline(0, color=GREY, linestyle=":")
-        ax.set_title(plain(" less\n".join(pair)), fontsize=10)
-        ax.set_xlabel("reward a step")
-        ax.grid(alpha=0.3)
-    name_rows(axes[0], list(rows))
-    axes[0].errorbar(
-        [],
-        [],
-        xerr=[],
-        fmt="o",
-        color=BLUE,
-        label="ours, 95 % interval (Tukey); hollow: not significant",
-    )
-    axes[0].errorbar(
-        [], [], xerr=[], fmt="s", color=RED, label="ours, opposite to the paper"
-    )
-    axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
-    legend_below(figure, 3)
-    total = 3 * len(rows)
-    figure.headline(
-        f"{total - opposite} of {total} differences have the paper's direction, {alike} significantly; "
-        f"{opposite} the opposite one, {len(shown)} significantly"
-    )
-    figure.alt = (
-        f"Differences of three pairs of methods in {len(rows)} set-ups, beside the paper's: {opposite} of {total} are "
-        f"opposite to it, and significantly so {len(shown)}: {'; '.join(shown)}. "
-        f"Of the others {alike} are significant."
-    )
-    return figure

@@ -6,34 +6,37 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
+from scipy import stats
 
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    CURVES,
     ROLE,
     Picture,
     centred,
-    chart,
     draw_arrow,
     draw_lattice,
     film_of,
     in_panels,
-    name_rows,
     plain,
 )
+from rlrobot_course.figures.rows import CHANCE, Rows, Values
 from rlrobot_course.lesson_17.cells import (
     GOAL,
     MOVES,
     SHAPE,
+    SHORTEST,
     START,
     WALLS,
     best_way,
     number,
 )
+from rlrobot_course.lesson_18.figures import draw_rehearsals
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
+
+NO_PLANNER = "no planner"
 
 
 def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
@@ -106,16 +109,38 @@ class Walks(Displayed):
         return film_of(repr(self), shots, 64, 200)
 
 
+def known_cells(q: np.ndarray) -> np.ndarray:
+    """The cells in which something is known, array (n, 2) of row and column; q: array (35, 4)"""
+    return np.argwhere(q.max(axis=1).reshape(SHAPE) > 0)
+
+
+def beliefs_finding(tables: Mapping[str, np.ndarray]) -> str:
+    """In how many cells something is known; of a single table, how long its way is beside the shortest."""
+    first, *_, last = tables if len(tables) > 1 else (*tables, *tables)
+    if first == last:
+        way = best_way(tables[first])
+        if way[-1] != GOAL:
+            return "It knows no way from the start yet"
+        return f"It knows a way of {len(way) - 1} steps; the shortest takes {SHORTEST}"
+    few, many = len(known_cells(tables[first])), len(known_cells(tables[last]))
+    return (
+        f"The news of the goal has reached {many} cells with {last}; {few} with {first}"
+    )
+
+
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
     """An arrow in every cell of which something is known: the best action there, the darker the more it is worth.
 
     tables: title of a panel -> Q, array (35, 4)
     """
-    figure, told = Picture(figsize=(3.4 * len(tables), 3.1)), []
+    size = (2.8 * len(tables), 3.9) if len(tables) > 1 else (5.2, 4.4)
+    figure, told = Picture(figsize=size), []
+    note = "an arrow: the best action that is known; darker: worth more"
+    figure.headline(beliefs_finding(tables), note)
     for ax, title, q in in_panels(figure, tables):
         values = q.max(axis=1).reshape(SHAPE)
         draw_cells(ax, np.where(values > 0, values, np.nan))
-        for cell in np.argwhere(values > 0).tolist():
+        for cell in known_cells(q).tolist():
             down, right = MOVES[int(q[number((cell[0], cell[1]))].argmax())]
             tail = (cell[1] - 0.27 * right, cell[0] - 0.1 - 0.27 * down)
             head = (cell[1] + 0.27 * right, cell[0] - 0.1 + 0.27 * down)
@@ -126,7 +151,7 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
             if way[-1] == GOAL
             else "no way from the start yet"
         )
-        known = np.count_nonzero(values > 0)
+        known = len(known_cells(q))
         arrows = f"{known} cell{'s' * int(known != 1)} with an arrow"
         ax.set_title(plain(title))
         ax.set_xlabel(f"{arrows}\n{leads}")
@@ -137,28 +162,64 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
     return figure
 
 
-def plot_real_steps(needed: Mapping[str, Sequence[int]], title: str) -> Picture:
+def saving_finding(needed: Mapping[str, Sequence[int]]) -> str:
+    """How many real steps the middle agent of the quickest group needs, and that of the slowest."""
+    middle = {name: float(np.median(steps)) for name, steps in needed.items()}
+    best, worst = (
+        min(middle, key=middle.__getitem__),
+        max(middle, key=middle.__getitem__),
+    )
+    others = [value for name, value in middle.items() if name != best]
+    rest = f"with “{worst}”"
+    if len(others) > 1 and len(set(others)) == 1:
+        rest = "with each of the others"
+    return f"The middle agent needs {middle[best]:.0f} real steps with “{best}”, {middle[worst]:.0f} {rest}"
+
+
+def plot_real_steps(needed: Mapping[str, Sequence[int]]) -> Picture:
     """Dots, one an agent: after how many real steps its way was the shortest; the middle one as a line."""
-    size = (7.0, 1.6 + 0.55 * len(needed))
-    figure, ax = chart(size, "real steps (logarithmic)", "", title, grid="x")
-    for i, (values, (colour, _)) in enumerate(
-        zip(needed.values(), CURVES, strict=False)
-    ):
-        sorted_values = np.sort(values)
-        height = i + 0.28 * np.sin(
-            2.4 * np.arange(len(values))
-        )  # apart, so that each is seen
-        ax.plot(sorted_values, height, "o", color=colour, alpha=0.6, markersize=5)
-        ax.plot([np.median(values)] * 2, [i - 0.42, i + 0.42], color=BLACK, linewidth=2)
-    name_rows(ax, list(needed))
-    ax.set_xscale("log")
-    ax.grid(axis="x", which="minor", alpha=0.3)
+    note = "real steps from the first arrival to the shortest way; a dot: one agent, line: the middle one; logarithmic"
+    rows = Rows(needed, saving_finding(needed), note, log=True)
+    for name, steps in needed.items():
+        rows.dots(name)
+        rows.line(name, float(np.median(steps)), f"{np.median(steps):.0f}")
     told = [
         f"{name}: {len(n)} agents, the middle one {np.median(n):.0f}"
         for name, n in needed.items()
     ]
-    figure.alt = f"Dots, one an agent: real steps until its way is the shortest. {'; '.join(told)}."
-    return figure
+    rows.picture.alt = f"Dots, one an agent: real steps until its way is the shortest. {'; '.join(told)}."
+    return rows.picture
+
+
+def planners_finding(earned: Mapping[str, Values]) -> str:
+    """In which worlds planning helps clearly, by Welch's test; names are "world, planner", or "world, no planner"."""
+    helped: dict[str, bool] = {}
+    for name, values in earned.items():
+        world = name.partition(",")[0]
+        without = earned[f"{world}, {NO_PLANNER}"]
+        p = stats.ttest_ind(values, without, equal_var=False).pvalue
+        is_better = bool(p < CHANCE and np.mean(values) > np.mean(without))
+        helped[world] = helped.get(world, False) or is_better
+    yes = " and in ".join(world for world in helped if helped[world])
+    no = " nor in ".join(world for world in helped if not helped[world])
+    if not yes:
+        return f"Planning is not shown to help in {no}"
+    if not no:
+        return f"Planning helps clearly in {yes}"
+    return f"Planning helps clearly in {yes}; in {no} it is not shown to"
+
+
+def plot_planners(earned: Mapping[str, Values]) -> Picture:
+    """What robots earn with each planner in each world. earned: mean reward a step of each robot, by world, planner"""
+    return draw_rehearsals(earned, planners_finding(earned))
+
+
+def order_finding(firsts: Mapping[str, np.ndarray]) -> str:
+    """How many cells have learned something by each order of thoughts, the most first."""
+    known = {title: int((first >= 0).sum()) for title, first in firsts.items()}
+    order = sorted(known, key=known.__getitem__, reverse=True)
+    said = [f"{known[title]} with {title.partition(':')[0]}" for title in order]
+    return f"Cells that have learned something: {', '.join(said)}"
 
 
 def plot_order(firsts: Mapping[str, np.ndarray]) -> Picture:
@@ -166,7 +227,9 @@ def plot_order(firsts: Mapping[str, np.ndarray]) -> Picture:
 
     firsts: title of a panel -> array (35,), -1 where nothing was learned
     """
-    figure, told = Picture(figsize=(3.9 * len(firsts), 3.3)), []
+    figure, told = Picture(figsize=(3.9 * len(firsts), 4.1)), []
+    note = "a number: the thought that first taught something in this cell; 0: the real step"
+    figure.headline(order_finding(firsts), note)
     for ax, title, first in in_panels(figure, firsts):
         grid, last = first.reshape(SHAPE), max(int(first.max()), 1)
         draw_cells(ax, np.where(grid >= 0, 1 - 0.9 * grid / last, np.nan))

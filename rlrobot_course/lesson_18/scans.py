@@ -23,6 +23,7 @@ from rlrobot_ros.messages import LASER_SCAN, ODOMETRY
 from rlrobot_ros.scan import Mounting, laser_readings, measured
 
 PATIENCE = 20.0  # how long a message is waited for [s]
+NOTHING = 0.1  # so far beyond the end of a laser there is nothing [m]
 AHEAD = math.pi / 3  # to each side of straight ahead [rad]
 
 
@@ -42,6 +43,21 @@ def listen(address: str) -> tuple[Any, Any]:
         connection.close()
 
 
+def scan_finding(ends: dict[str, tuple[float, float]], scan: Any) -> str:
+    """Which lasers end before anything was met in their direction. ends: (x, y) from the scanner, by laser"""
+    angle_min, increment, ranges = measured(scan)[:3]
+    hidden = []
+    for laser, (x, y) in ends.items():
+        ray = round((math.atan2(y, x) - angle_min) / increment) % len(ranges)
+        if ranges[ray] > math.hypot(x, y) + NOTHING:
+            hidden.append(laser.removeprefix("laser_").replace("_", " "))
+    if not hidden:
+        return "Each of the lasers ends at what the scanner met"
+    verb = "ends" if len(hidden) == 1 else "end"
+    said = f"{len(hidden)} of {len(ends)} lasers {verb} in the middle of nothing"
+    return f"{said}, for what lies behind is hidden: {', '.join(hidden)}"
+
+
 def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     """A scan around its scanner, midway between the wheels, and the lasers that the toolkit makes of it.
 
@@ -49,7 +65,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     """
     angle_min, increment, ranges = measured(scan)[:3]
     angles = angle_min + increment * np.arange(len(ranges))
-    figure = Picture(figsize=(6.2, 6.2))
+    figure = Picture(figsize=(6.2, 6.8))
     ax = figure.subplots(subplot_kw={"projection": "polar"})
     ax.set_theta_zero_location("N")
     far = 1.2 * ranges[np.isfinite(ranges)].max(initial=0.1)
@@ -69,11 +85,12 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         zorder=12,
         label=f"{len(ranges)} rays: what each met",
     )
-    told = []
+    told, ends = [], {}
     for laser, reading in laser_readings(scan, chassis, Mounting()).items():
         x, y, towards = chassis.lasers[LASERS.index(laser)]
         x -= chassis.axle
         end = (x + reading * math.cos(towards), y + reading * math.sin(towards))
+        ends[laser] = end
         way = np.array([(x, y), end])
         ax.plot(
             np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=RED, markersize=5, linewidth=2,
@@ -105,10 +122,10 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         label="circle around the robot",
     )
     ax.set(rmax=far)
-    figure.headline("A laser ends where the scanner can see no further")
+    note = "directions (°), and distances from the scanner (m)"
+    figure.headline(scan_finding(ends, scan), note)
     ax.set_rlabel_position(22)
     ax.yaxis.set_major_locator(MaxNLocator(4))
-    ax.set_xlabel("direction, and distance from the scanner (m)")
     legend_below(figure, 2)
     figure.alt = f"A scan of {len(ranges)} rays all round the robot, and eight lasers made of it: {'; '.join(told)}."
     return figure

@@ -3,17 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.patches import Patch
 
-from rlrobot_course.figures.plots import (
-    BLUE,
-    RED,
-    Picture,
-    centred,
-    draw_weight,
-    in_panels,
-    legend_below,
-)
+from rlrobot_course.figures.plots import Picture, centred, draw_weight, in_panels
 from rlrobot_edu import Agent
 from rlrobot_edu.learning.loop import Step
 
@@ -37,6 +28,13 @@ def shares_of(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarr
     return agent.q.copy()
 
 
+def shares_finding(maps: dict[float, np.ndarray], t: int) -> str:
+    """Of how many values a step has a share, by λ. maps: shares of the values, by λ"""
+    counts = {lam: int(np.count_nonzero(paid)) for lam, paid in maps.items()}
+    said = [f"{n} with λ = {lam:g}" for lam, n in counts.items()]
+    return f"Values in which step {t} has a share: {', '.join(said)}"
+
+
 def plot_shares(
     steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]
 ) -> Picture:
@@ -47,9 +45,10 @@ def plot_shares(
     maps = {lam: shares_of(steps, t, world, lam) for lam in lambdas}
     states = np.flatnonzero(np.any(list(maps.values()), axis=(0, 2)))
     most = max(np.abs(paid).max() for paid in maps.values())
-    picture = Picture(figsize=(1 + 2.6 * len(maps), 2.2 + 0.3 * len(states)))
+    picture = Picture(figsize=(1.4 + 2.8 * len(maps), 2.2 + 0.3 * len(states)))
     r = f"{steps[t - 1].r:g}".replace("-", "−")
-    picture.headline(f"Step {t} was paid {r}: its share in each value Q(s, a)")
+    note = f"its share in each value Q(s, a), in points; step {t} was paid {r}; blue raised a value, red lowered it"
+    picture.headline(shares_finding(maps, t), note)
     told = (f"λ = {lam:g}: {np.count_nonzero(paid)} values, the largest share {paid.flat[np.abs(paid).argmax()]:.2f}"
             for lam, paid in maps.items())  # fmt: skip
     picture.alt = f"What step {t}, which paid {r}, has paid of each value. {'; '.join(told)}.".replace(
@@ -60,7 +59,7 @@ def plot_shares(
             if share:
                 draw_weight(ax, a, row, share, most)
             text = f"{share:.2g}".replace("-", "−") if share else "·"
-            centred(ax, a, row, text, fontsize=8)
+            centred(ax, a, row, text)
         ax.set(
             title=f"λ = {lam:g}",
             xlabel="action",
@@ -71,9 +70,4 @@ def plot_shares(
             xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states
         )
     picture.axes[0].set_ylabel("state")
-    told_by = {BLUE: "it raised the value", RED: "it lowered the value"}
-    seen = [BLUE] * any((paid > 0).any() for paid in maps.values())
-    seen += [RED] * any((paid < 0).any() for paid in maps.values())
-    key = [Patch(color=colour, alpha=0.5, label=told_by[colour]) for colour in seen]
-    legend_below(picture, 2, handles=key)
     return picture

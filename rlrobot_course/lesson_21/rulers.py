@@ -12,6 +12,15 @@ from rlrobot_edu.task.task_file import load_task
 FAR = 1.0  # where the drawing of rulers ends [m]
 
 
+def rulers_finding(shares: Sequence[Sequence[float]]) -> str:
+    """How many of the upper bins lie in one bin below, and how many in several."""
+    parts = [sum(share > 0 for share in row) for row in shares]
+    whole, shared = sum(n == 1 for n in parts), sum(n > 1 for n in parts)
+    if not shared:
+        return f"Each of the {len(parts)} new bins lies in one old bin"
+    return f"{whole} of the {len(parts)} new bins lie in one old bin each, {shared} in several"
+
+
 def plot_rulers(
     target: Sequence[float],
     source: Sequence[float],
@@ -73,14 +82,12 @@ def plot_rulers(
             f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}"
         )
     ax.set_yticks([1.0, 0.0], [plain(label) for label in labels])
-    ax.set(
-        xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)",
-        ylim=(-0.35, 1.35),
-        xlim=(0, FAR),
+    ax.set(ylim=(-0.35, 1.35), xlim=(0, FAR))
+    note = (
+        "the front laser's bins (m); a number on a line: the share of the new bin; "
+        f"the last bins go on to {target[-1]:g} m"
     )
-    figure.headline("Where the bins above lie in the bins below")
-    for side in ("top", "right", "left"):
-        ax.spines[side].set_visible(False)
+    figure.headline(rulers_finding(shares), note)
     figure.alt = f"Two rulers with bins: {labels[0]} above {labels[1]}. Shares of the upper bins: {'; '.join(told)}."
     return figure
 

@@ -1,3 +1,3 @@
-"""Lesson 22, the bias again: a bias weighted by visits, and what a blind robot earns."""
+"""Lesson 22, the bias again: `vbiassr` is a bias weighted by visits, and `figures` shows what a blind robot earns."""
 
 from rlrobot_course.lesson_22.exercises import check as check

@@ -8,9 +8,25 @@ from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_11.exercises import motion
-from rlrobot_course.lesson_11.motions import in_words, motion_of, path_of
-from rlrobot_course.lesson_11.rings import Moment, plot_rings, rings_of, style_of
-from rlrobot_course.lesson_11.situations import most_visited, plot_policy
+from rlrobot_course.lesson_11.motions import (
+    in_words,
+    motion_of,
+    motions_finding,
+    path_of,
+)
+from rlrobot_course.lesson_11.rings import (
+    Moment,
+    plot_rings,
+    rings_finding,
+    rings_of,
+    style_of,
+)
+from rlrobot_course.lesson_11.situations import (
+    most_visited,
+    one_of_each,
+    plot_policy,
+    policy_finding,
+)
 from rlrobot_edu.robots.mobile_base import MobileBase
 
 
@@ -75,13 +91,36 @@ def test_the_policy_shows_visited_states_only_the_most_frequent_first():
     visits, q = np.zeros((4, 4), dtype=int), rng.normal(size=(4, 4))
     visits[[3, 1, 1, 2], [0, 1, 2, 3]] = 70, 5, 15, 10
     assert most_visited(visits, 12) == [3, 1, 2] and most_visited(visits, 2) == [3, 1]
-    picture = plot_policy(task, q, visits, motion, "A policy")
-    shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
-    assert [title.split("\n")[1] for title in shown] == [
-        "70.0% of steps",
-        "20.0% of steps",
-        "10.0% of steps",
-    ]
+    found = one_of_each(task, q, visits, motion)
+    picture = plot_policy(task, q, visits, motion)
+    shown = [ax for ax in picture.axes if ax.get_visible()]
+    assert len(shown) == len(found) == len(set(found.values()))
+    assert next(iter(found)) == 3 and "state 3 (70.0% of steps)" in picture.alt
+
+
+def test_the_title_of_a_policy_says_what_is_near_and_what_is_done():
+    task = rl.load_task("wander_1k")
+    assert policy_finding(task, 15, "forward, slow") == (
+        "A wall at its front, front left and left, and yet it drives on: its most frequent situation"
+    )
+    assert "front, front left and left" in policy_finding(task, 15, "stays")
+    assert "yet" not in policy_finding(task, 15, "stays")
+    assert policy_finding(task, 1023, "stays").startswith("Most often nothing is near")
+
+
+def test_the_titles_of_motions_and_rings_are_counted():
+    task, env = rl.load_task("wander_1k"), rl.make_env("wander_1k", seed=0)
+    said = motions_finding(task, motion)
+    assert said == "9 actions make 7 different motions; 3 of them stay"
+    assert "9 actions make 1 different" in motions_finding(task, lambda *_: (0.0, 0.0))
+    robot, moments = env.unwrapped.robot, []
+    env.reset()
+    for a in (8, 8):
+        moments.append(Moment(robot.scene(), robot.readings))
+        env.step(a)
+    assert rings_finding(moments, task).startswith("It has moved 10 cm")
+    s = task.states.encode(moments[0].readings)
+    assert rings_finding(moments[:1], task).endswith(f"one number, state {s}")
 
 
 @pytest.mark.parametrize("angle", [20, 30, 40, 50, 60, 70])

@@ -3,12 +3,20 @@
 import gymnasium
 import numpy as np
 import pytest
+from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.paths import drive, length_of
 from rlrobot_course.lesson_12.episodes import drive_episodes
 from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
-from rlrobot_course.lesson_12.figures import film_in_lane, place_values
+from rlrobot_course.lesson_12.figures import corridor_finding, film_in_lane
+from rlrobot_course.lesson_12.room import (
+    HEADINGS,
+    place_values,
+    plot_values,
+    plot_ways,
+    values_finding,
+)
 from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, OwnReward, lane
 
 TASK = rl.load_task("navigation_1k")
@@ -111,3 +119,42 @@ def test_a_film_in_the_lane_ends_at_the_goal_or_after_so_many_steps():
         assert (
             repr(film).startswith(f"Replay of {shown} steps") and len(rewards) == shown
         )
+
+
+def test_a_rose_has_a_petal_for_each_heading_that_was_met():
+    q, visits = np.zeros((1024, 9)), np.zeros((1024, 9), dtype=int)
+    q[:] = np.arange(1024)[:, None]
+    visits[::16, 0] = 1
+    known = np.isfinite(place_values(TASK, q, visits)).sum()
+    way = np.array([(-1.5, -1.5), (0.0, 0.0)])
+    picture = plot_values(TASK, q, visits, way)
+    petals = [p for p in picture.axes[0].patches if isinstance(p, Wedge)]
+    assert len(petals) == known
+    assert picture.alt.count("places known") == len(HEADINGS)
+
+
+def test_the_title_of_the_roses_counts_what_is_worth_something():
+    values = np.zeros((2, 2, 8))
+    values[0, 0, :4], values[1] = 10.0, np.nan
+    said = values_finding(values)
+    assert said.startswith("Only 25% of") and said.endswith("10 points")
+
+
+def test_the_title_of_the_ways_tells_their_lengths():
+    episodes = drive_episodes(
+        rl.Agent(TASK, seed=0),
+        gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25),
+        2,
+    )
+    said = plot_ways(TASK, episodes, [1, 2]).finding
+    assert said == "Still no shorter: from 25 steps in episode 1 to 25 in episode 2"
+
+
+def test_the_title_of_the_corridor_names_the_reward_that_turns_back():
+    on = np.zeros((7, 2))
+    on[:, NEARER] = 1.0
+    back = on.copy()
+    back[5, AWAY] = 2.0
+    said = corridor_finding({"a": back, "b": on, "c": on})
+    assert said == "“a” turns back before the goal; the other 2 lead into it"
+    assert corridor_finding({"b": on}) == "Each of these rewards leads to the goal"

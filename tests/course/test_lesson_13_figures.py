@@ -8,8 +8,22 @@ from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_13 import check, exercises
-from rlrobot_course.lesson_13.figures import heaps, plot_means, plot_places
+from rlrobot_course.lesson_13.arm_figure import plot_arm
+from rlrobot_course.lesson_13.figures import (
+    episode_finding,
+    places_finding,
+    plot_episode,
+    plot_places,
+)
 from rlrobot_course.lesson_13.loops import best_loop
+from rlrobot_course.lesson_13.many import (
+    Bounds,
+    leader_finding,
+    plot_many,
+    plot_means,
+    stuck_finding,
+    stuck_first,
+)
 from rlrobot_course.lesson_13.runs import last_episodes, last_path
 from rlrobot_course.worlds.arm_world import ArmWorld, with_reward
 from rlrobot_edu.robots.arm.kinematic_arm import gripper
@@ -114,16 +128,10 @@ def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they
     )
 
 
-def test_every_value_is_a_dot_in_the_heap_of_its_bin():
-    values = np.array([0.1, 2.04, 1.98, 9.9, 2.1])
-    x, height = heaps(values, np.arange(-0.125, 10.2, 0.25))
-    assert np.allclose(x, [0, 2, 2, 2, 10]) and height.tolist() == [1, 1, 2, 3, 1]
-
-
 def test_the_picture_of_the_places_counts_those_in_contact_and_says_where_the_shuttle_is(
     world,
 ):
-    picture = plot_places(world.places, [0, 23, 32], "All places")
+    picture = plot_places(world.places, [0, 23, 32], "arm 7")
     assert (
         f"132 places from above, {(world.places.distance <= 0.05).sum()} of them in contact"
         in picture.alt
@@ -135,10 +143,61 @@ def test_the_picture_of_the_places_counts_those_in_contact_and_says_where_the_sh
     )
 
 
+BOUNDS = Bounds(3, "below 3", 8, "above 8")
+ARMS = {"good, one": [9.0, 9.5], "bad, one": [2.0, 1.0], "bad, two": [2.0, 9.0]}
+
+
+def test_arms_are_sorted_by_how_many_are_stuck_and_the_title_counts_them():
+    assert stuck_first(ARMS, BOUNDS) == ["bad, one", "bad, two", "good, one"]
+    said = stuck_finding(ARMS, BOUNDS)
+    assert said == "2 of 2 arms are below 3 with “bad, one”; with “good” none is"
+    assert stuck_finding({"a": [4.0]}, BOUNDS) == "No arm is below 3"
+    assert "in each row some are" in stuck_finding({"a": [1.0, 9.0]}, BOUNDS)
+    picture = plot_many(ARMS, "reward", BOUNDS, {2.0: "two"})
+    assert "bad, one: 2 arms from 1.00 to 2.00, 1 near 2" in picture.alt
+    dots = sum(len(dots.get_offsets()) for dots in picture.axes[0].collections)
+    assert dots == 6
+
+
+def test_the_title_of_an_episode_says_whether_the_arm_goes_to_and_fro():
+    to_and_fro = np.array([0.09, 0.13] * 5 + [0.09])
+    paid = np.array([-1.0, 5.0] * 5)
+    said = episode_finding("Arm 7", to_and_fro, paid)
+    assert said == "Arm 7 goes to and fro between 9 and 13 cm, for 2 points a step"
+    assert "stays in contact" in episode_finding("A", to_and_fro / 10, paid)
+    assert "comes as near as 9 cm" in episode_finding("A", np.sort(to_and_fro), paid)
+
+
+def test_an_episode_shows_its_last_ten_rewards(world):
+    path = [0, *([23, 32] * 10)]
+    picture = plot_episode(world.places, path, np.arange(20.0), "Arm 1")
+    numbers = [text.get_text() for text in picture.axes[1].texts]
+    assert [f"+{r}" for r in range(10, 20)] == numbers[:10]
+
+
+def test_the_titles_of_the_places_and_of_the_arm_are_measured(world):
+    touching = int(np.flatnonzero(world.places.distance <= 0.05)[0])
+    assert places_finding(world.places, [0, 0], "it").endswith(
+        "it ends in none of them"
+    )
+    assert "in and out" in places_finding(world.places, [0, touching], "it")
+    finding = plot_arm(rl.load_task("arm_1k")).finding
+    assert f"starts {100 * world.places.distance[0]:.0f} cm from" in finding
+
+
+def test_the_leader_of_the_first_set_up_is_looked_for_in_the_others():
+    rng = np.random.default_rng(0)
+    apart = {"a": rng.normal(9, 1, 30), "b": rng.normal(2, 1, 30)}
+    alike = {"a": rng.normal(5, 1, 30), "b": rng.normal(5, 1, 30)}
+    assert "a is ahead" in leader_finding({"x": apart, "y": alike})
+    assert leader_finding({"x": apart, "y": alike}).endswith("but not in “y”")
+    assert leader_finding({"x": apart, "y": apart}).endswith("and in “y”")
+    assert "nobody is ahead" in leader_finding({"x": alike, "y": apart})
+
+
 def test_the_picture_of_the_means_tells_them_with_their_intervals():
     values = np.random.default_rng(0).normal(5, 1, size=(2, 30))
-    picture = plot_means(
-        {"one": {"Q+SR": values[0]}, "other": {"Q+SR": values[1]}}, "reward", "Means"
-    )
+    both = {"Q+SR": values[0], "SARSA": values[1]}
+    picture = plot_means({"one": both, "other": both}, "reward", (0, 10))
     half = stats.t.ppf(0.975, 29) * stats.sem(values[1])
-    assert f"other {values[1].mean():.2f} ± {half:.2f}" in picture.alt
+    assert f"SARSA: one {values[1].mean():.2f} ± {half:.2f}" in picture.alt

@@ -6,6 +6,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_14 import exercises
 from rlrobot_course.lesson_14.figures import (
+    gaps_finding,
     plot_capture,
     plot_counts,
     plot_estimates,
@@ -137,3 +138,19 @@ def test_curves_and_gaps_are_those_that_were_measured():
     shares = np.array([[0.0, 1.0], [0.5, 1.0]])
     picture = plot_capture(shares, 10 * shares, recorded=5.7, block=500)
     assert np.allclose(picture.axes[0].lines[-1].get_ydata(), [25, 100])
+    assert picture.finding.endswith("10.0 a step; the recorded robot earned 5.7")
+    near = Gap(np.array([3.0, 5.0]), np.array([2.0, 4.5]))
+    far = Gap(np.array([9.0, 9.0]), np.array([2.0, 3.0]))
+    said = gaps_finding({"a": far, "b": near})
+    assert said == "The model promises 0.8 a step too much with “b”, 6.5 with “a”"
+
+
+def test_titles_of_counts_estimates_and_the_unknown_are_counted():
+    never = np.count_nonzero(MODEL.pair_count == 0)
+    assert plot_counts(MODEL, "ABCD", "wxyz").finding.startswith(f"{never} of 16 pairs")
+    picture = plot_estimates(np.arange(1000) % 2 == 0, sizes=[1, 400], estimates=50)
+    assert picture.finding.startswith(
+        "The estimates reach from 0.00 to 1.00 from 1 row"
+    )
+    best = int(rl.value_iteration(MODEL).q[0].argmax())
+    assert f"“{'wxyz'[best]}”" in plot_unknown({"m": MODEL}, 0, "wxyz", "here").finding

@@ -8,13 +8,20 @@ from paper import paper
 from scipy import stats
 
 from rlrobot_course.lesson_15.figures import (
-    PAPER,
     draws_of_few,
-    plot_report,
+    few_finding,
+    plot_shuffled,
     plot_two_tests,
-    set_ups,
     shuffled_f,
+    shuffled_finding,
     two_intervals,
+)
+from rlrobot_course.lesson_15.whole_paper import (
+    PAPER,
+    Difference,
+    differences,
+    plot_report,
+    set_ups,
 )
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
@@ -86,5 +93,35 @@ def test_the_papers_differences_are_those_of_the_report_and_each_set_up_is_drawn
                 difference if better == first else -difference, rel=0.01
             )
     picture = plot_report()
-    assert len(picture.axes[0].get_yticklabels()) == len(set_ups()) == 20
+    assert len(picture.axes[0].get_yticks()) == len(set_ups()) == 20
     assert "14 of 60 are opposite to it, and significantly so 8" in picture.alt
+    assert picture.finding.startswith("22 of 60 differences are clearly as the paper")
+    assert "8 clearly the other way; 30 are too uncertain" in picture.finding
+
+
+def test_a_difference_is_turned_to_the_papers_direction_and_judged():
+    found = differences()["wander_simple, 300 steps"]
+    groups = set_ups()["wander_simple, 300 steps"][1]
+    ours = groups["TOSL+SR"].mean() - groups["TOSL+QBIASSR"].mean()
+    turned = found["TOSL+QBIASSR less TOSL+SR"]
+    assert turned.ours == pytest.approx(ours), "the paper's own is below 0 here"
+    assert turned.theirs > 0
+    for p, ours, verdict in (
+        (0.04, 1.0, "as the paper"),
+        (0.04, -1.0, "other way"),
+        (0.06, 1.0, "cannot tell"),
+    ):
+        assert Difference(ours, 0.5, 1.0, p).verdict == verdict
+
+
+def test_the_titles_of_shuffles_and_of_few_agents_are_shares():
+    shuffled = np.array([1.0, 2.0, 3.0, 4.0])
+    assert shuffled_finding(shuffled, 3.0).endswith("in 50.0% of the shuffles")
+    assert shuffled_finding(shuffled, 9.0).startswith("None of 4")
+    share = np.mean(
+        shuffled_f(GROUPS, 200) >= stats.f_oneway(*GROUPS.values()).statistic
+    )
+    assert f"{share:.1%}" in plot_shuffled(GROUPS, times=200).finding
+    found = {10: np.array([-1.0, 3.0, 3.0, 3.0]), 100: np.array([1.0, 2.0])}
+    said = few_finding(found, ("good", "bad"))
+    assert said == "bad is ahead in 25% of the draws of 10, in 0% of the draws of 100"

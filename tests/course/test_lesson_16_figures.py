@@ -9,7 +9,14 @@ import rlrobot_edu as rl
 from rlrobot_course.exercises.design import paid_by
 from rlrobot_course.lesson_16 import check, exercises
 from rlrobot_course.lesson_16.exercises import CLUES
-from rlrobot_course.lesson_16.figures import CUTS, FOUND, HELD, plot_cuts
+from rlrobot_course.lesson_16.figures import (
+    CUTS,
+    FOUND,
+    HELD,
+    IDEAL,
+    cuts_finding,
+    plot_cuts,
+)
 from rlrobot_course.lesson_16.files import edit, fresh_folder, refusal
 from rlrobot_course.lesson_16.situations import PAIRS
 from rlrobot_edu.tools.new_task import new_task
@@ -88,3 +95,16 @@ def test_the_figure_of_the_cuts_shows_what_was_computed():
                     (float(row["value"]), float(row["half_interval"])), abs=6e-5
                 )
     assert plot_cuts().alt.count("±") == 15
+
+
+def test_the_title_of_the_cuts_follows_the_numbers():
+    said = cuts_finding(FOUND)
+    assert (
+        said
+        == "Cuts at 5, 10, 15 cm earn most; where walls hold, 27, 53, 80 cm bump least"
+    )
+    turned = dict(FOUND)
+    turned["bumps in 100 steps"] = {HELD: ((1.0, 0.1), (2.0, 0.1), (3.0, 0.1))}
+    assert cuts_finding(turned).endswith("walls hold, 5, 10, 15 cm bump least")
+    turned["reward a step"] = {HELD: ((1.0, 0.1),) * 3, IDEAL: ((1.0, 0.1), (2.0, 0.1))}
+    assert cuts_finding(turned).startswith("Ideal or not, other cuts")

@@ -22,7 +22,14 @@ from rlrobot_course.lesson_17.cells import (
     steps_needed,
     thoughts,
 )
-from rlrobot_course.lesson_17.figures import Walks
+from rlrobot_course.lesson_17.figures import (
+    Walks,
+    beliefs_finding,
+    order_finding,
+    planners_finding,
+    plot_real_steps,
+    saving_finding,
+)
 from rlrobot_course.lesson_17.sweeping import SWEEPING
 
 CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
@@ -87,3 +94,39 @@ def test_the_moving_picture_has_a_frame_a_step_and_counts_arrivals():
     film = Walks({"x": walk}, steps=43)
     assert "43 steps. x: 1 arrivals" in repr(film)
     assert Image.open(io.BytesIO(film.still().data)).n_frames == 43
+
+
+def test_the_titles_of_beliefs_count_cells_and_steps():
+    q, none = values(), np.zeros((35, 4))
+    known = len(CELLS) - 1  # the goal is worth nothing
+    said = beliefs_finding({"no thoughts": none, "many": q})
+    assert (
+        said
+        == f"The news of the goal has reached {known} cells with many; 0 with no thoughts"
+    )
+    assert beliefs_finding({"one": q}).startswith(f"It knows a way of {SHORTEST} steps")
+    assert beliefs_finding({"one": none}) == "It knows no way from the start yet"
+
+
+def test_the_titles_of_planning_follow_the_numbers():
+    needed = {"slow": [90, 100, 110], "quick": [5, 6, 7], "other": [100, 100, 100]}
+    said = saving_finding(needed)
+    assert said.endswith("6 real steps with “quick”, 100 with each of the others")
+    assert saving_finding({**needed, "other": [50]}).endswith(
+        "“quick”, 100 with “slow”"
+    )
+    assert plot_real_steps(needed).finding == said
+    order = {"dyna: 5": np.array([0, -1, -1]), "sweeping: 5": np.array([0, 2, -1])}
+    assert order_finding(order).endswith("2 with sweeping, 1 with dyna")
+    rng = np.random.default_rng(0)
+    low, high = rng.normal(1, 1, 20), rng.normal(9, 1, 20)
+    earned = {
+        "a, no planner": low,
+        "a, dyna": high,
+        "b, no planner": high,
+        "b, dyna": low,
+    }
+    assert (
+        planners_finding(earned)
+        == "Planning helps clearly in a; in b it is not shown to"
+    )

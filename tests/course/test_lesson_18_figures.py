@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from rlrobot_course.lesson_18 import exercises
-from rlrobot_course.lesson_18.scans import plot_scan
+from rlrobot_course.lesson_18.figures import plot_rehearsals
+from rlrobot_course.lesson_18.scans import plot_scan, scan_finding
 from rlrobot_edu.robots.chassis import GIRAFF, PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import WHEELS
 from rlrobot_ros import RobotLink, ServedRobot
@@ -107,3 +108,18 @@ def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
 
     with ServedRobot("wander_1k", port=0) as robot:
         assert kill_a_driver(robot.address) == pytest.approx((0.0975, 0.0))
+
+
+def test_a_laser_that_ends_before_the_ray_beside_it_is_named():
+    scan = scan_of([2.0] * 360)
+    met = {"laser_front": (2.0, 0.0), "laser_left": (0.0, 2.0)}
+    assert scan_finding(met, scan) == "Each of the lasers ends at what the scanner met"
+    met["laser_front_right"] = (0.7, -0.7)
+    said = scan_finding(met, scan)
+    assert said.startswith("1 of 3 lasers ends") and said.endswith("front right")
+
+
+def test_the_title_of_rehearsals_compares_two_groups():
+    picture = plot_rehearsals({"a": [1.0, 1.1, 0.9], "b": [3.0, 3.1, 2.9]}, "b", "a")
+    assert picture.finding == "“b” earns more than “a”: 3.0 a step against 1.0"
+    assert "b: 3.0 ± 0.2" in picture.alt

@@ -23,3 +23,5 @@ def test_the_map_of_who_was_paid_has_a_row_for_each_state_that_the_reward_reache
     assert [
         int(label.get_text()) for label in picture.axes[0].get_yticklabels()
     ] == reached.tolist()
+    n = np.count_nonzero(shares_of(steps, 21, "worked_example", 0.9))
+    assert picture.finding.endswith(f"has a share: 1 with λ = 0, {n} with λ = 0.9")

@@ -6,8 +6,10 @@ import pytest
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_course.figures.rows import compared, heaped
+from rlrobot_course.figures.runs import mean_and_half
 from rlrobot_course.lesson_20 import driver
-from rlrobot_course.lesson_20.figures import mean_and_half, plot_dots, plot_worth
+from rlrobot_course.lesson_20.figures import plot_dots, plot_worth
 from rlrobot_course.lesson_20.pupils import copies, pupils
 from rlrobot_edu.experiments.repetitions import repetition
 from rlrobot_edu.widgets.driving.pad import teleoperate
@@ -119,9 +121,32 @@ def test_the_interval_is_students():
 
 
 def test_the_figures_show_their_numbers():
-    dots = plot_dots({"a": [3.0, 1.0, 2.0], "b": [5.0, 5.0, 8.0]}, "a title", "steps")
-    assert [sorted(line.get_xdata()) for line in dots.axes[0].lines if len(line.get_xdata()) == 3] == [
-        [1, 2, 3], [5, 5, 8]
-    ]  # fmt: skip
-    worth = plot_worth({"careful": {"Q": 1.5, "SARSA": -2.0}}, "a title")
-    assert [bar.get_width() for bar in worth.axes[0].patches] == [1.5, -2.0]
+    groups = {"a": [3.0, 1.0, 2.0], "b": [5.0, 5.0, 8.0]}
+    dots = plot_dots(groups, "b", "a", "steps")
+    shown = [group.get_offsets()[:, 0].tolist() for group in dots.axes[0].collections]
+    assert shown == [[1, 2, 3], [5, 5, 8]]
+    assert dots.finding == "“b” earns more than “a”: 6.0 a step against 2.0"
+    worth = {
+        "careful": {"earned": 2.0, "Q": 1.5, "SARSA": -2.0},
+        "clumsy": {"earned": 5.0, "Q": 57.0, "SARSA": 4.0},
+    }
+    picture = plot_worth(worth)
+    marks = [line.get_xdata()[0] for line in picture.axes[0].lines if line.get_marker() in "Dso"]  # fmt: skip
+    assert marks == [2.0, 1.5, -2.0, 5.0, 57.0, 4.0]
+    assert picture.finding.startswith("Q values the clumsy lesson at 57, SARSA at 4")
+
+
+def test_groups_that_chance_may_explain_are_too_close_to_tell():
+    groups = {"a": [1.0, 5.0, 3.0], "b": [2.0, 4.0, 4.0]}
+    assert "too close to tell" in compared(groups, "b", "a")
+    assert compared({"a": [1.0, 1.1], "b": [9.0, 9.1]}, "a", "b").startswith(
+        "“a” earns less"
+    )
+
+
+def test_dots_of_a_heap_do_not_lie_on_each_other():
+    values = np.sort(np.random.default_rng(0).normal(size=40))
+    heights = heaped(values, 0.3)
+    for height in range(heights.max() + 1):
+        assert (np.diff(values[heights == height]) >= 0.3).all()
+    assert heaped(np.array([1.0, 1.0, 9.0]), 0.3).tolist() == [0, 1, 0]

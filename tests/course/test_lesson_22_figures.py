@@ -4,6 +4,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_22 import exercises
+from rlrobot_course.lesson_22.figures import plot_blind
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.learning.size import Size
 
@@ -18,3 +19,9 @@ def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
     agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
     agent.begin_episode(s)
     assert agent.bias[0] == pytest.approx(bias)
+
+
+def test_the_picture_of_the_blind_counts_those_that_earn_nearly_all():
+    picture = plot_blind("blind", [3.0, 9.9, 9.6], most=10)
+    assert picture.finding.startswith("2 of 3 robots that see nothing earn nearly 10")
+    assert "blind: 3.0, 9.6, 9.9" in picture.alt

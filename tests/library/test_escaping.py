@@ -27,7 +27,7 @@ from rlrobot_course.lesson_01.figures import plot_bins
 from rlrobot_course.lesson_03.figures import plot_one_value
 from rlrobot_course.lesson_07.figures import plot_corridor
 from rlrobot_course.lesson_09.figures import plot_pull, plot_worth
-from rlrobot_course.lesson_13.figures import plot_many
+from rlrobot_course.lesson_13.many import Bounds, plot_many
 from rlrobot_course.lesson_15.figures import plot_shuffled
 from rlrobot_course.play.challenge import Score
 from rlrobot_edu.experiments.tables import Table
@@ -356,13 +356,13 @@ def test_the_pictures_of_the_lessons_show_labels_and_titles_as_they_stand(tasks)
         *LABELS,
     )
     says(
-        plot_shuffled(
-            {"a": rng.normal(size=5), "b": rng.normal(size=5)}, NASTY, times=50
-        ),
+        plot_shuffled({NASTY: rng.normal(size=5), "b": rng.normal(size=5)}, times=50),
         NASTY,
     )
     says(
-        plot_many({label: np.ones(2) for label in LABELS}, np.arange(3), "x", NASTY),
+        plot_many(
+            {label: np.ones(2) for label in LABELS}, NASTY, Bounds(0, "low", 1, "high")
+        ),
         NASTY,
         *LABELS,
     )
