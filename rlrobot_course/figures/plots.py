@@ -35,7 +35,7 @@ __all__ = (
     "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
-EACH = 380  # width of one of several films side by side [pixels of a page]
+ROW = 760  # width of films side by side [pixels of a page]
 
 Grid = Literal["both", "x", "y"]
 Point = tuple[float, float]
@@ -164,7 +164,7 @@ class SideBySide(Displayed):
                 for film in films
             )
             alt = f"Films of robots, side by side. {' '.join(ends)}"
-            return Still(alt, side_by_side(films), EACH * len(films), "image/gif")
+            return Still(alt, side_by_side(films), ROW, "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):
             ax.imshow(image_of(view.still().data))
@@ -185,12 +185,13 @@ class SideBySide(Displayed):
 
 def side_by_side(films: Sequence[Film]) -> bytes:
     """One animated GIF of several films."""
-    rows = zip(*(film.pictures(EACH) for film in films), strict=False)
+    each = ROW // len(films)
+    rows = zip(*(film.pictures(each) for film in films), strict=False)
     frames = []
     for row in rows:
-        frame = Image.new("RGB", (EACH * len(row), row[0].height))
+        frame = Image.new("RGB", (each * len(row), row[0].height))
         for column, picture in enumerate(row):
-            frame.paste(picture, (column * EACH, 0))
+            frame.paste(picture, (column * each, 0))
         frames.append(frame)
     return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
 

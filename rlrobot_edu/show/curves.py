@@ -178,17 +178,20 @@ def finding(curves: list[Curve]) -> str:
     ends = {name: repetitions[:, -1] for name, repetitions in curves}
     means = {name: values.mean() for name, values in ends.items()}
     best, *others = sorted(means, key=means.__getitem__, reverse=True)
+    said = best
+    if best[:1].isascii():  # an ε stays as it is
+        said = best[:1].upper() + best[1:]
+    mean = _signed(means[best])
     if not others:
-        return f"{best} earns {_signed(means[best])} a step"
+        return f"{said} earns {mean} a step"
     if min(map(len, ends.values())) < 2:
-        return f"{best} earns most in this run: {_signed(means[best])} a step"
+        return f"{said} earns most in this run: {mean} a step"
     lowest, _ = mean_band(ends[best][:, None])
     highest = max(float(mean_band(ends[name][:, None])[1][0]) for name in others)
     if lowest[0] > highest:
-        next_best = _signed(means[others[0]])
-        return f"{best} earns most: {_signed(means[best])} a step, {next_best} the next"
-    least, most = _signed(means[others[-1]]), _signed(means[best])
-    return f"Too close to tell which is best: {least} to {most} a step"
+        return f"{said} earns most: {mean} a step, {_signed(means[others[0]])} the next"
+    least = _signed(means[others[-1]])
+    return f"Too close to tell which is best: {least} to {mean} a step"
 
 
 def _signed(number: float) -> str:
