@@ -9,5 +9,6 @@ Read in this order:
 - `page.html`, `style.css`: the looks; `page.js`: time, and the picture; `panel.js`: words, buttons and the link;
 - `hands.js`: dragging, keys, and the beginning.
 
-Kernels, walls and worlds are the playground's; the chances come from the bias explorer's bias.js.
+Kernels, walls and worlds are the playground's, and so is `theme.js`; colours and buttons are those of
+`rlrobot_edu.show.room`; the chances come from the bias explorer's bias.js.
 """

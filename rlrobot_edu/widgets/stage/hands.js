@@ -118,12 +118,12 @@ find("restore").onclick = () => { walls = null; liveAnew(); find("next").focus()
 find("value").oninput = () => remember(Number(find("value").value));
 
 addEventListener("resize", () => { size(); wake(); });
-const recoloured = () => { colours = coloursNow(); ways = null; size(); wake(); };
-matchMedia("(prefers-color-scheme: dark)").onchange = recoloured;
+const recoloured = () => { colours = coloursOf(canvas); ways = null; size(); wake(); };
+followTheme(recoloured);
 matchMedia("(forced-colors: active)").onchange = recoloured;
 calm.onchange = wake;
 
-colours = coloursNow();
+colours = coloursOf(canvas);
 const beginning = linked();
 walls = wallsFrom(beginning.get("walls"), freshLife(NOBODY).world);
 find("restore").hidden = walls === null;

@@ -98,7 +98,7 @@ def rule(numbers: Numbers) -> str:
         "the most advisers (a say of 0.1 or more for the favourite); of these the last. It shows the idea at its "
         f"clearest, not on average: in all {everywhere['moments']:,} such moments of the {last - first + 1} robots, "
         f"asking lifted the favourite’s chance {favourite}, that of a step that pays {risen('pays', 0)}, and that of a "
-        f"bump {risen('bumps', 1)}. “When it was wrong”: the moment at which asking raised the chance of a bump most. Each "
+        f"bump {risen('bumps', 1)}. “When it was wrong”: where asking raised the chance of a bump most. Each "
         "similar state has 1⁄20 of a say for each action, 5 inputs of 4 bins; one that was never met says 0. The page "
         "lives both hours with the library’s own kernels. ± is half of a 95 % interval of the mean difference."
     )

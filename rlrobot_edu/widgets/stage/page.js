@@ -1,9 +1,8 @@
 // The page: two lives race through their hour, and then one moment is asked about. Time, and what is on the canvas.
 
 const find = (id) => document.getElementById(id);
-const FONT = "system-ui, \"Segoe UI\", sans-serif";
-const NAMES = ["back", "card", "ink", "faint", "line", "floor", "wall", "blue", "on-blue", "green", "red", "grey", "focus",
-  "on-input", "input-1", "input-2", "input-3", "input-4", "input-5", "shadow", "black"];
+const FONT = ROOM_LETTERS;
+ROOM_COLOURS.push("input-1", "input-2", "input-3", "input-4", "input-5", "on-input", "black", "shadow"); // which coloursOf reads
 const RACE_MS = 5000, AGAIN_MS = 3000, REST_MS = 900, CAMERA_MS = 1000;
 const SCORE_HIGH = 98, UNDER = 72; // height of the numbers above a room, and of those at the question on a phone [px]
 const canvas = find("picture"), calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -13,18 +12,6 @@ let colours, W, H, ratio, lives, moments = [], motions, walls = null;
 let ways, phase = "race", begun = 0, raceMs = RACE_MS, arrived = 0, isNear = false; // isNear: the camera is there already
 let moment = null, chosen = 0, ghost = -1, changed = new Map(), layout = null; // changed: "state motion" -> value
 let wallChosen = -1, wallMoved = null, isMoving = false;
-
-// The colours of the page by their names, light or dark as they are now.
-function coloursNow() {
-  const probe = document.body.appendChild(document.createElement("i"));
-  probe.style.forcedColorAdjust = "none";
-  const entries = NAMES.map((name) => {
-    probe.style.color = `var(--${name})`;
-    return [name, getComputedStyle(probe).color];
-  });
-  probe.remove();
-  return Object.fromEntries(entries);
-}
 
 const isNarrow = () => W < 760;
 

@@ -14,7 +14,8 @@ from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
 from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.palette import DARK, LIGHT
+from rlrobot_edu.show.room.scene_data import room_script
+from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.page_file import bare, bare_style, read_text
@@ -33,7 +34,15 @@ DESCRIPTION = (
     "Two robots learn in the same room. One asks nobody. The other asks its memories of places that differ from its "
     "own in one reading. See what that is worth, and when it misleads."
 )
-SCRIPTS = ("life", "view", "asking", "page", "panel", "hands")
+SCRIPTS = (
+    "playground/theme.js",
+    "stage/life.js",
+    "stage/view.js",
+    "stage/asking.js",
+    "stage/page.js",
+    "stage/panel.js",
+    "stage/hands.js",
+)
 
 
 class Stage(Displayed):
@@ -47,14 +56,16 @@ class Stage(Displayed):
 
     def __init__(self) -> None:
         numbers = read_numbers()
-        programs = [read_text(f"stage/{name}.js") for name in SCRIPTS]
+        programs = [read_text(name) for name in SCRIPTS]
         self.html = Template(read_text("stage/page.html")).substitute(
             title=TITLE,
             description=escape(DESCRIPTION),
-            style=_colours() + bare_style(read_text("stage/style.css")),
+            style=bare_style(look() + read_text("stage/style.css")),
             honest=honest(numbers),
             rule=rule(numbers),
-            script="\n".join([lives_script(), bare("\n".join(programs))]),
+            script="\n".join(
+                [lives_script(), bare("\n".join([room_script(), *programs]))]
+            ),
         )
 
     def __repr__(self) -> str:
@@ -130,11 +141,3 @@ def lives_script() -> str:
     luck = [read_numbers()["shown"]]
     script = script_of(program, {TASK: base_world(task)}, METHODS, luck)
     return bare("\n".join([script, read_text("bias_explorer/page/bias.js")]))
-
-
-def _colours() -> str:
-    """The colours of show/palette.py for the page."""
-    names = [name for name in LIGHT if name != "paper"]
-    pairs = [f"--{name}: light-dark({LIGHT[name]}, {DARK[name]})" for name in names]
-    pairs += [f"--black: {LIGHT['ink']}", "--shadow: rgb(20 22 24 / 12%)"]
-    return f":root {{ color-scheme: light dark; {'; '.join(pairs)} }}\n"

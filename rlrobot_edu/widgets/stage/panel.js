@@ -5,7 +5,11 @@ const SIDE = { bump: "red", paid: "green", idle: "" };
 let told = "", scored = "";
 
 const inputName = (i) => lives[1].world.words[i][0].replace("laser ", "").replace("front", "ahead");
-const percent = (x) => (x > 0.9945 ? `${Math.min(99.9, 100 * x).toFixed(1)} %` : x < 0.005 ? "< 1 %" : `${Math.round(100 * x)} %`);
+// A chance in words; blanks in it do not break.
+function percent(x) {
+  if (x < 0.005) return "<\u00a01\u00a0%";
+  return `${x > 0.9945 ? Math.min(99.9, 100 * x).toFixed(1) : Math.round(100 * x)}\u00a0%`;
+}
 const minus = (text) => text.replace("-", "−");
 const numberText = (x) => minus(String(+x.toFixed(2)));
 const sayText = (x) => (Math.abs(x) < 0.005 ? "0" : `${x > 0 ? "+" : ""}${minus(x.toFixed(2))}`);
