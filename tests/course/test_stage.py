@@ -110,6 +110,26 @@ def test_what_all_say_of_a_motion_is_its_bias(moments):
         np.testing.assert_allclose(total, expected, atol=1e-9)
 
 
+def test_ghosts_that_stood_at_one_place_step_aside():
+    script = read_text("stage/asking.js")
+    told = lived(
+        script
+        + """
+        const life = live(0, NEIGHBOURS), far = ([a, b], [c, d]) => Math.hypot(a - c, b - d);
+        return momentsOf(life).map(({ t, known }) => {
+          const places = known.map(({ seen }) => life.places[seen]), spots = fanned(places, life.places[t], life.world);
+          const all = [life.places[t], ...spots];
+          const gaps = all.flatMap((spot, i) => all.slice(i + 1).map((other) => far(spot, other)));
+          return { gap: Math.min(9, ...gaps), moved: Math.max(0, ...spots.map((spot, i) => far(spot, places[i]))) };
+        });
+        """,
+        seeds=[6],
+    )
+    assert min(one["gap"] for one in told) > 0.45, "a robot is half a metre wide"
+    assert max(one["moved"] for one in told) < 2
+    assert min(one["moved"] for one in told) == 0, "who is in nobody's way stays"
+
+
 def test_each_action_belongs_to_one_motion_and_those_that_move_alike_are_one(moments):
     actions = moments[0]["actions"]
     assert sorted(a for group in actions for a in group) == list(range(9))
@@ -144,13 +164,12 @@ def more(mean: float, half: float) -> dict[str, float]:
 
 
 def test_a_difference_is_told_only_where_its_interval_excludes_zero():
-    words = ("more", "fewer")
+    words = ("more", "fewer", "as many")
     assert [shows(more(*x)) for x in ((5, 4), (-5, 4), (4, 5))] == [1, -1, 0]
-    assert compared(more(56.1, 9), words, "difference", 0) == "56 ± 9 more"
-    assert compared(more(-50, 46), words, "difference", 0) == "50 ± 46 fewer"
+    assert compared(more(56.1, 9), words, 0) == "56 ± 9 more"
+    assert compared(more(-50, 46), words, 0) == "50 ± 46 fewer"
     assert (
-        compared(more(-11, 19), words, "difference", 0)
-        == "no difference that shows (−11 ± 19)"
+        compared(more(-11, 19), words, 0) == "as many (−11 ± 19, no difference shows)"
     )
 
 

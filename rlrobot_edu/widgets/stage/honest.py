@@ -35,27 +35,25 @@ def amount(more: Numbers, decimals: int) -> str:
     return f"{mean:.{decimals}f} ± {half:.{decimals}f}"
 
 
-def compared(more: Numbers, words: tuple[str, str], what: str, decimals: int) -> str:
-    """A difference in words: ``56 ± 9 m further``, or that none shows. words: for more, and for less."""
+def compared(more: Numbers, words: tuple[str, str, str], decimals: int) -> str:
+    """A difference in words. words: for more, for less, and for where none shows."""
     side = shows(more)
-    if side == 0:
-        sign = "+" if more["mean"] >= 0 else "−"
-        return f"no {what} that shows ({sign}{amount(more, decimals)})"
-    return f"{amount(more, decimals)} {words[0] if side > 0 else words[1]}"
+    if side > 0:
+        return f"{amount(more, decimals)} {words[0]}"
+    if side < 0:
+        return f"{amount(more, decimals)} {words[1]}"
+    sign = "+" if more["mean"] >= 0 else "−"
+    return f"{words[2]} ({sign}{amount(more, decimals)}, no difference shows)"
 
 
 def honest(numbers: Numbers) -> str:
     """The line that stands on the page, as HTML."""
     ideal, held = numbers[IDEAL], numbers[HELD]
     first, last = numbers["seeds"]
-    metres = compared(
-        ideal["metres"]["more"], ("m further", "m less far"), "difference in metres", 0
-    )
-    reward = compared(
-        ideal["reward"]["more"], ("more", "less"), "difference in reward", 1
-    )
+    metres = compared(ideal["metres"]["more"], ("m further", "m less far", "as far"), 0)
+    reward = compared(ideal["reward"]["more"], ("more", "less", "as much"), 1)
     bumps = [
-        compared(its["bumps"]["more"], ("more", "fewer"), "difference", 0)
+        compared(its["bumps"]["more"], ("more", "fewer", "as many"), 0)
         for its in (ideal, held)
     ]
     memories = verdict(ideal["advice"]["all"])
@@ -79,8 +77,8 @@ def verdict(advice: Numbers) -> str:
 
 def rule(numbers: Numbers) -> str:
     """How room, seed and moments are chosen, and what asking changes in states that are new, as plain text."""
-    ideal, first, last = numbers[IDEAL], *numbers["seeds"]
-    everywhere = ideal["advice"]["all"]
+    first, last = numbers["seeds"]
+    everywhere = numbers[IDEAL]["advice"]["all"]
 
     def risen(name: str, decimals: int) -> str:
         chance = everywhere[name]
