@@ -13,7 +13,8 @@ let ways, phase = "race", begun = 0, raceMs = RACE_MS, arrived = 0, isNear = fal
 let moment = null, chosen = 0, ghost = -1, changed = new Map(), layout = null; // changed: "state motion" -> value
 let wallChosen = -1, wallMoved = null, isMoving = false;
 
-const isNarrow = () => W < 760;
+const wideEnough = matchMedia("(min-width: 1000px)"); // as style.css has it
+const isNarrow = () => !wideEnough.matches;
 
 // Since the camera came to the moment.
 function seconds() {
@@ -56,7 +57,7 @@ function placesOf(near) {
   const race = [[side, SCORE_HIGH, wide], [side + wide + 56, SCORE_HIGH, wide]];
   return {
     rooms: [mix(race[0], [132, 0, 100]), mix(race[1], [W - last, 0, last])], fade: 1,
-    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [panel / 2, 0])], size: mixed(1, 0.62, near),
+    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 248), 0])], size: mixed(1, 0.62, near),
     clock: null,
   };
 }

@@ -127,9 +127,17 @@ function sentence(s, { called }, rise) {
   if (!n) return `Nobody it knows was ever near this. It draws lots. ${stepPart(s) > 0.9 || calm.matches ? drawn() : ""}`;
   if (s < 1.4) return `But ${n === 1 ? "once" : `${n} times`} all its readings but <em>one</em> were the same.`;
   if (s < 2.3) return heard ? `${heard === 1 ? "One of them remembers" : `${heard} of them remember`} what it was worth.` : "They remember nothing of worth.";
-  const advice = heard ? `${heard === 1 ? "One memory says" : `${heard} memories say`}: ${called}, ${rise}.` : "They remember nothing of worth: it nearly draws lots.";
+  const advice = adviceOn(called, heard, rise);
   if (calm.matches) return `${advice} ${drawn()}`;
   return stepPart(s) < 0.9 ? advice : `${capital(called)}, ${rise}. ${drawn()}`;
+}
+
+// What the memories say of a motion; heard: how many say something.
+function adviceOn(called, heard, rise) {
+  if (!heard) return `They remember nothing of worth: ${called}, ${rise}.`;
+  const motion = motions[chosen];
+  if (chanceOf(moment.chances, motion) < lotOf(motion)) return `They speak more for other motions: ${called}, ${rise}.`;
+  return `${heard === 1 ? "One memory says" : `${heard} memories say`}: ${called}, ${rise}.`;
 }
 
 // Which step it took, and what that paid.
