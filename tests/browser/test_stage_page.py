@@ -88,7 +88,7 @@ def test_robot_and_ghosts_are_drawn_where_they_stand_inside_the_room(calm):
     shares, inside = zip(*calm.evaluate(HELD), strict=True)
     assert len(shares) > 3 and all(inside)
     assert min(shares) > 0.2, "their marks hide a part"
-    assert shares[0] > 0.9
+    assert shares[0] > 0.7
 
 
 ACROSS = """() => layoutNow().ghosts.filter(speaks).map((one) => { // the width of each ribbon across its middle

@@ -140,23 +140,29 @@ def test_the_moment_shown_has_the_most_advisers_and_the_wrong_one_the_most_bumps
     told = lived(
         """
         const life = live(0, NEIGHBOURS), motions = motionsOf(life.world), moments = momentsOf(life);
-        const favourite = ({ chances }) => favouriteOf(chances, motions);
-        const isAdviser = (moment) => (one) => Math.abs(sayOf(moment, one, favourite(moment))) >= 0.1;
-        const advisers = moments.map((moment) => moment.similar.filter(isAdviser(moment)).length);
-        const bumps = ({ pays, chances }) => chances.filter((_, a) => pays[a] <= -2).map((p) => p - 1 / 9);
-        const rises = moments.map((moment) => sum(bumps(moment), (rise) => rise));
-        const first = moments.indexOf(firstShown(moments, motions)), wrong = moments.indexOf(mostWrong(moments));
-        const after = moments.map(({ t, pays }) => [pays[life.a[t]], life.r[t + 1]]);
-        return { advisers, rises, first, wrong, after };
+        const first = moments.indexOf(firstShown(life, moments, motions));
+        const wrong = moments.indexOf(mostWrong(moments));
+        const rows = moments.map((moment) => {
+          const { t, pays, chances, similar } = moment, favourite = favouriteOf(chances, motions);
+          const says = similar.map((one) => Math.abs(sayOf(moment, one, favourite)));
+          const advisers = says.filter((say) => say >= 0.1).length, did = favourite.actions.includes(life.a[t]);
+          const rise = sum(chances.filter((_, a) => pays[a] <= -2), (p) => p - 1 / 9);
+          return { advisers, did, rise, tried: pays[life.a[t]], paid: life.r[t + 1] };
+        });
+        return { rows, first, wrong };
         """,
         seeds=[6],
     )
-    most = max(told["advisers"])
-    assert told["advisers"][told["first"]] == most
-    assert most not in told["advisers"][told["first"] + 1 :]
-    assert told["rises"][told["wrong"]] == pytest.approx(max(told["rises"]))
-    for tried, paid in told["after"]:
-        assert tried == paid, "what was tried is what the robot's own step paid"
+    rows = told["rows"]
+    shown, wrong = rows[told["first"]], rows[told["wrong"]]
+    followed = [row for row in rows if row["did"]]
+    assert shown["did"]
+    assert shown["advisers"] == max(row["advisers"] for row in followed)
+    later = [row for row in rows[told["first"] + 1 :] if row["did"]]
+    assert all(row["advisers"] < shown["advisers"] for row in later)
+    assert wrong["rise"] == pytest.approx(max(row["rise"] for row in rows))
+    for row in rows:
+        assert row["tried"] == row["paid"], "what was tried is what the step paid"
 
 
 def more(mean: float, half: float) -> dict[str, float]:

@@ -95,10 +95,13 @@ function drawTie(context, camera, { at, shift, place, input }, colours) {
 }
 
 // The arrow of a motion from a place, as wide as what the ribbons bring; tells its tip and middle.
-function drawArrow(context, camera, place, motion, { total, unit }, grown, strength, colours, narrow) {
+// It ends where the room ends.
+function drawArrow(context, camera, place, motion, { total, unit }, grown, strength, colours, narrow, [xMin, yMin, xMax, yMax]) {
   const [x, y, heading] = place, cos = Math.cos(heading), sin = Math.sin(heading);
   if (!motion.path.length) return null;
-  const path = motion.path.map(([a, b]) => camera.at(x + a * cos - b * sin, y + a * sin + b * cos, EYE));
+  const spots = motion.path.map(([a, b]) => [x + a * cos - b * sin, y + a * sin + b * cos]);
+  const out = spots.findIndex(([a, b], i) => i > 7 && (a < xMin || a > xMax || b < yMin || b > yMax));
+  const path = spots.slice(0, out < 0 ? spots.length : out).map(([a, b]) => camera.at(a, b, EYE));
   const shown = path.slice(0, Math.max(4, Math.round(path.length * grown))), tip = shown.at(-1), before = shown.at(-4);
   const most = (motion.v ? 0.26 : 0.13) * camera.scale, wide = Math.max(3, Math.min(most, Math.abs(total) * unit));
   const turn = Math.atan2(tip[1] - before[1], tip[0] - before[0]), head = Math.max(narrow ? 10 : 13, 0.95 * wide);

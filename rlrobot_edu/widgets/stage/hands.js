@@ -51,7 +51,7 @@ canvas.addEventListener("touchstart", (event) => { // a finger that has taken so
   if (phase === "ask" && (wallAt(...cameraNow().from(...spot)) >= 0 || ribbonAt(spot) >= 0)) event.preventDefault();
 }, { passive: false });
 canvas.onpointerdown = (event) => {
-  if (phase === "race") return ask(firstShown(momentsNow(), motions));
+  if (phase === "race") return ask(firstNow());
   const spot = pixel(event), [x, y] = cameraNow().from(...spot), i = wallAt(x, y), ribbon = i < 0 ? ribbonAt(spot) : -1;
   if (i >= 0) {
     held = { i, from: [x, y], wall: inside()[i], moved: false };
@@ -107,7 +107,7 @@ canvas.onblur = () => (later ? liveAnew() : chooseWall(-1));
 
 document.onkeydown = (event) => {
   if (event.target.tagName === "INPUT" || event.ctrlKey || event.metaKey || event.altKey) return;
-  if (event.key === "Escape" && phase === "race") ask(firstShown(momentsNow(), motions));
+  if (event.key === "Escape" && phase === "race") ask(firstNow());
   else if (event.key === "ArrowRight" && phase === "ask") next(1);
   else if (event.key === "ArrowLeft" && phase === "ask") next(-1);
 };
@@ -129,4 +129,4 @@ walls = wallsFrom(beginning.get("walls"), freshLife(NOBODY).world);
 find("restore").hidden = walls === null;
 begin(RACE_MS);
 find("marks").append(...lives[1].world.inputs.map((_, i) => element("span", {}, markOf(i), inputName(i))));
-if (!follow(beginning) && calm.matches) ask(firstShown(momentsNow(), motions), true);
+if (!follow(beginning) && calm.matches) ask(firstNow(), true);

@@ -122,18 +122,23 @@ function sayOf({ shape }, { input, q }, { actions }) {
   return sum(actions, (a) => q[a]) / actions.length / (shape[input] * shape.length);
 }
 
-// The moments with the most advisers, and of these the last one.
-function firstShown(moments, motions) {
+// The moments at which the robot then did what its memories favour; without any, all moments.
+function followedOf(life, moments, motions) {
+  const followed = moments.filter(({ t, chances }) => favouriteOf(chances, motions).actions.includes(life.a[t]));
+  return followed.length ? followed : moments;
+}
+
+// Of these the one with the most advisers; of several the last.
+function firstShown(life, moments, motions) {
   const advisers = (moment) => {
     const favourite = favouriteOf(moment.chances, motions);
     return moment.similar.filter((one) => Math.abs(sayOf(moment, one, favourite)) >= LEAST_SAY).length;
   };
-  return moments.reduce((best, moment) => (advisers(moment) >= advisers(best) ? moment : best));
+  return followedOf(life, moments, motions).reduce((best, moment) => (advisers(moment) >= advisers(best) ? moment : best));
 }
 
 // The moment at which asking raised the chance of a bump most.
 function mostWrong(moments) {
-  const rise = ({ pays, chances }) => pays.reduce((total, r, a) =>
-    total + (r <= BUMP ? chances[a] - 1 / pays.length : 0), 0);
+  const rise = ({ pays, chances }) => sum([...pays.keys()], (a) => (pays[a] <= BUMP ? chances[a] - 1 / pays.length : 0));
   return mostBy(moments, rise);
 }

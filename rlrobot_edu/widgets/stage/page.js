@@ -99,6 +99,7 @@ function ask(which, quick = false) {
   wake();
 }
 
+const firstNow = () => firstShown(lives[1], momentsNow(), motions);
 const next = (way) => {
   const all = momentsNow(), i = moment ? all.indexOf(moment) : 0;
   ask(all[(i + way + all.length) % all.length], true);
@@ -156,7 +157,7 @@ function drawRace(context, now) {
   tellScores(places, t);
   drawClock(context, places.clock, t);
   if (part === 1 && !moments.length) momentsNow();
-  if (calm.matches || now - begun > raceMs + REST_MS) ask(firstShown(momentsNow(), motions));
+  if (calm.matches || now - begun > raceMs + REST_MS) ask(firstNow());
   return true;
 }
 
@@ -236,7 +237,7 @@ function drawAnswer(context, camera, here, place, s, shown, narrow) {
   const grown = eased((s - TIMES.arrow) / 0.7), step = stepPart(s), rect = [camera.left, camera.top, camera.wide, camera.high];
   const motion = motions[chosen], chance = mixed(lotOf(motion), chanceOf(chancesNow(), motion), eased((s - TIMES.arrow) / 0.8));
   if (grown > 0 && step < 1) {
-    const arrow = drawArrow(context, camera, here, motion, shown, grown, 1 - step, colours, narrow);
+    const arrow = drawArrow(context, camera, here, motion, shown, grown, 1 - step, colours, narrow, lives[1].world.bounds);
     const middle = arrow?.middle ?? shown.robot, turn = arrow?.turn ?? 0, far = (arrow?.wide ?? 20) / 2 + (narrow ? 32 : 44);
     const sides = [1, -1].map((side) => [middle[0] - side * far * Math.sin(turn), middle[1] + side * far * Math.cos(turn)]);
     const aside = mostFree(sides, shown.ghosts, rect);

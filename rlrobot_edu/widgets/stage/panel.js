@@ -144,8 +144,12 @@ function adviceOn(called, heard, rise) {
 function drawn() {
   const a = lives[1].a[moment.t], taken = motions.find(({ actions }) => actions.includes(a)), r = lives[1].r[moment.t + 1], kind = kindOf(r);
   const paid = { bump: `a bump, ${numberText(r)}`, paid: `+${numberText(r)}`, idle: `${numberText(r)}, it hardly moved` }[kind];
-  const favourite = favouriteOf(moment.chances, motions), misled = kind === "bump" && taken === favourite && favourite === motions[chosen];
-  return `It drew “${taken.called}”: <span class="${SIDE[kind]}">${paid}.</span>${misled ? " Its memories misled it." : ""}`;
+  const favourite = favouriteOf(moment.chances, motions), isAdvised = favourite === motions[chosen] && moment.known.some((one) =>
+    speaks({ say: sayNow(one) }));
+  const isWrong = isAdvised && moment.pays[favourite.actions[0]] <= BUMP, told = `<span class="${SIDE[kind]}">${paid}.</span>`;
+  if (isWrong && taken === favourite) return `It drew that: ${told} Its memories misled it.`;
+  if (isWrong) return `That would bump. It drew “${taken.called}”: ${told}`;
+  return `It drew “${taken.called}”: ${told}`;
 }
 
 // The link holds the moment, the motion, the ghost, what it is to remember, and the walls.
