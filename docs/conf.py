@@ -65,7 +65,7 @@ suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 # GitHub would show them as code
 BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
-    "docs/playground": ["docs/stepper"],
+    "docs/playground": ["docs/stage", "docs/stepper"],
     "docs/method": ["docs/notation", "docs/when_similarity_helps"],
     "docs/grading": ["notebooks/homework/*"],
     "docs/real_robot": ["docs/bags"],

@@ -26,6 +26,7 @@ from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
 from .widgets.playground.page import playground as playground
+from .widgets.stage.page import stage as stage
 from .widgets.stepper.widget import Stepper as Stepper
 from .widgets.watching import watch as watch
 

@@ -27,6 +27,7 @@ KINDS = (
     Kind("<BiasExplorer of", "explorers", "bias explorer"),
     Kind("Replay of", "replays", "replay in 3D"),
     Kind("<Playground", "playgrounds", "playground"),
+    Kind("<Stage", "stages", "stage"),
 )
 
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
 IN_A_ROW = 3  # steps
-COLOURS = 48  # of a film
+COLOURS = 32  # of a film
 
 
 @suggests_keywords

@@ -3,6 +3,7 @@
 stepper/        `rl.Stepper`: an agent's steps, forward and back
 bias_explorer/  `BiasExplorer`: which states influence a choice of QBIASSR
 playground/     `rl.playground`: a page in which a robot learns, with sliders
+stage/          `rl.stage`: a page that shows whom a robot asks in a state that is new to it
 driving/        `teleoperate`: a person drives the robot
 watching.py     `rl.watch`: a robot that learns, in 3D
 sliders.py      `ParameterSliders`: a learning curve for parameters that the reader sets

@@ -23,8 +23,8 @@ def page_html(
     title, description: of the page, also for a card that shows a link to it
     """
     parts = {
-        "style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style)),
-        "script": _bare(program),
+        "style": bare_style(style),
+        "script": bare(program),
         "feed": feed,
     }
     text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
@@ -40,7 +40,12 @@ def read_text(name: str) -> str:
     return (files(__package__) / name).read_text("utf-8")
 
 
-def _bare(program: str) -> str:
+def bare_style(style: str) -> str:
+    """A style sheet without comments and blanks."""
+    return re.sub(r"\s*([{};])\s*", r"\1", bare(style))
+
+
+def bare(program: str) -> str:
     """A program without comments and indents, which only make a page larger."""
     lines = [COMMENT.sub("", line).strip() for line in program.splitlines()]
     return "\n".join(line for line in lines if line)

@@ -71,6 +71,7 @@ def test_what_is_written_in_a_folder_of_any_name_can_be_read_there(
     for kind, write in writes(model, film).items():
         write(folder / kind)
     rl.playground("playground.html")
+    rl.stage("stage.html")
     assert (
         rl.Agent.load("agent").q.shape == (4, 4)
         and rl.SampleModel.load(folder / "model").n_states == 24

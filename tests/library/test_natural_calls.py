@@ -219,6 +219,7 @@ def calls(tmp_path_factory):
         "InputVariable": (rl.InputVariable, {"name": "x", "cuts": [0.2], "unit": "m"}),
         "OutputVariable": (rl.OutputVariable, {"name": "x", "values": [0, 1]}),
         "playground": (rl.playground, {"path": None, "task": "wander_1k"}),
+        "stage": (rl.stage, {"path": None}),
         "History.load": (History.load, {"path": folder / "no_such_file.npz"}),
         "new_task": (new_task, {"name": "mine", "folder": folder}),
         "learn_from": (learn_from, {"agent": agent(), "recording": recording}),
@@ -241,7 +242,7 @@ NAMES = [
     "record", "film", "watch", "Stepper", "Stepper.forward", "Stepper.back", "Stepper.jump", "Stepper.save",
     "read_recording", "Recording", "Recording.save", "Recording.load", "from_recording", "model.save",
     "value_iteration", "Realism", "plot_learning", "plot_scene", "load_task", "InputVariable", "OutputVariable",
-    "playground", "History.load", "new_task", "learn_from", "draw_room", "RobotLink", "recording_from_bag",
+    "playground", "stage", "History.load", "new_task", "learn_from", "draw_room", "RobotLink", "recording_from_bag",
 ]  # fmt: skip
 
 

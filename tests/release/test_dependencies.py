@@ -47,6 +47,7 @@ agent = rl.Agent(env, seed=0)
 rl.plot_learning(rl.learn(agent, env, steps=20)).png()
 rl.film(agent, env, steps=2).gif()
 rl.playground(sys.argv[1])
+rl.stage()
 rl.repeat("worked_example", repetitions=2, steps=30, n_jobs=1)
 for call in (lambda: rl.Stepper(agent, env), lambda: rl.watch(agent, env, steps=1), lambda: rl.meshcat(env)):
     try:

@@ -5,6 +5,7 @@ Read in this order:
 - `page`: ``rl.playground()``, which builds the page;
 - `worlds`: the worlds as data, one of them the `cliff`;
 - `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
+- `script`: kernels, worlds and luck as one program, also for the stage;
 - `new_simulation.js`: a simulation of given settings; `rlrobot_edu/widgets/javascript/simulation.js`: its steps;
 - `run.js`: a simulation with its score and its floor; `walls.js`: walls inside a room;
 - `page.html`, `style.css`: the looks; `picture.js` (with `rlrobot_edu/show/room`), `cells.js` and `curve.js` draw it;

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cache, cached_property
 from html import escape
 from importlib.resources import files
@@ -11,15 +11,10 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.keywords import suggests_keywords
-from rlrobot_edu.learning.memory import SETTINGS
-from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.show.room.scene_data import room_script
@@ -27,6 +22,7 @@ from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.playground.kernels import kernels
+from rlrobot_edu.widgets.playground.script import script_of
 from rlrobot_edu.widgets.playground.worlds import (
     World,
     base_world,
@@ -90,7 +86,6 @@ METHODS = {
     "Q+EG": "Q-learning, ε-greedy",
     "Q+RANDOM": "chance: it learns, and never uses it",
 }
-SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
 LUCKS = 10  # seeds to choose from
 SCRIPTS = (
     "theme.js",
@@ -204,23 +199,8 @@ def playground(
 def simulation_script() -> str:
     """JavaScript without a page: ``newSimulation(settings)`` is a learner in its world, see new_simulation.js."""
     tasks = {name: load_task(name) for name in TASKS}
-    about = {
-        "worlds": _worlds(tasks),
-        "methods": [{"name": name, "called": text} for name, text in METHODS.items()],
-        "lucks": [_luck(seed) for seed in range(LUCKS)],
-        "parameters": _defaults(SLIDERS),
-        "defaults": _defaults(SETTINGS.names or ()),
-    }
-    about_text = json.dumps(about, ensure_ascii=False, separators=(",", ":"))
-    simulation = files("rlrobot_edu.widgets.javascript") / "simulation.js"
-    parts = [
-        simulation.read_text("utf-8"),
-        f"const kernels = {kernels(list(METHODS), tasks)};",
-        f"const about = {about_text};",
-        _text("walls.js"),
-        _text("new_simulation.js"),
-    ]
-    return "\n".join(parts)
+    program = kernels(list(METHODS), tasks)
+    return script_of(program, _worlds(tasks), METHODS, range(LUCKS))
 
 
 def _worlds(tasks: Mapping[str, Task]) -> dict[str, World]:
@@ -236,24 +216,5 @@ def _worlds(tasks: Mapping[str, Task]) -> dict[str, World]:
     return worlds
 
 
-def _defaults(names: Iterable[str]) -> dict[str, Any]:
-    parameters = Parameters()
-    return {name: getattr(parameters, name) for name in names}
-
-
 def _text(name: str) -> str:
     return files(__package__).joinpath(name).read_text("utf-8")
-
-
-def _luck(seed: int) -> dict[str, dict[str, str]]:
-    """The states, in hex, in which the random numbers of an agent and of a world with this seed begin."""
-    return {
-        "agent": _hex_state(generator(seed, ())),
-        "world": _hex_state(generator(seed, ENVIRONMENT)),
-    }
-
-
-def _hex_state(rng: np.random.Generator) -> dict[str, str]:
-    """The state of PCG64 in hex, for simulation.js."""
-    state: Any = rng.bit_generator.state["state"]
-    return {"state": hex(state["state"]), "inc": hex(state["inc"])}

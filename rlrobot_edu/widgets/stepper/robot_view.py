@@ -69,7 +69,7 @@ class RobotView:
 
     def look_data(self, look: Scene) -> dict[str, Any]:
         """What may move, as room.js wants it, and the cell of the box."""
-        data = moving_data(look)
+        data = {**moving_data(look), "box": None}
         for solid in look.solids:
             if solid.name == "box":
                 corner = solid.pose[:2, 3] + 0.5

@@ -1,0 +1,254 @@
+"""The stage in a browser: what is drawn is where it belongs, what is pressed and moved tells, and all can use it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from waiting import until
+
+import rlrobot_edu as rl
+
+SIZES = {
+    "wide": (1280, 800),
+    "phone": (390, 844),
+    "tablet": (820, 1000),
+    "small": (1024, 768),
+}
+FOLDED = ("tablet", "small")  # here one has to scroll for the honest line
+NUMBERS = """() => {
+  const metres = lives.map((life) => life.metres[HOUR]);
+  return [moment.t, chosen, ghost, chancesNow(), moment.known.map(sayNow), metres, walls];
+}"""
+
+
+@pytest.fixture(scope="module")
+def opened(browser, tmp_path_factory):
+    """Opens the page; it must ask for nothing but itself, and say nothing on the console."""
+    file = tmp_path_factory.mktemp("stage") / "page.html"
+    pages, faults, asked = [], [], set()
+    rl.stage(file)
+
+    def opened(link="", size="wide", **settings):
+        width, height = SIZES[size]
+        page = browser.new_page(
+            viewport={"width": width, "height": height},
+            **{"reduced_motion": "reduce"} | settings,
+        )
+        pages.append(page)
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda said: faults.append(said.text))
+        page.on("request", lambda request: asked.add(request.url.split("#")[0]))
+        page.goto(file.as_uri() + link)
+        return page
+
+    yield opened
+    for page in pages:
+        page.close()
+    assert faults == [] and asked == {file.as_uri()}
+
+
+@pytest.fixture(scope="module", params=SIZES)
+def calm(opened, request):
+    """The page for a reader who wants no motion: it opens at the arrow."""
+    page = opened(size=request.param)
+    until(page, "phase === 'ask' && !isMoving")
+    return page
+
+
+def test_without_motion_it_opens_at_the_arrow_and_tells_what_came(calm):
+    said = calm.locator("#said").inner_text()
+    assert "memories say" in said and "It drew" in said
+    assert calm.evaluate("stepPart(seconds())") == 0
+    assert calm.locator("#motions [aria-pressed=true]").count() == 1
+
+
+HELD = """() => { // how many of the pixels around each robot's middle have its colour, and whether that is in the room
+  const { robot, ghosts } = layoutNow(), sheet = document.createElement("canvas"), half = 4;
+  Object.assign(sheet, { width: canvas.width, height: canvas.height });
+  const context = sheet.getContext("2d", { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  const held = ([x, y], tone) => {
+    const box = [x - half, y - half, 2 * half, 2 * half].map((side) => side * ratio);
+    const { data } = context.getImageData(...box), wanted = tone.match(/[\\d.]+/g).map(Number);
+    const away = (i) => sum([0, 1, 2], (k) => Math.abs(data[i + k] - wanted[k]));
+    const starts = Array.from({ length: data.length / 4 }, (_, i) => 4 * i);
+    return starts.filter((i) => away(i) < 12).length / starts.length;
+  };
+  const [xMin, yMin, xMax, yMax] = lives[1].world.bounds, camera = cameraNow();
+  const isInside = (spot) => {
+    const [x, y] = camera.from(...spot);
+    return x > xMin && x < xMax && y > yMin && y < yMax + 0.2; // the top of a robot is seen farther back
+  };
+  const loud = ghosts.filter(speaks).map((one) => [one.spot, colours[`input-${one.input + 1}`]]);
+  return [[robot, colours.blue], ...loud].map(([spot, tone]) => [held(spot, tone), isInside(spot)]);
+}"""
+
+
+def test_robot_and_ghosts_are_drawn_where_they_stand_inside_the_room(calm):
+    shares, inside = zip(*calm.evaluate(HELD), strict=True)
+    assert len(shares) > 3 and all(inside)
+    assert min(shares) > 0.2, "their marks hide a part"
+    assert shares[0] > 0.7
+
+
+ACROSS = """() => layoutNow().ghosts.filter(speaks).map((one) => { // the width of each ribbon across its middle
+  const sheet = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+  const context = sheet.getContext("2d");
+  context.setTransform(8, 0, 0, 8, 0, 0);
+  const [from, middle, to] = [0.45, 0.5, 0.55].map((p) => along(one.curve, p)), size = 60;
+  context.translate(size / 2 - middle[0], size / 2 - middle[1]);
+  drawRibbon(context, one, 1, 1, colours);
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]], long = Math.hypot(dx, dy);
+  const { data } = context.getImageData(0, 0, 8 * size, 8 * size);
+  let wide = 0;
+  for (let far = -size / 2; far < size / 2; far += 0.05) {
+    const x = Math.floor(8 * (size / 2 - (far * dy) / long)), y = Math.floor(8 * (size / 2 + (far * dx) / long));
+    if (data[4 * (y * 8 * size + x) + 3] > 127) wide += 0.05;
+  }
+  return [wide, Math.abs(one.say)];
+})"""
+
+
+def test_ribbons_are_as_wide_as_what_their_ghosts_say(calm):
+    wide, says = np.array(calm.evaluate(ACROSS)).T
+    assert len(says) > 2
+    np.testing.assert_allclose(wide / says, (wide / says)[0], rtol=0.1, atol=0.2)
+    assert wide.max() / wide.min() > 2
+
+
+LETTERS = """() => {
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), small = [];
+  while (walker.nextNode()) {
+    const { parentElement: element, data } = walker.currentNode;
+    if (!data.trim() || /^(SCRIPT|STYLE|NOSCRIPT)$/.test(element.tagName) || !element.checkVisibility()) continue;
+    if (parseFloat(getComputedStyle(element).fontSize) < 13) small.push(data);
+  }
+  return small;
+}"""
+TOLD = "h1, #sub, .score, #said, #honest, #lot, #motions button, #lead, #ghosts button, #marks, summary"
+OVERLAPS = """(told) => {
+  const seen = [...document.querySelectorAll(told)].filter((element) => element.checkVisibility());
+  const boxes = seen.map((element) => [element.id || element.textContent, element.getBoundingClientRect()]);
+  const common = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
+  const lies = (a, b) => common(a, b, "left", "right") > 1 && common(a, b, "top", "bottom") > 1;
+  const over = (i) => boxes.slice(i + 1).filter(([, box]) => lies(boxes[i][1], box));
+  return boxes.flatMap(([one], i) => over(i).map(([other]) => [one, other]));
+}"""
+
+
+def test_letters_can_be_read_and_nothing_lies_over_them(calm):
+    assert calm.evaluate(LETTERS) == []
+    assert calm.evaluate(OVERLAPS, TOLD) == []
+    assert calm.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_the_honest_line_is_seen_without_scrolling(calm):
+    size = (calm.viewport_size["width"], calm.viewport_size["height"])
+    if size in [SIZES[name] for name in FOLDED]:
+        return
+    calm.evaluate("scrollTo(0, 0)")
+    bottom = calm.locator("#honest").bounding_box()
+    below = calm.locator("#keys").bounding_box()
+    last = bottom["y"] + bottom["height"]
+    assert last <= calm.viewport_size["height"]
+    if calm.viewport_size["width"] < 500:
+        assert last <= below["y"], "the buttons stay at the bottom of a phone"
+
+
+def test_axe_finds_nothing(calm):
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
+    ).Axe()
+    found = axe.run(calm, options={"resultTypes": ["violations"]}).response
+    told = [(each["id"], each["nodes"][0]["html"]) for each in found["violations"]]
+    assert told == []
+
+
+def test_the_main_buttons_come_first(opened):
+    page = opened()
+    until(page, "phase === 'ask' && !isMoving")
+    names = []
+    for _ in range(4):
+        page.keyboard.press("Tab")
+        names.append(page.evaluate("document.activeElement.id"))
+    assert names[:3] == ["next", "wrong", "again"]
+
+
+def test_a_link_holds_motion_ghost_memory_and_walls(opened):
+    page = opened()
+    until(page, "phase === 'ask' && !isMoving")
+    was = page.evaluate(NUMBERS)
+    page.locator("#picture").focus()
+    page.keyboard.press("w")
+    page.keyboard.press("ArrowUp")
+    until(page, "walls !== null && later === 0 && phase === 'ask'")
+    assert page.evaluate(NUMBERS)[5] != was[5], "in another room they live other hours"
+    page.locator("#motions button").nth(4).click()
+    page.locator("#ghosts button").first.click()
+    page.locator("#value").fill("-80")
+    told = page.evaluate(NUMBERS)
+    assert told[3] != page.evaluate("moment.chances")
+    again = opened("#" + page.url.partition("#")[2])
+    until(again, "phase === 'ask' && !isMoving")
+    assert again.evaluate(NUMBERS) == told
+    page.get_by_role("button", name="Put the walls back").click()
+    until(page, "phase === 'ask'")
+    assert page.evaluate(NUMBERS) == was
+
+
+def test_a_wrong_link_harms_nothing(opened):
+    page = opened("#t=x&motion=99&ghost=-1&what=1,2;a,b,c&walls=9,9,9,9;x")
+    until(page, "phase === 'ask' && !isMoving")
+    assert page.evaluate("changed.size") == 0
+
+
+def test_a_wall_is_dragged_and_a_ribbon_pulled(opened):
+    page = opened()
+    until(page, "phase === 'ask' && !isMoving")
+    was = page.evaluate(NUMBERS)
+    box = page.locator("#picture").bounding_box()
+
+    def drag(start, end):
+        page.mouse.move(box["x"] + start[0], box["y"] + start[1])
+        page.mouse.down()
+        page.mouse.move(box["x"] + end[0], box["y"] + end[1], steps=5)
+        page.mouse.up()
+
+    middle = page.evaluate("along(layoutNow().ghosts[0].curve, 0.4)")
+    drag(middle, (middle[0], middle[1] + 60))
+    assert page.evaluate("changed.size") == 1
+    assert page.evaluate("chancesNow()") != was[3]
+    wall = page.evaluate("inside().findIndex(([x, y]) => x === 1.775 && y === 0.175)")
+    drag(
+        page.evaluate("cameraNow().at(1.775, 0.175)"),
+        page.evaluate("cameraNow().at(1.2, 0.3)"),
+    )
+    until(page, "phase === 'ask'")
+    moved = page.evaluate(f"inside()[{wall}]")
+    assert moved[:2] == pytest.approx([1.2, 0.3], abs=0.02)
+    assert page.evaluate(NUMBERS)[5] != was[5]
+
+
+def test_with_motion_they_race_first_and_a_key_leads_to_the_question(opened):
+    page = opened(reduced_motion="no-preference")
+    until(
+        page,
+        "phase === 'race' && Number(find('neighbours').querySelector('b').textContent) > 0",
+    )
+    assert page.locator("#next").is_hidden()
+    page.keyboard.press("Escape")
+    until(page, "phase === 'ask' && isNear && stepPart(seconds()) === 1")
+    first = page.evaluate("moment.t")
+    assert "It drew" in page.locator("#said").inner_text()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("moment.t") > first
+    page.get_by_role("button", name="When it was wrong").click()
+    until(page, "stepPart(seconds()) === 1")
+    assert "bump" in page.locator("#said").inner_text()
+
+
+def test_forced_colours_are_followed(opened):
+    page = opened(forced_colors="active")
+    until(page, "phase === 'ask' && !isMoving")
+    assert page.evaluate("colours.ink === getComputedStyle(document.body).color")
+    assert page.evaluate(HELD)[0][0] > 0.9
