@@ -25,7 +25,7 @@ def in_words(v: float, turn: float) -> str:
     """A motion in a word or two. v: forward speed [m/s]; turn: [degrees/s], positive to the left."""
     if abs(turn) < STILL:
         if abs(v) < STILL:
-            return "stays"
+            return "stands still"
         return "forward" if v > 0 else "backward"
     side = "left" if turn > 0 else "right"
     return f"spins {side}" if abs(v) < STILL else f"curves {side}"
@@ -59,7 +59,7 @@ def draw_robot(ax: Axes) -> None:
 def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
     """An arrow from the front of the robot that `draw_robot` draws; scale: of its length."""
     word = in_words(v, turn)
-    if word == "stays":
+    if word == "stands still":
         ax.plot([0], [0], "s", color="white", markersize=8, zorder=9)
         return
     way = np.array([FRONT, 0]) + scale * path_of(v, turn)
@@ -88,11 +88,11 @@ def motion_of(task: Task, a: int, motion: Motion) -> tuple[float, float]:
 
 
 def motions_finding(task: Task, motion: Motion) -> str:
-    """How many different motions the actions make, and how many of the actions stay."""
+    """How many different motions the actions make, and how many of the actions stand still."""
     found = [motion_of(task, a, motion) for a in range(task.actions.n)]
     different = {(round(v, 6), round(turn, 6)) for v, turn in found}
-    still = sum(in_words(v, turn) == "stays" for v, turn in found)
-    return f"{len(found)} actions make {len(different)} different motions; {still} of them stay"
+    still = sum(in_words(v, turn) == "stands still" for v, turn in found)
+    return f"{len(found)} actions make {len(different)} different motions; {still} of them stand still"
 
 
 def plot_motions(task: Task, motion: Motion) -> Picture:
@@ -115,7 +115,7 @@ def plot_motions(task: Task, motion: Motion) -> Picture:
         told.append(
             f"action {a} {in_words(v, turn)}, {v:.2f} m/s and {turn:.0f} degrees a second"
         )
-    note = "number of the action and speeds of the wheels; an arrow: the way of 4 s; a square: it stays"
+    note = "number of the action and speeds of the wheels; an arrow: the way of 4 s; a square: it stands still"
     figure.headline(motions_finding(task, motion), note)
     figure.alt = f"Small robots with arrows, one an action: {'; '.join(told)}."
     return figure

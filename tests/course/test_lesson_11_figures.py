@@ -81,7 +81,7 @@ def test_every_action_moves_the_robot_as_its_arrow_says(name):
 
 
 def test_motions_have_names():
-    names = {(0.0, 0.0): "stays", (0.1, 0.0): "forward", (-0.1, 0.0): "backward", (0.0, 34.0): "spins left",
+    names = {(0.0, 0.0): "stands still", (0.1, 0.0): "forward", (-0.1, 0.0): "backward", (0.0, 34.0): "spins left",
              (0.0, -34.0): "spins right", (0.05, 17.0): "curves left", (0.05, -17.0): "curves right"}  # fmt: skip
     assert {speeds: in_words(*speeds) for speeds in names} == names
 
@@ -103,15 +103,15 @@ def test_the_title_of_a_policy_says_what_is_near_and_what_is_done():
     assert policy_finding(task, 15, "forward, slow") == (
         "A wall at its front, front left and left, and yet it drives on: its most frequent situation"
     )
-    assert "front, front left and left" in policy_finding(task, 15, "stays")
-    assert "yet" not in policy_finding(task, 15, "stays")
-    assert policy_finding(task, 1023, "stays").startswith("Most often nothing is near")
+    assert "front, front left and left" in policy_finding(task, 15, "stands still")
+    assert "yet" not in policy_finding(task, 15, "stands still")
+    assert policy_finding(task, 1023, "stands still").startswith("Most often nothing is near")
 
 
 def test_the_titles_of_motions_and_rings_are_counted():
     task, env = rl.load_task("wander_1k"), rl.make_env("wander_1k", seed=0)
     said = motions_finding(task, motion)
-    assert said == "9 actions make 7 different motions; 3 of them stay"
+    assert said == "9 actions make 7 different motions; 3 of them stand still"
     assert "9 actions make 1 different" in motions_finding(task, lambda *_: (0.0, 0.0))
     robot, moments = env.unwrapped.robot, []
     env.reset()
