@@ -43,17 +43,23 @@ def compared(more: Numbers, words: tuple[str, str, str], decimals: int) -> str:
     if side < 0:
         return f"{amount(more, decimals)} {words[1]}"
     sign = "+" if more["mean"] >= 0 else "−"
-    return f"{words[2]} ({sign}{amount(more, decimals)}, no difference shows)"
+    return f"{words[2]} ({sign}{amount(more, decimals)})"
 
 
 def honest(numbers: Numbers) -> str:
     """The line that stands on the page, as HTML."""
     ideal, held = numbers[IDEAL], numbers[HELD]
     first, last = numbers["seeds"]
-    metres = compared(ideal["metres"]["more"], ("m further", "m less far", "as far"), 0)
-    reward = compared(ideal["reward"]["more"], ("more", "less", "as much"), 1)
+    metres = compared(
+        ideal["metres"]["more"],
+        ("m further", "m less far", "no farther that would show"),
+        0,
+    )
+    reward = compared(
+        ideal["reward"]["more"], ("more", "less", "no more that would show"), 1
+    )
     bumps = [
-        compared(its["bumps"]["more"], ("more", "fewer", "as many"), 0)
+        compared(its["bumps"]["more"], ("more", "fewer", "no difference shows"), 0)
         for its in (ideal, held)
     ]
     memories = verdict(ideal["advice"]["all"])
