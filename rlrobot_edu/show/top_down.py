@@ -174,9 +174,8 @@ def _frame(ax: Axes, scene: Scene) -> None:
     y = y_min - 0.06 * height
     end = x_min + length
     ax.plot([x_min, end], [y, y], color=LIGHT["faint"], linewidth=2)
-    ax.text(
-        end + 2 * edge, y, said, va="center", color=LIGHT["faint"], fontsize=SMALLEST
-    )
+    written = ax.text(end + 2 * edge, y, said, va="center", color=LIGHT["faint"])
+    written.set(fontsize=SMALLEST, clip_on=True)  # not where a part of the room is shown
 
 
 @overload

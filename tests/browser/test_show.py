@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import time
+import warnings
 import zlib
 
 import gymnasium
@@ -107,6 +108,16 @@ def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
     assert "1 m" in [text.get_text() for text in ax.texts], (
         "no bar says how large it is"
     )
+
+
+def test_a_part_of_a_room_is_drawn_without_a_warning():
+    picture = Picture((5, 5))
+    ax = picture.subplots()
+    plot_scene(scene(), ax)
+    ax.set(xlim=(0, 0.5), ylim=(0, 0.5))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert picture.png()
 
 
 def test_a_picture_goes_where_it_is_told_and_refuses_nothing_at_all():
