@@ -134,7 +134,7 @@ def legend_below(figure: Picture, columns: int, **more: Any) -> None:
 class SideBySide(Displayed):
     """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
 
-    Films run side by side, step by step, as long as the shortest of them.
+    Films run side by side, step by step; one that has ended waits for the others.
     """
 
     def __init__(self, views: Mapping[str, Displayed]) -> None:
@@ -186,11 +186,12 @@ class SideBySide(Displayed):
 def side_by_side(films: Sequence[Film]) -> bytes:
     """One animated GIF of several films."""
     each = ROW // len(films)
-    rows = zip(*(film.pictures(each) for film in films), strict=False)
+    columns = [list(film.pictures(each)) for film in films]
     frames = []
-    for row in rows:
-        frame = Image.new("RGB", (each * len(row), row[0].height))
-        for column, picture in enumerate(row):
+    for i in range(max(map(len, columns))):
+        frame = Image.new("RGB", (each * len(columns), columns[0][0].height))
+        for column, pictures in enumerate(columns):
+            picture = pictures[min(i, len(pictures) - 1)]
             frame.paste(picture, (column * each, 0))
         frames.append(frame)
     return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))

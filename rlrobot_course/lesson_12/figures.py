@@ -17,8 +17,7 @@ from rlrobot_course.figures.plots import (
 from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.show.describe import robot_of
-from rlrobot_edu.show.display import Displayed
-from rlrobot_edu.show.in3d.visualizer import show_scene
+from rlrobot_edu.show.film import Film
 
 
 def corridor_finding(tables: Mapping[str, np.ndarray]) -> str:
@@ -87,7 +86,7 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str = "") -> Picture:
     return figure
 
 
-def film_in_lane(q: np.ndarray, env: Env, steps: int) -> tuple[Displayed, list[float]]:
+def film_in_lane(q: np.ndarray, env: Env, steps: int) -> tuple[Film, list[float]]:
     """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps.
 
     Returns the film and the rewards of its steps.
@@ -98,4 +97,4 @@ def film_in_lane(q: np.ndarray, env: Env, steps: int) -> tuple[Displayed, list[f
         s = info["state"]
         scenes.append(lane_scene(robot_of(env).scene()))
         rewards.append(float(reward))
-    return show_scene(scenes, rewards), rewards
+    return Film(scenes, rewards), rewards

@@ -72,7 +72,12 @@ def few_colours(images: Sequence[Image.Image], colours: int) -> list[Colour]:
     others = [colour for colour in seen if seen[colour] > flat and colour not in OWN]
     own.sort(key=lambda colour: -seen[colour])
     others.sort(key=lambda colour: -seen[colour])
-    chosen = (own + others)[: 3 * colours // 4]
+    chosen: list[Colour] = []
+    for colour in own + others:
+        # of two that can hardly be told apart Pillow would take either
+        if not any(_are_near(colour, taken) for taken in chosen):
+            chosen.append(colour)
+    chosen = chosen[: 3 * colours // 4]
     cut = images[-1].quantize(
         colours - len(chosen), Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
     )

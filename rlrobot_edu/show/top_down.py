@@ -175,7 +175,9 @@ def _frame(ax: Axes, scene: Scene) -> None:
     end = x_min + length
     ax.plot([x_min, end], [y, y], color=LIGHT["faint"], linewidth=2)
     written = ax.text(end + 2 * edge, y, said, va="center", color=LIGHT["faint"])
-    written.set(fontsize=SMALLEST, clip_on=True)  # not where a part of the room is shown
+    written.set(
+        fontsize=SMALLEST, clip_on=True
+    )  # not where a part of the room is shown
 
 
 @overload

@@ -105,7 +105,9 @@ def test_the_title_of_a_policy_says_what_is_near_and_what_is_done():
     )
     assert "front, front left and left" in policy_finding(task, 15, "stands still")
     assert "yet" not in policy_finding(task, 15, "stands still")
-    assert policy_finding(task, 1023, "stands still").startswith("Most often nothing is near")
+    assert policy_finding(task, 1023, "stands still").startswith(
+        "Most often nothing is near"
+    )
 
 
 def test_the_titles_of_motions_and_rings_are_counted():

@@ -174,9 +174,7 @@ def test_a_difference_is_told_only_where_its_interval_excludes_zero():
     assert [shows(more(*x)) for x in ((5, 4), (-5, 4), (4, 5))] == [1, -1, 0]
     assert compared(more(56.1, 9), words, 0) == "56 ± 9 more"
     assert compared(more(-50, 46), words, 0) == "50 ± 46 fewer"
-    assert (
-        compared(more(-11, 19), words, 0) == "no difference shows (−11 ± 19)"
-    )
+    assert compared(more(-11, 19), words, 0) == "no difference shows (−11 ± 19)"
 
 
 def test_the_verdict_follows_the_numbers():

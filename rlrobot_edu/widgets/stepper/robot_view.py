@@ -87,9 +87,14 @@ class RobotView:
         if marks or starts_earlier:
             view.words["start"].set_text("")
         if marks:
-            between_cells = {"color": GREY, "linewidth": 0.8, "alpha": 0.5, "zorder": 0}
-            ax.axvline(0, **between_cells)
-            ax.axhline(0, **between_cells)
+            between_cells = {
+                "color": GREY,
+                "linewidth": 0.8,
+                "alpha": 0.5,
+                "zorder": 0.5,
+            }
+            ax.plot([0, 0], [-1, 1], **between_cells)
+            ax.plot([-1, 1], [0, 0], **between_cells)
         most = scale_limit(tape.q, tape.agent.parameters.r_max)
         for mark in marks:
             _draw_mark(ax, mark, most)
