@@ -116,9 +116,8 @@ def test_a_film_in_the_lane_ends_at_the_goal_or_after_so_many_steps():
     forward = np.tile([0.0, 1.0], (8, 1))
     for steps, shown in ((24, 6), (4, 4)):
         film, rewards = film_in_lane(forward, rl.make_env(lane(), seed=0), steps)
-        assert (
-            repr(film).startswith(f"Replay of {shown} steps") and len(rewards) == shown
-        )
+        assert repr(film) == f"<Film of {shown} steps>"
+        assert len(rewards) == shown
 
 
 def test_a_rose_has_a_petal_for_each_heading_that_was_met():
