@@ -39,6 +39,7 @@ FOLDERS = [
 PATH = f"{sys.prefix}/bin:{os.environ['PATH']}"
 PATIENCE = 400  # a busy machine is not a fault [s]
 WIDGET = "application/vnd.jupyter.widget-view+json"
+JUPYTER = "etc/jupyter/jupyter_server_config.d/rlrobot_edu.json"
 NOTEBOOK = r"notebooks/(more/|homework/)?\d[^/]*\.ipynb"
 
 
@@ -125,6 +126,7 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
     assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {
         "rlrobot_course/averages.csv",
         "rlrobot_edu/constraints.txt",
+        f"rlrobot_edu-{rl.__version__}.data/data/{JUPYTER}",
     }
     assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/LICENSE" in about
     for name in [
