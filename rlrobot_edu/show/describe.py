@@ -11,6 +11,7 @@ from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
+NEAR = 0.8  # films draw only what a laser finds nearer than this [m]; the paper's robots tell no distances farther off
 CLEAR = 5  # a loss is at least this part of the largest gain or loss
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 

@@ -8,8 +8,10 @@ from PIL import Image, ImageColor, ImageSequence
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.show.describe import NEAR
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.images import few_colours, gif_of, reduced
+from rlrobot_edu.show.in3d.replay import places
 from rlrobot_edu.show.painting import lens
 from rlrobot_edu.show.painting.frames import frames, key_steps, losses
 from rlrobot_edu.show.painting.mesh import mesh
@@ -212,3 +214,16 @@ def test_pictures_are_as_high_as_they_say() -> None:
     (picture,) = frames([room(0, -0.5)], [1.0], ["a note"], WIDTH)
     (plain,) = frames([room(0, -0.5)], [1.0], (), WIDTH)
     assert picture.height > plain.height > round(WIDTH / ASPECT)
+
+
+def test_films_show_only_what_lasers_find_near() -> None:
+    """In the picture that is kept and in the live view."""
+    orange = ImageColor.getrgb(LIGHT["orange"])
+    for length, is_drawn in [(NEAR - 0.1, True), (NEAR + 0.1, False)]:
+        scene = room(-0.7, -0.6)
+        start = np.array([-0.5, -0.6, 0.2])
+        scene = scene._replace(beams=np.array([[start, start + (length, 0, 0)]]))
+        picture = Room(scene, WIDTH, HEIGHT).picture(scene)
+        assert has(picture, orange).any() == is_drawn
+        beam = places(scene)["beams/0"]
+        assert (np.linalg.norm(beam[:3, 1]) > 0.1) == is_drawn

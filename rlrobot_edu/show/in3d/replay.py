@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import jumps, loss_of
+from rlrobot_edu.show.describe import NEAR, jumps, loss_of
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.room.scene_data import scene_data
 
@@ -20,6 +21,8 @@ def places(scene: Scene) -> dict[str, np.ndarray]:
     """Where everything is that may move, and each beam; by name an array (4, 4)."""
     found = {solid.name: solid.pose for solid in scene.solids if solid.role != "wall"}
     for i, (start, end) in enumerate(scene.beams):
+        if math.dist(start, end) >= NEAR:
+            end = start  # too small to be seen
         found[f"beams/{i}"] = looks.beam(start, end)
     return found
 

@@ -8,7 +8,7 @@ import numpy as np
 from PIL import Image
 
 from rlrobot_edu.robots.scene import Scene, Solid
-from rlrobot_edu.show.describe import body_of, describe, jumps
+from rlrobot_edu.show.describe import NEAR, body_of, describe, jumps
 from rlrobot_edu.show.display import Still
 from rlrobot_edu.show.images import in_few_colours, png_of
 from rlrobot_edu.show.painting import lens
@@ -19,7 +19,6 @@ from rlrobot_edu.show.palette import LIGHT, ROLE
 
 ASPECT = 1.45  # width over height of a picture
 COLOURS = 64  # of a still
-NEAR = 0.8  # only what a laser finds nearer than this is drawn [m]; farther off the paper's robots tell no distances
 ON_FLOOR = 0.01  # height of what is painted on the floor [m]
 CROSS = 0.07  # half the width of the cross where it bumped, [m]
 RING = 1.5  # radius of the ring round a robot that loses, in parts of the robot's
