@@ -273,7 +273,7 @@ def press(page, button, expected):
     """Click a button of the stepper and wait for the step that it should show."""
     page.click(f".rl-stepper .rl-{button}")
     page.wait_for_function(
-        f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')"
+        f"document.querySelector('.rl-stepper .said span').textContent.startsWith('Step {expected} (')"
     )
 
 
@@ -387,7 +387,8 @@ def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
         view = view_in(cell)
         until(view, "typeof viewer === 'object' && count >= 200")
         assert view.evaluate("body().position.length() > 0.5"), "the robot stands still"
-        picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
+        drawn = view.locator("#view canvas:not([id])").first
+        picture = Image.open(io.BytesIO(drawn.screenshot()))
         assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, (
             "the frame is empty"
         )
