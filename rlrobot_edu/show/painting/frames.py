@@ -49,7 +49,9 @@ def frames(
         above = room.picture(scene, loses=loses[i])
         if loses[i]:
             room.mark_loss(scene)
-        word = "bump!" if loses[i] and scene.bumped else ""
+        word = ""
+        if loses[i]:
+            word = "bump!" if scene.bumped else "a loss"
         note = notes[i] if notes else ""
         below = bar.picture(i, rewards[i], loses[i], word, float(sums[i]), note)
         whole = Image.new("RGB", (width, above.height + below.height))

@@ -138,7 +138,7 @@ def _draw_probabilities(
 ) -> None:
     """The probability of action `a` without the bias, and below it with the bias."""
     above, below = middle - 0.55, middle + 0.55
-    text = f"+ Q(s) = {two_decimals(q_sa + numbers.bias[a])}"
+    text = f"Q(s) + bias = {two_decimals(q_sa + numbers.bias[a])}"
     white = {"color": "white", "pad": 0.5}
     right = {"ha": "right", "va": "center"}
     ax.text(40.5, middle + 1, text, size=9, bbox=white, **right)

@@ -54,7 +54,7 @@ function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
       `${each((set) => set.map((k) => whole(`${k} ${escaped(states[k].text)}`)).join(", "))}.`,
     () => `the mean of each set for ${action}. ${each((set, i) => mean(set.map((k) => q[k][a]), means[i][a]))}.`,
     () => `the bias for ${action} is the mean of the means, ${mean(means.map((x) => x[a]), bias[a])}.`,
-    () => `bias ${vector(bias)} for ${escaped(actions.join(", "))}; with <i>Q</i>(<i>s</i>) ` +
+    () => `bias ${vector(bias)} for ${escaped(actions.join(", "))}; added to <i>Q</i>(<i>s</i>): ` +
       `${vector(bias.map((x, i) => x + q[s][i]))}. The softmax compares all actions: ` +
       `<i>P</i> = ${Array.from(qbiassr, (p) => `${(100 * p).toFixed(1)} %`).join(", ")}.`,
   ];

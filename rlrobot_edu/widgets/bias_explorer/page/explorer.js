@@ -197,7 +197,7 @@ class Explorer {
     });
     write(".rl-means data", means.map((mean) => twoDecimals(mean[a])));
     write(".rl-sum b", [twoDecimals(bias[a])]);
-    write(".rl-sum span", [`+ <i>Q</i>(<i>s</i>) = ${whole(twoDecimals(q[s][a] + bias[a]))}`]);
+    write(".rl-sum span", [`<i>Q</i>(<i>s</i>) + bias = ${whole(twoDecimals(q[s][a] + bias[a]))}`]);
     write(".rl-chances data", [sr, qbiassr].map((p) => `${(100 * p[a]).toFixed(1)} %`));
     block.querySelectorAll(".rl-track i").forEach((bar, i) => { bar.style.width = `${100 * [sr, qbiassr][i][a]}%`; });
   }
