@@ -123,7 +123,9 @@ class TopDown:
     def _text(self, text: str, side: str) -> Text:
         """A text in small letters, whose `side` is at the place that `update` gives it."""
         layer = _LAYER["text"]
-        return self._ax.text(0, 0, text, ha="center", va=side, fontsize=9, zorder=layer)
+        written = self._ax.text(0, 0, text, ha="center", va=side, fontsize=9)
+        written.set(zorder=layer, clip_on=True)
+        return written
 
     def update(self, scene: Scene, path: np.ndarray) -> None:
         """Move everything to its place in `scene`; path: array (n, 2 or 3) [m], the way to there."""
