@@ -175,7 +175,7 @@ function tick(now) {
   const seconds = Math.min(0.5, Math.max(0, now - then) / 1000);
   then = now;
   if (playing && last) at = at > last + rate ? 0 : at + seconds * rate;  // at the end it rests for a second
-  play.textContent = playing ? "‖ Pause" : "▶ Play";
+  play.textContent = playing ? "‖ Pause" : "▶▶ Play";
   if (at !== shown) show();
   if (pressed(turn)) goRound(seconds);
   if (chasing() && body()) { follow(seconds); viewer.set_dirty(); }
