@@ -12,6 +12,7 @@ from rlrobot_edu.show.palette import BLUE, ORANGE, RED
 # Opacities. Black letters on a white page, and white ones on a black page, can be read on all of them.
 FAINTEST = 0.10
 STRONGEST = 0.68
+STRONGEST_TRACE = 0.5  # light letters can be read on it, too
 
 
 def scale_limit(q: np.ndarray, r_max: float) -> float:
@@ -40,4 +41,4 @@ def tint(x: float, limit: float) -> tuple[str, float]:
 
 def trace_tint(e: float) -> tuple[str, float]:
     """Colour and opacity of the trace `e`."""
-    return ORANGE, round(STRONGEST * min(e, 1.0), 2)
+    return ORANGE, round(STRONGEST_TRACE * min(e, 1.0), 2)

@@ -34,7 +34,7 @@ function short(x) { // six signs at most: 12.3, 0.90, −0.021, 4e−5; a plain 
   return x === 0 ? "0" : tidy(x.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 3));
 }
 
-const FAINTEST = 0.10, STRONGEST = 0.68; // opacities; black on white and white on black stand out on all of them
+const FAINTEST = 0.10, STRONGEST = 0.68, STRONGEST_TRACE = 0.5; // opacities; black on white and white on black stand out on all of them
 
 // The value of the strongest colour: 1, 2 or 5 times a power of ten, no less than any |Q| and than rMax.
 function largest(q, rMax) {
@@ -49,5 +49,5 @@ const tint = (x, most) => { // by its root, so that −0.9 is seen beside 25
   const strength = Math.sqrt(Math.min(Math.abs(x) / most, 1));
   return x === 0 ? `${BLUE}00` : css(x > 0 ? BLUE : VERMILION, FAINTEST + (STRONGEST - FAINTEST) * strength);
 };
-const traceTint = (e) => css(ORANGE, STRONGEST * Math.min(e, 1));
+const traceTint = (e) => css(ORANGE, STRONGEST_TRACE * Math.min(e, 1));
 const escaped = (text) => String(text).replace(/[&<>"']/g, (sign) => `&#${sign.charCodeAt(0)};`);
