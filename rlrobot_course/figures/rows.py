@@ -180,3 +180,19 @@ def compared(groups: Mapping[str, Values], hero: str, rival: str) -> str:
         return f"“{hero}” and “{rival}” are too close to tell: {numbers}"
     word = "more" if mine > other else "less"
     return f"“{hero}” earns {word} than “{rival}”: {numbers}"
+
+
+def rows_of_robots(
+    earned: Mapping[str, Values], found: str, hero: str | None = None
+) -> Picture:
+    """What the robots of each group earn a step, under a title. hero: the group that is blue"""
+    rows = Rows(earned, found, f"mean reward a step; {ROBOTS}", hero=hero)
+    told = []
+    for name, values in earned.items():
+        rows.dots(name)
+        rows.mean(name)
+        mean, half = mean_and_half(values)
+        told.append(f"{name}: {mean:.1f} ± {half:.1f}")
+    n = len(next(iter(earned.values())))
+    rows.picture.alt = f"Mean reward a step, {n} robots each. {'; '.join(told)}."
+    return rows.picture

@@ -20,7 +20,7 @@ from rlrobot_course.figures.plots import (
     in_panels,
     plain,
 )
-from rlrobot_course.figures.rows import CHANCE, Rows, Values
+from rlrobot_course.figures.rows import CHANCE, Rows, Values, rows_of_robots
 from rlrobot_course.lesson_17.cells import (
     GOAL,
     MOVES,
@@ -31,7 +31,6 @@ from rlrobot_course.lesson_17.cells import (
     best_way,
     number,
 )
-from rlrobot_course.lesson_18.figures import draw_rehearsals
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
@@ -211,7 +210,7 @@ def planners_finding(earned: Mapping[str, Values]) -> str:
 
 def plot_planners(earned: Mapping[str, Values]) -> Picture:
     """What robots earn with each planner in each world. earned: mean reward a step of each robot, by world, planner"""
-    return draw_rehearsals(earned, planners_finding(earned))
+    return rows_of_robots(earned, planners_finding(earned))
 
 
 def order_finding(firsts: Mapping[str, np.ndarray]) -> str:
