@@ -252,7 +252,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self._readings = robot.look()
 
     def render(self) -> Any:
-        """Show the world as it is now: draw it from above, or say in words where the robot is and what it reads.
+        """Show the world as it is now: draw it, or say in words where the robot is and what it reads.
 
         Returns
         -------

@@ -25,7 +25,7 @@ def test_a_picture_is_what_gymnasium_asks_for_and_shows_where_the_robot_has_gone
         check_env(env.unwrapped)
     env.reset(seed=0)
     before = env.render()
-    assert before.dtype == np.uint8 and before.shape == (360, 360, 3)
+    assert before.dtype == np.uint8 and before.shape == (331, 480, 3)
     assert np.array_equal(env.render(), before)
     env.unwrapped.robot.act({"left_wheel": 2.0, "right_wheel": 2.0})
     after = env.render()
@@ -68,7 +68,7 @@ def test_pictures_of_a_whole_episode_can_be_collected(env):
     collection = RenderCollection(env)
     collection.reset(seed=0)
     for _ in range(3):
-        collection.step(0)
+        collection.step(3)  # ahead
     frames = collection.render()
     assert len(frames) == 4 and len({frame.tobytes() for frame in frames}) == 4
 
