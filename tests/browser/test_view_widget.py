@@ -14,9 +14,9 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.show import film as film_module
+from rlrobot_edu.show.describe import loss_of
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.page_widget import ViewerWidget
-from rlrobot_edu.show.in3d.replay import _loss as marked_as_lost
 from rlrobot_edu.show.in3d.visualizer import show_scene
 
 VIEW = "application/vnd.jupyter.widget-view+json"
@@ -244,9 +244,9 @@ def test_the_notes_of_a_film_stand_beside_its_rewards(shown):
 
 
 def test_the_map_marks_no_bump_where_a_step_only_costs_a_little():
-    assert marked_as_lost([10.0, -0.02, 10.0]) is None
-    assert marked_as_lost([10.0, -0.02, -2.0]) == -2.0
-    assert marked_as_lost([]) is None
+    assert loss_of([10.0, -0.02, 10.0]) is None
+    assert loss_of([10.0, -0.02, -2.0]) == -2.0
+    assert loss_of([]) is None
 
 
 def test_the_map_shows_the_robot_where_it_is_at_this_step(shown):
