@@ -12,7 +12,6 @@ from paper.experiments import ARMS, PRELIMINARIES, Length
 from paper.outcome import NEAR, SHUTTLES, Outcome, half_width, interval, shuttles
 from rlrobot_course.figures.plots import name_rows
 from rlrobot_course.figures.runs import error_bars
-from rlrobot_course.lesson_13.figures import heaps
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, LIGHT, RED
 from rlrobot_edu.show.picture import Picture
@@ -275,6 +274,15 @@ def shuttle_title(found: Mapping[str, Mapping[str, np.ndarray]]) -> str:
     told = [said[kind].format(share) for kind, share in shares.items()]
     title = "; ".join(told)
     return title[0].upper() + title[1:]
+
+
+def heaps(values: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A dot for each value, in heaps: the middle of its bin, and its height in the heap from 1 on; arrays (n,)."""
+    bins = np.searchsorted(edges, np.sort(values), side="right") - 1
+    where = np.clip(bins, 0, len(edges) - 2)
+    below = np.searchsorted(where, where)  # dots of lower bins
+    height = np.arange(len(where)) - below + 1
+    return (edges[where] + edges[where + 1]) / 2, height
 
 
 def _draw_heaps(ax: Axes, groups: Mapping[str, np.ndarray]) -> None:
