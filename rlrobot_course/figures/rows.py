@@ -188,11 +188,9 @@ def rows_of_robots(
     """What the robots of each group earn a step, under a title. hero: the group that is blue"""
     rows = Rows(earned, found, f"mean reward a step; {ROBOTS}", hero=hero)
     told = []
-    for name, values in earned.items():
+    for name in earned:
         rows.dots(name)
-        rows.mean(name)
-        mean, half = mean_and_half(values)
-        told.append(f"{name}: {mean:.1f} ± {half:.1f}")
+        told.append(f"{name}: {rows.mean(name)}")
     n = len(next(iter(earned.values())))
     rows.picture.alt = f"Mean reward a step, {n} robots each. {'; '.join(told)}."
     return rows.picture

@@ -16,10 +16,7 @@ def drop_dead_views(model: dict[str, Any], **_: object) -> None:
 
     model: what is saved, as Jupyter's servers describe it to a `pre_save_hook`
     """
-    if model["type"] != "notebook":
-        return
-    for output in dead_views(model["content"]):
-        del output["data"][VIEW]
+    _drop(model, everywhere=True)
 
 
 def drop_where_a_picture_is(model: dict[str, Any], **_: object) -> None:
@@ -27,10 +24,14 @@ def drop_where_a_picture_is(model: dict[str, Any], **_: object) -> None:
 
     model: as for `drop_dead_views`
     """
+    _drop(model, everywhere=False)
+
+
+def _drop(model: dict[str, Any], *, everywhere: bool) -> None:
     if model["type"] != "notebook":
         return
     for output in dead_views(model["content"]):
-        if "text/html" in output["data"]:
+        if everywhere or "text/html" in output["data"]:
             del output["data"][VIEW]
 
 
