@@ -213,7 +213,7 @@ PATIENT = {
         "import numpy as np", "no_such_module", "name 'check'", "name 'check'",
     ),
     "fills the memory in its answer": no_target(
-        cells(target="much = []\n\ndef target(*_):\n    while True:\n        much.append('x' * 10_000)"), "emory"
+        cells(target="much = []\n\ndef target(*_):\n    while True:\n        much.append(bytearray(10**8))"), "emory"
     ),
     "blank": Case(cells(BLANK), NOTHING, {"target": "waits for your answer"}),
     "broken": Case(
