@@ -12,6 +12,7 @@ from rlrobot_edu.robots.scene import Scene, Solid
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 NEAR = 0.8  # films draw only what a laser finds nearer than this [m]; the paper's robots tell no distances farther off
+PRIZE = 5  # a reward that is so many times the usual one is worth telling
 CLEAR = 5  # a loss is at least this part of the largest gain or loss
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
@@ -84,6 +85,62 @@ def loss_of(rewards: Sequence[float]) -> float | None:
     return limit if min(rewards) <= limit else None
 
 
+def losses(rewards: Sequence[float]) -> list[bool]:
+    """Which steps lost much."""
+    limit = loss_of(rewards)
+    return [limit is not None and r <= limit for r in rewards]
+
+
+def signed(number: float) -> str:
+    """A number with its sign, in four digits."""
+    text = f"{abs(number):.4g}"
+    if text == "0":
+        return text
+    return ("−" if number < 0 else "+") + text
+
+
+def finding(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
+    """What became of these steps, in one sentence; rewards: one for each scene."""
+    told = []
+    prize = max(rewards)
+    if prize > PRIZE * float(np.median(np.abs(rewards))):
+        told.append(f"{signed(prize)} in step {list(rewards).index(prize) + 1}")
+    loses = losses(rewards)
+    lost = sum(loses)
+    bumps = sum(
+        scene.bumped for scene, is_lost in zip(scenes, loses, strict=True) if is_lost
+    )
+    if lost == 0:
+        told.append("no loss")
+    else:
+        told.append(_counted(lost, "bump" if lost == bumps else "loss"))
+    n = _counted(len(rewards), "step")
+    mean = f"{float(np.mean(rewards)):+.1f}".replace("-", "−")
+    text = f"{', '.join(told)} in {n}: {mean} a step"
+    return text[0].upper() + text[1:]
+
+
+def sought(scene: Scene) -> str:
+    """What the robot is to reach, as it looks in a picture; empty if there is nothing."""
+    roles = {solid.role for solid in scene.solids}
+    if "goal" in roles:
+        return "The green disc is its goal."
+    if "object" in roles and _has_arm(scene):
+        return "It reaches for the yellow object."
+    return ""
+
+
+def _has_arm(scene: Scene) -> bool:
+    return any(solid.name == "robot/upper_arm" for solid in scene.solids)
+
+
+def _counted(n: int, name: str) -> str:
+    if n == 1:
+        return f"1 {name}"
+    several = name + ("es" if name.endswith("s") else "s")
+    return f"{n} {several}"
+
+
 def describe(scene: Scene) -> str:
     """The scene in one sentence, for readers who hear a page instead of seeing it."""
     x_min, y_min, x_max, y_max = scene.bounds
@@ -93,8 +150,8 @@ def describe(scene: Scene) -> str:
         return f"A room of {size}."
     x, y = body.pose[:2, 3]
     yaw = math.degrees(math.atan2(body.pose[1, 0], body.pose[0, 0]))
-    parts = {solid.name for solid in scene.solids}
-    if "robot/upper_arm" in parts and "robot/left_wheel" not in parts:
+    rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
+    if _has_arm(scene) and not rolls:
         # an arm that is fixed to a table
         return f"A table of {size}, the gripper at x = {x:.2f}, y = {y:.2f}, heading {yaw:.0f} degrees."
     return f"A room of {size}, the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees."

@@ -17,10 +17,10 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import in_a_notebook, watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import describe, robot_of
+from rlrobot_edu.show.describe import describe, finding, robot_of, sought
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
-from rlrobot_edu.show.painting.frames import frames, key_steps, losses
+from rlrobot_edu.show.painting.frames import frames, key_steps
 from rlrobot_edu.show.palette import WHITE
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
 IN_A_ROW = 3  # steps
 COLOURS = 32  # of a film
+KEY = "The way is green where a step earned, red where it lost much, grey in between."
 
 
 @suggests_keywords
@@ -118,6 +119,11 @@ class Film(Displayed):
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
+    @property
+    def finding(self) -> str:
+        """What became of it in one sentence, such as ``3 bumps in 60 steps: +5.1 a step``."""
+        return finding(self.frames, self.rewards)
+
     def pictures(self, width: int = WIDTH) -> Iterator[Image.Image]:
         """The pictures of the steps, with the way so far and the step's reward.
 
@@ -157,7 +163,7 @@ class Film(Displayed):
         Still
             The picture and what it shows.
         """
-        chosen = key_steps(losses(self.rewards))
+        chosen = key_steps(self.frames, self.rewards)
         pictures = list(self.pictures(STEP_WIDTH))
         rows = math.ceil(len(chosen) / IN_A_ROW)
         height = pictures[0].height
@@ -224,17 +230,18 @@ class Film(Displayed):
         Still
             The GIF and its description.
         """
-        n = len(self.frames)
         end = describe(self.frames[-1])
-        alt = f"Film of a robot, {n} steps. At the end: {end}"
+        alt = f"Film of a robot. {self.finding}. At the end: {end}"
         return Still(alt, self.gif(), WIDTH, "image/gif")
 
     def _as_html(self) -> str:
-        """The moving picture, and below it, to unfold, the steps that tell most; it needs no script."""
+        """What became of it, the moving picture, and, to unfold, the steps that tell most; it needs no script."""
+        key = f"{KEY} {sought(self.frames[-1])}"
+        title = f"<p><strong>{self.finding}</strong><br><small>{key}</small></p>"
         folded = (
             f"<details><summary>Step by step</summary>{self.steps().html}</details>"
         )
-        return self.still().html + folded
+        return title + self.still().html + folded
 
 
 @suggests_keywords

@@ -8,12 +8,12 @@ from PIL import Image, ImageColor, ImageSequence
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.show.describe import NEAR
+from rlrobot_edu.show.describe import NEAR, finding, losses
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.images import few_colours, gif_of, reduced
 from rlrobot_edu.show.in3d.replay import places
 from rlrobot_edu.show.painting import lens
-from rlrobot_edu.show.painting.frames import frames, key_steps, losses
+from rlrobot_edu.show.painting.frames import frames, key_steps
 from rlrobot_edu.show.painting.mesh import mesh
 from rlrobot_edu.show.painting.painter import FINE, Painter
 from rlrobot_edu.show.painting.room import ASPECT, Room, painted
@@ -162,13 +162,31 @@ def test_key_steps_are_few_and_hold_the_first_the_last_and_where_losses_begin(
     steps: int,
 ) -> None:
     rng = np.random.default_rng(steps)
-    loses = (rng.random(steps) < 0.1).tolist()
-    chosen = key_steps(loses)
+    loses = rng.random(steps) < 0.1
+    scenes = [room(-0.8 + 0.02 * i, -0.5) for i in range(steps)]
+    chosen = key_steps(scenes, np.where(loses, -2.0, 1.0).tolist())
     assert chosen == sorted(set(chosen))
     assert len(chosen) == min(6, steps)
     assert {0, steps - 1} <= set(chosen)
     begin = [i for i in range(1, steps) if loses[i] and not loses[i - 1]]
     assert set(begin[:4]) <= set(chosen)
+
+
+def test_no_two_key_steps_are_alike() -> None:
+    shuttles = [room(0.1 * (i % 3), -0.5) for i in range(60)]
+    assert key_steps(shuttles, [1.0] * 60) == [0, 1, 59]
+
+
+def test_the_title_of_a_film_says_what_became_of_it() -> None:
+    drives = [room(0.02 * i, 0) for i in range(4)]
+    assert finding(drives, [1, 1, 1, 1]) == "No loss in 4 steps: +1.0 a step"
+    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps: +0.2 a step"
+    bumps = [*drives[:3], drives[3]._replace(bumped=True)]
+    assert finding(bumps, [1, 1, 1, -7]) == "1 bump in 4 steps: −1.0 a step"
+    assert (
+        finding(drives, [-0.1, -0.1, 50, -0.1])
+        == "+50 in step 3, no loss in 4 steps: +12.4 a step"
+    )
 
 
 def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:

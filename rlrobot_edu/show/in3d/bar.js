@@ -1,6 +1,6 @@
 // What stands around meshcat's viewer: its size, what it is told, and a bar with the time.
-const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, library, scene, paid] =
-  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "library", "scene", "paid"]
+const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, library, scene, paid] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
 let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens;
@@ -63,16 +63,26 @@ function begin() {
   new ResizeObserver(() => { viewer.set_3d_pane_size(); shown = undefined; }).observe(view);
 }
 
+// What became of the film's steps, as the title of the page
+function tell(text, aim) {
+  finding.textContent = text || "A robot in 3D";
+  finding.className = text ? "" : "unsaid";
+  key.hidden = !text;
+  sought.textContent = aim;
+}
+
 // A film of the last steps, or none: then the page is live.
 function replayed(command) {
   if (!command.names.length) {
     viewer.animator.clear();
     [last, at, notes, opens] = [0, 0, [], ""];
     flat.hidden = plan.hidden = true;
+    tell("", "");
     flat.setAttribute("aria-pressed", false);
     return;
   }
   ({notes, opens} = command);
+  tell(command.finding, command.sought);
   layOut(command);
   viewer.handle_command({type: "set_animation", animations: animationsOf(command), options: {}});
 }
@@ -96,6 +106,7 @@ async function take(told) {
   });
   replay.hidden = !last;
   chase.hidden = !body();
+  chase.textContent = rolls() ? "Chase camera" : "Follow the gripper";
   bar.hidden = !last && !count && !body();
   chart.hidden = count <= last + 1 || rewards.length < 3;  // a film shows the sum so far
   shown = undefined;

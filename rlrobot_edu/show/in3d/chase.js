@@ -2,6 +2,7 @@
 const pressed = button => button.getAttribute("aria-pressed") === "true";
 const chasing = () => pressed(chase);
 const yaw = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+const rolls = () => node(["meshcat", "robot"])?.children.some(({name}) => name.endsWith("_wheel"));
 let heading = 0, height = 0, whole;
 function follow(seconds) {  // the camera's frame, Cameras/default, moves with the robot
   const {position: {x, y, z}, quaternion} = body(), aim = node(["Cameras", "default"]);
@@ -25,8 +26,7 @@ chase.onclick = () => {
   controls.target.set(0, 0, 0);
   heading = yaw(body().quaternion);
   height = new MeshCat.THREE.Box3().setFromObject(robot).max.y;
-  const rolls = robot.children.some(({name}) => name.endsWith("_wheel"));
-  const back = rolls ? 1.1 + 0.8 * height : 1.8 * height, from = rolls ? Math.PI : -1.2;  // from behind an arm would hide its own gripper
+  const back = rolls() ? 1.1 + 0.8 * height : 1.8 * height, from = rolls() ? Math.PI : -1.2;  // from behind an arm would hide its own gripper
   camera.position.set(back * Math.cos(from), 0.6 * back, -back * Math.sin(from));
   follow(0);
 };

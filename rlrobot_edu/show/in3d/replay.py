@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import NEAR, jumps, loss_of
+from rlrobot_edu.show.describe import NEAR, finding, jumps, loss_of, sought
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.room.scene_data import scene_data
 
@@ -58,5 +58,7 @@ def replay(
         "map": {**scene_data(scenes[-1]), "loss": loss_of(rewards), "put": put},
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
+        "finding": finding(scenes, rewards) if len(rewards) else "",
+        "sought": sought(scenes[-1]),
         "opens": opens,
     }

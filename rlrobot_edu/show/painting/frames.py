@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import loss_of
+from rlrobot_edu.show.describe import losses, path_of, signed
 from rlrobot_edu.show.painting.parts import grid_cell
 from rlrobot_edu.show.painting.room import ASPECT, Room
 from rlrobot_edu.show.palette import LIGHT
@@ -17,12 +16,6 @@ from rlrobot_edu.show.style import font_file
 EDGE = 8  # pixels at both ends of the bar
 LETTERS = 14  # [pixels]; 12 in a narrow picture
 NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
-
-
-def losses(rewards: Sequence[float]) -> list[bool]:
-    """Which steps lost much."""
-    limit = loss_of(rewards)
-    return [limit is not None and r <= limit for r in rewards]
 
 
 def frames(
@@ -129,24 +122,28 @@ def letters(size: int, bold: bool) -> ImageFont.FreeTypeFont:
     return ImageFont.truetype(font_file(bold), size)
 
 
-def signed(number: float) -> str:
-    """A number with its sign, in four digits."""
-    text = f"{abs(number):.4g}"
-    if text == "0":
-        return text
-    return ("−" if number < 0 else "+") + text
+def key_steps(
+    scenes: Sequence[Scene], rewards: Sequence[float], most: int = 6
+) -> list[int]:
+    """The steps, counted from 0, that tell most of a film.
 
-
-def key_steps(loses: Sequence[bool], most: int = 6) -> list[int]:
-    """The steps, counted from 0, that tell most of a film: the first, losses that begin, the last; then the gaps."""
-    last = len(loses) - 1
-    chosen = {0, last}
+    These are the first, the last, those with which losses begin, and then those at which the robot is farthest from
+    where it is in the others.
+    """
+    loses = losses(rewards)
+    chosen = {0, len(scenes) - 1}
     for i, lost in enumerate(loses):
         begins = lost and not (i and loses[i - 1])
         if begins and len(chosen) < most:
             chosen.add(i)
-    while len(chosen) < min(most, len(loses)):
-        gaps = pairwise(sorted(chosen))
-        start, end = max(gaps, key=lambda gap: gap[1] - gap[0])
-        chosen.add((start + end) // 2)
+    places = path_of(scenes)
+    if len(places) < len(scenes):
+        return sorted(chosen)  # in some there is no robot
+    while len(chosen) < most:
+        others = places[sorted(chosen)]
+        apart = np.linalg.norm(places[:, None] - others, axis=2).min(axis=1)
+        farthest = int(apart.argmax())
+        if apart[farthest] == 0:
+            break
+        chosen.add(farthest)
     return sorted(chosen)
