@@ -103,7 +103,8 @@ def finding(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
     """What became of these steps, in one sentence; rewards: one for each scene."""
     told = []
     prize = max(rewards)
-    if prize > PRIZE * float(np.median(np.abs(rewards))):
+    is_rare = list(rewards).count(prize) == 1
+    if is_rare and prize > PRIZE * float(np.median(np.abs(rewards))):
         told.append(f"{signed(prize)} in step {list(rewards).index(prize) + 1}")
     loses = losses(rewards)
     lost = sum(loses)

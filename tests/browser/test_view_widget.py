@@ -42,7 +42,7 @@ def saved_bytes() -> int:
 def test_films_share_one_viewer_and_each_adds_some_kilobytes(in_notebook):
     first = walk("wander_1k")
     data = first._repr_mimebundle_()
-    assert VIEW in data and data["text/html"].startswith("<img")
+    assert VIEW in data and "<img" in data["text/html"]
     before = saved_bytes()
     second = walk("wander_1k")
     assert second.widget.viewer is first.widget.viewer
