@@ -637,6 +637,17 @@ def test_the_chase_camera_keeps_a_robot_in_the_picture_that_is_watched_live(open
     assert abs(x) < 0.3 and abs(y) < 0.3, (x, y)
 
 
+def test_a_view_whose_picture_the_browser_took_has_it_again_when_it_is_seen(opened):
+    """A browser takes the picture of the oldest view where there are more than it can draw."""
+    page = opened(show_scene(SCENES, FILM.rewards), 300, 240)
+    until(page, "typeof last === 'number' && last === 19")
+    page.evaluate("viewer.renderer.forceContextLoss(); view.hidden = true")
+    until(page, "isLost()")
+    with page.expect_navigation():
+        page.evaluate("view.hidden = false")
+    until(page, "typeof last === 'number' && last === 19 && !isLost()")
+
+
 @pytest.mark.parametrize("task", ["wander_1k", "navigation_1k"])
 def test_the_front_wall_is_whole_in_the_picture_of_a_wide_window(opened, task):
     page = opened(rl.meshcat(rl.make_env(task, seed=0)), 1280, 800)

@@ -14,7 +14,10 @@ async function open() {
   });
   if (self !== top) parent.postMessage("ready", "*");  // what came before is told now
 }
+// A browser draws only some sixteen views at once; the oldest ones lose their picture, and take it back when they are seen.
+const isLost = () => Boolean(viewer?.renderer.getContext().isContextLost());
+new IntersectionObserver(([{isIntersecting}]) => { if (isIntersecting && isLost()) location.reload(); }).observe(view);
 open().catch(error => {
-  if (bar.hidden) say("This page cannot be unpacked: the browser is older than 2023, or the file is damaged.");
+  if (bar.hidden && !isLost()) say("This page cannot be unpacked: the browser is older than 2023, or the file is damaged.");
   throw error;
 });
