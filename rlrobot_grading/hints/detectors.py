@@ -28,7 +28,7 @@ from rlrobot_grading.hints.suspicions import (
 
 # times that a function is asked the same, to see whether there is chance in it
 AGAIN = 40
-SECONDS = 1.0  # of computing that this may take
+SECONDS = 0.3  # of computing that this may take
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
 
