@@ -21,6 +21,7 @@ from rlrobot_course.figures.plots import (
 from rlrobot_course.lesson_14.worlds import Gap
 from rlrobot_edu import SampleModel, value_iteration
 from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.style import SHADES_OF_BLUE
 
 NEVER = {
     "facecolor": "#e8e8e8",
@@ -95,7 +96,7 @@ def plot_counts(
     figure.headline(counts_finding(counts), note)
     ax = figure.subplots()
     shown = np.ma.log10(np.ma.masked_equal(counts, 0))
-    ax.imshow(shown, cmap="Blues", vmin=-0.5, vmax=6, aspect="auto")
+    ax.imshow(shown, cmap=SHADES_OF_BLUE, vmin=-0.5, vmax=6, aspect="auto")
     for (s, a), count in np.ndenumerate(counts):
         if count:
             centred(ax, a, s, f"{count:,}")

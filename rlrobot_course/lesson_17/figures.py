@@ -34,6 +34,7 @@ from rlrobot_course.lesson_17.cells import (
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
+from rlrobot_edu.show.style import SHADES_OF_BLUE
 
 NO_PLANNER = "no planner"
 
@@ -45,7 +46,7 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
     if shades is not None:
         ax.imshow(
             np.ma.masked_invalid(shades),
-            cmap="Blues",
+            cmap=SHADES_OF_BLUE,
             vmin=0,
             vmax=1.6,
             zorder=0,

@@ -20,7 +20,8 @@ BEGINNING = 0.02
 DOTS = 40  # repetitions; more are too many to be seen one by one
 
 LONGEST_NAME = 24  # characters beside the end of a curve; longer ones need a legend
-HEROES = ("yours", "TOSL+QBIASSR")  # whom the lessons are about
+# Whom the lessons are about: the first of them that is in a picture is its hero
+HEROES = ("yours", "TOSL+QBIASSR", "Q+QBIASSR", "SARSA(λ)")
 
 # Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
 Curve = tuple[str, np.ndarray]
@@ -201,10 +202,10 @@ def _signed(number: float) -> str:
 
 def _looks(names: list[str]) -> list[tuple[str, Dashes]]:
     """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared."""
-    heroes = [name for name in names if name in HEROES]
-    if len(names) == 2 and len(heroes) == 1:
-        return [CURVES[0] if name in heroes else (GREY, "--") for name in names]
-    hero_first = sorted(names, key=lambda name: name not in heroes)
+    hero = next((name for name in HEROES if name in names), None)
+    if len(names) == 2 and hero:
+        return [CURVES[0] if name == hero else (GREY, "--") for name in names]
+    hero_first = sorted(names, key=lambda name: name != hero)
     return [CURVES[hero_first.index(name) % len(CURVES)] for name in names]
 
 
