@@ -33,6 +33,17 @@ TEMPERATURES = np.logspace(
 )  # from a cold robot to the highest that LRLE sets
 
 
+def how_often_paid(history: History) -> str:
+    """How much a robot earned in its steps up to now, and how seldom it was paid, as a sentence."""
+    rewards = history.rewards
+    most = rewards.max()
+    share = np.mean(rewards == most)
+    return (
+        f"In its first {len(rewards)} steps the robot earns {with_minus(rewards.mean(), 2)} a step: "
+        f"{most:g} in {100 * share:.0f} % of them"
+    )
+
+
 def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
     """With what probability softmax takes the best action; x: preferences, array (A,). Returns as many as T given."""
     return np.array(

@@ -66,12 +66,11 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
 
 
 def values_finding(values: np.ndarray) -> str:
-    """How few of the places and headings are worth something. values: of `place_values`"""
-    known = np.isfinite(values)
-    most = float(np.nanmax(values))
-    worth = np.nan_to_num(values) >= most / 10
-    share = worth.sum() / known.sum()
-    return f"Only {share:.0%} of the known places and headings are worth a tenth of the best, {most:.0f} points"
+    """What the best place and heading is worth, and how many are worth little. values: of `place_values`"""
+    known = values[np.isfinite(values)]
+    most = float(known.max())
+    share = np.mean(known < most / 10)
+    return f"The best place and heading is worth {most:.0f} points; {share:.0%} are worth less than {most / 10:.1f}"
 
 
 def plot_values(
