@@ -20,10 +20,11 @@ from rlrobot_course.figures.plots import (
     draw_lattice,
     plain,
 )
-from rlrobot_course.figures.words import as_sentence, with_minus
+from rlrobot_course.figures.words import as_sentence
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.widgets.playground.cliff import (
     CLIFF,
     GOAL,

@@ -18,12 +18,12 @@ from rlrobot_course.figures.plots import (
     name_rows,
     plain,
 )
-from rlrobot_course.figures.words import with_minus
 from rlrobot_course.play.challenge import Score
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.widgets.kernels import probabilities
 

@@ -20,7 +20,7 @@ from rlrobot_course.figures.plots import (
     in_panels,
     plain,
 )
-from rlrobot_course.figures.rows import CHANCE, Rows, Values, rows_of_robots
+from rlrobot_course.figures.rows import CHANCE, Rows, Values, plot_groups
 from rlrobot_course.lesson_17.cells import (
     GOAL,
     MOVES,
@@ -211,7 +211,7 @@ def planners_finding(earned: Mapping[str, Values]) -> str:
 
 def plot_planners(earned: Mapping[str, Values]) -> Picture:
     """What robots earn with each planner in each world. earned: mean reward a step of each robot, by world, planner"""
-    return rows_of_robots(earned, planners_finding(earned))
+    return plot_groups(earned, planners_finding(earned), "mean reward a step")
 
 
 def order_finding(firsts: Mapping[str, np.ndarray]) -> str:

@@ -11,6 +11,7 @@ from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.show.palette import BLACK, CURVES, GREY, Dashes
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
@@ -151,7 +152,7 @@ def plot_curves(
         kept += _draw(ax, curve, colour, dashes)
         name, repetitions = curve
         mean = repetitions[:, -1].mean()
-        ends.append(End(float(mean), f"{name}\n{_signed(mean)}", colour))
+        ends.append(End(float(mean), f"{name}\n{with_minus(mean, 2)}", colour))
         if isinstance(shown, Picture) and 1 < len(repetitions) <= DOTS:
             _dot(ax, repetitions, colour)
             kept += repetitions[:, -1].tolist()
@@ -182,7 +183,7 @@ def finding(curves: list[Curve]) -> str:
     said = best
     if best[:1].isascii():  # an ε stays as it is
         said = best[:1].upper() + best[1:]
-    mean = _signed(means[best])
+    mean = with_minus(means[best], 2)
     if not others:
         return f"{said} earns {mean} a step"
     if min(map(len, ends.values())) < 2:
@@ -190,14 +191,10 @@ def finding(curves: list[Curve]) -> str:
     lowest, _ = mean_band(ends[best][:, None])
     highest = max(float(mean_band(ends[name][:, None])[1][0]) for name in others)
     if lowest[0] > highest:
-        return f"{said} earns most: {mean} a step, {_signed(means[others[0]])} the next"
-    least = _signed(means[others[-1]])
+        second = with_minus(means[others[0]], 2)
+        return f"{said} earns most: {mean} a step, {second} the next"
+    least = with_minus(means[others[-1]], 2)
     return f"Too close to tell which is best: {least} to {mean} a step"
-
-
-def _signed(number: float) -> str:
-    """A number with two digits, and a minus as long as it should be."""
-    return f"{number:.2f}".replace("-", "−")
 
 
 def _looks(names: list[str]) -> list[tuple[str, Dashes]]:

@@ -39,8 +39,8 @@ def plot_settings(
     order = np.argsort(earned)
     xs = [settings[i][x] for i in order]
     ys = [settings[i][y] for i in order]
-    style = {"cmap": SHADES_OF_WORTH, "s": 60, "edgecolors": BLACK, "linewidths": 0.4}
-    style.update(look)
+    style: dict[str, Any] = {"cmap": SHADES_OF_WORTH, "s": 60, "edgecolors": BLACK}
+    style.update({"linewidths": 0.4, **look})
     dots = ax.scatter(xs, ys, c=earned[order], **style)
     ax.set(xlabel=LABELS.get(x, x), ylabel=LABELS.get(y, y))
     if x in LOGARITHMIC:

@@ -7,7 +7,8 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import losses, path_of, signed
+from rlrobot_edu.show.describe import losses, path_of
+from rlrobot_edu.show.numerals import signed
 from rlrobot_edu.show.painting.parts import grid_cell
 from rlrobot_edu.show.painting.room import ASPECT, Room
 from rlrobot_edu.show.palette import LIGHT
