@@ -20,9 +20,10 @@ from rlrobot_edu import plot_scene
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.numerals import with_minus
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import InputVariable
 
-SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
+SHADES = (LIGHT["floor"], LIGHT["line"])  # of neighbouring bins
 FAR, NEAR = 0.07, 0.10  # a long step, and the distance of a touched wall [m]
 
 

@@ -24,7 +24,7 @@ from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.style import SHADES_OF_BLUE
 
 NEVER = {
-    "facecolor": "#e8e8e8",
+    "facecolor": LIGHT["floor"],
     "edgecolor": GREY,
     "hatch": "///",
     "linewidth": 0.0,
@@ -62,7 +62,7 @@ def plot_estimates(
     ax.fill_between(n, low, high, color=BLUE, alpha=0.15, linewidth=0)
     ax.axhline(p, color=GREY, linestyle=":")
     for size in sizes:
-        ax.plot(beside[size], found[size], "o", color=RED, alpha=0.5, markersize=4)
+        ax.plot(beside[size], found[size], "o", color=BLACK, alpha=0.5, markersize=4)
     ax.text(14, 0.9, "blue: within two\nstandard errors", color=BLUE, weight="bold")
     every = f"all {len(happened):,}\nrows: {p:.2f}"
     ax.annotate(every, (1, p), (6, 0), xycoords=("axes fraction", "data"), textcoords="offset points",

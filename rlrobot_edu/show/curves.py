@@ -21,7 +21,7 @@ BEGINNING = 0.02
 DOTS = 40  # repetitions; more are too many to be seen one by one
 
 LONGEST_NAME = 24  # characters beside the end of a curve; longer ones need a legend
-# Whom the lessons are about: the first of them that is in a picture is its hero
+# Whom the lessons are about: the first of them that is in a picture is its hero, else the best
 HEROES = ("yours", "TOSL+QBIASSR", "Q+QBIASSR", "SARSA(λ)")
 
 # Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
@@ -147,7 +147,7 @@ def plot_curves(
         ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     kept: list[float] = []  # the values that must stay in the picture
     ends: list[End] = []
-    looks = _looks([name for name, _ in curves])
+    looks = _looks({name: repetitions[:, -1].mean() for name, repetitions in curves})
     for curve, (colour, dashes) in zip(curves, looks, strict=True):
         kept += _draw(ax, curve, colour, dashes)
         name, repetitions = curve
@@ -197,10 +197,15 @@ def finding(curves: list[Curve]) -> str:
     return f"Too close to tell which is best: {least} to {mean} a step"
 
 
-def _looks(names: list[str]) -> list[tuple[str, Dashes]]:
-    """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared."""
-    hero = next((name for name in HEROES if name in names), None)
-    if len(names) == 2 and hero:
+def _looks(ends: Mapping[str, float]) -> list[tuple[str, Dashes]]:
+    """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared.
+
+    ends: the mean at the end of each curve; the highest is the hero if none of the `HEROES` is there
+    """
+    names = list(ends)
+    heroes = [name for name in HEROES if name in ends]
+    hero = heroes[0] if heroes else max(names, key=ends.__getitem__)
+    if len(names) == 2:
         return [CURVES[0] if name == hero else (GREY, "--") for name in names]
     hero_first = sorted(names, key=lambda name: name != hero)
     return [CURVES[hero_first.index(name) % len(CURVES)] for name in names]
