@@ -30,9 +30,9 @@ def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
     task = load_task("worked_example")
     action = task.actions.label(a)
     bias = float(bias_of(q, task.states.shape, s)[a])
-    figure = Picture(figsize=(6.2, 4.2))
+    figure = Picture(figsize=(5.2, 4.2))
     figure.headline(
-        advice(action, q[s, a], bias),
+        advice(action, bias),
         f"the paper's five lines; in grey: the numbers of this robot for {action}",
     )
     room, lines = figure.subplots(1, 2, width_ratios=(1, 2.9))
@@ -86,14 +86,13 @@ def _mean_of(values: np.ndarray) -> str:
     return f"= {_mean(terms)} = {two_decimals(values.mean())}".replace("+ −", "− ")
 
 
-def advice(action: str, q: float, bias: float) -> str:
-    """What the similar states say of an action, as a sentence. q, bias: its value and its bias"""
-    numbers = f"its Q is {two_decimals(q)}, its bias {two_decimals(bias)}"
-    if two_decimals(bias) == "0.00":
-        return f"The similar states say nothing of {action}: {numbers}"
-    if bias > 0:
-        return f"The similar states recommend {action}: {numbers}"
-    return f"The similar states warn of {action}: {numbers}"
+def advice(action: str, bias: float) -> str:
+    """What the similar states say of an action, as a sentence."""
+    number = two_decimals(bias)
+    does = "recommend" if bias > 0 else "warn of"
+    if number == "0.00":
+        does = "say nothing of"
+    return f"The similar states {does} {action}: bias {number}"
 
 
 def plot_similar_states(s: int) -> Picture:

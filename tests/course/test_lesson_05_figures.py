@@ -75,7 +75,7 @@ def test_the_figure_of_the_papers_state_writes_the_five_lines(new_there):
     for symbols, numbers in five_lines(new_there.q, PAPERS_STATE, 0):
         assert symbols in written and numbers in written
         assert symbols in figure.alt and numbers in figure.alt
-    assert figure.finding.endswith("its Q is 0.00, its bias −0.29")
+    assert figure.finding == "The similar states warn of advance: bias −0.29"
 
 
 def test_the_lesson_says_what_the_robot_knows_beside_the_papers_state(new_there):
@@ -89,9 +89,9 @@ def test_the_lesson_says_what_the_robot_knows_beside_the_papers_state(new_there)
 
 
 def test_the_finding_says_whether_similar_states_recommend_or_warn():
-    assert "recommend spin left" in advice("spin left", 0.0, 1.2)
-    assert "warn of advance: its Q is 0.00, its bias −0.29" in advice("advance", 0, -0.29)  # fmt: skip
-    assert "say nothing of advance" in advice("advance", 0, -0.001)
+    assert "recommend spin left: bias 1.20" in advice("spin left", 1.2)
+    assert "warn of advance: bias −0.29" in advice("advance", -0.29)
+    assert "say nothing of advance" in advice("advance", -0.001)
 
 
 def pose(ax) -> tuple:
