@@ -7,11 +7,12 @@ from matplotlib.axes import Axes
 from similarity_numbers import LENGTHS, METHOD, Found, estimate, gains, low
 from similarity_split import of_order, spectrum_of_noise
 
-from rlrobot_edu.show.palette import BLUE, GREY, ORANGE, RED
+from rlrobot_edu.show.palette import BLACK, BLUE, GREY
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.kernels import bias_of
 
-LINES = (("o", "-", ORANGE), ("s", "--", RED), ("^", "-.", BLUE))
+# The steps of which the title tells are blue.
+LINES = (("o", ":", GREY), ("s", "-", BLUE), ("^", "--", BLACK))
 RIVALS = {"SR": "SR", "SR, fair T": "SR at T / (2 − k/n)"}
 INPUTS = 5  # of the figure of factors, as wander_1k has
 
@@ -120,7 +121,7 @@ def gain_picture(found: Found) -> Picture:
     picture = titled(
         (7.6, 6.4),
         gain_finding(found),
-        f"QBIASSR less a rival, {worlds} worlds an order, 95 % intervals; the title: SR, first {LENGTHS[1]:,} steps",
+        f"QBIASSR less a rival, {worlds} worlds an order, 95 % intervals; the title: over SR, blue",
     )
     axes = picture.subplots(len(temperatures), len(RIVALS), sharex=True, sharey="row")
     told = []
@@ -145,8 +146,8 @@ def gain_picture(found: Found) -> Picture:
             told.append(f"over {name}, T = {temperature}: {middle}".replace("-", "−"))
     for ax in axes[-1]:
         ax.set(xlabel="order k of the rewards")
-    lines = axes[0, 0].get_legend_handles_labels()
-    picture.legend(*lines, loc="outside lower center", ncols=3, frameon=False)
+    # where all curves have fallen
+    axes[0, 0].legend(loc="upper right")
     picture.alt = (
         f"Gains for order 0 to 5, in the first {LENGTHS[1]:,} steps. {'; '.join(told)}."
     )

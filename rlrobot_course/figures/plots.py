@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from html import escape
 from typing import Any, Literal, TypeVar
 
 import numpy as np
@@ -13,7 +14,7 @@ from PIL import Image
 from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.film import COLOURS, Film
+from rlrobot_edu.show.film import COLOURS, KEY, Film
 from rlrobot_edu.show.images import gif_of, image_of
 from rlrobot_edu.show.palette import (
     BLACK,
@@ -36,6 +37,8 @@ __all__ = (
 )  # fmt: skip
 
 ROW = 760  # width of films side by side [pixels of a page]
+CAPTIONS = f"width: 100%; max-width: {ROW + 12}px; table-layout: fixed; margin: 0"
+CAPTION = "font-size: 14px; text-align: left; vertical-align: top; white-space: normal"
 
 Grid = Literal["both", "x", "y"]
 Point = tuple[float, float]
@@ -159,11 +162,11 @@ class SideBySide(Displayed):
         """All in one picture, a moving one of films."""
         films = self._films()
         if films:
-            ends = (
-                f"{film.notes[0]}, at the end: {describe(film.frames[-1])}"
+            told = (
+                f"{film.notes[0]}: {film.finding}. At the end: {describe(film.frames[-1])}"
                 for film in films
             )
-            alt = f"Films of robots, side by side. {' '.join(ends)}"
+            alt = f"Films of robots, side by side. {' '.join(told)}"
             return Still(alt, side_by_side(films), ROW, "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):
@@ -171,6 +174,18 @@ class SideBySide(Displayed):
             ax.set_title(plain(name))
             ax.set_axis_off()
         return picture.still()
+
+    def _as_html(self) -> str:
+        """Above each film its name and what became of it, in letters that stay as large on a narrow page."""
+        films = self._films()
+        if not films:
+            return super()._as_html()
+        cells = (
+            f'<td style="{CAPTION}"><strong>{escape(film.notes[0])}</strong><br>{film.finding}</td>'
+            for film in films
+        )
+        captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'
+        return f"{captions}{self.still().html}<br><small>{KEY}</small>"
 
     def _films(self) -> list[Film]:
         """The films, each with its name in its captions; none if a view is something else."""

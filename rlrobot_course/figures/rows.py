@@ -164,7 +164,7 @@ def plot_groups(
     told = []
     for name in groups:
         rows.dots(name)
-        told.append(f"{name} {rows.mean(name)}")
+        told.append(f"{name}: {rows.mean(name)}")
     rows.picture.alt = (
         f"Dots, one an agent, {what}. Means with 95 % intervals: {'; '.join(told)}"
     )
@@ -180,17 +180,3 @@ def compared(groups: Mapping[str, Values], hero: str, rival: str) -> str:
         return f"“{hero}” and “{rival}” are too close to tell: {numbers}"
     word = "more" if mine > other else "less"
     return f"“{hero}” earns {word} than “{rival}”: {numbers}"
-
-
-def rows_of_robots(
-    earned: Mapping[str, Values], found: str, hero: str | None = None
-) -> Picture:
-    """What the robots of each group earn a step, under a title. hero: the group that is blue"""
-    rows = Rows(earned, found, f"mean reward a step; {ROBOTS}", hero=hero)
-    told = []
-    for name in earned:
-        rows.dots(name)
-        told.append(f"{name}: {rows.mean(name)}")
-    n = len(next(iter(earned.values())))
-    rows.picture.alt = f"Mean reward a step, {n} robots each. {'; '.join(told)}."
-    return rows.picture

@@ -7,8 +7,3 @@ def as_sentence(text: str) -> str:
     if first.isascii():
         first = first.upper()
     return first + text[1:]
-
-
-def with_minus(number: float, digits: int = 0) -> str:
-    """A number with so many digits behind the point, and with a minus sign as in print."""
-    return f"{number:.{digits}f}".replace("-", "−")

@@ -19,9 +19,11 @@ from rlrobot_course.lesson_01.drive import Drive
 from rlrobot_edu import plot_scene
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe
+from rlrobot_edu.show.numerals import with_minus
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import InputVariable
 
-SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
+SHADES = (LIGHT["floor"], LIGHT["line"])  # of neighbouring bins
 FAR, NEAR = 0.07, 0.10  # a long step, and the distance of a touched wall [m]
 
 
@@ -128,7 +130,7 @@ def plot_drives(drives: Mapping[str, Drive]) -> Picture:
         plot_scene(
             [scene._replace(beams=scene.beams[:0]) for scene in drive.scenes], ax
         )
-        earned = f"{np.mean(drive.rewards):.1f}".replace("-", "−")
+        earned = with_minus(np.mean(drive.rewards), 1)
         ax.set_title(plain(f"{name}: mean reward {earned}\n{words}"), fontsize=10)
         said.append(f"{name}: {words}")
     figure.alt = f"Paths of {len(drives)} robots in a square. {'; '.join(said)}."

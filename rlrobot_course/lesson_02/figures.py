@@ -18,7 +18,8 @@ from rlrobot_course.figures.plots import (
 )
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
-from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.palette import BLACK, LIGHT
+from rlrobot_edu.show.style import DARK_FROM, SHADES_OF_WORTH
 
 ARROWS = {
     0: (-1, 0),
@@ -166,7 +167,7 @@ def draw_values(
 ) -> None:
     """Draw the values `v`, array (n_states,), as colours on the map `desc`, and as numbers where they are not 0."""
     grid = v.reshape(desc.shape)
-    ax.imshow(grid, cmap="cividis", vmin=0, vmax=1)
+    ax.imshow(grid, cmap=SHADES_OF_WORTH, vmin=0, vmax=1)
     ax.set(xticks=[], yticks=[])
     for (y, x), square in np.ndenumerate(desc):
         if square == b"H" or (square == b"G" and not numbers):
@@ -182,10 +183,9 @@ def draw_values(
             )
             ax.add_patch(end)
         if square in (b"S", b"G") and not grid[y, x]:
-            colour = "black" if square == b"G" and not numbers else "white"
-            centred(ax, x, y, square.decode(), color=colour, fontsize=11, weight="bold")
+            centred(ax, x, y, square.decode(), color=BLACK, fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
-            colour = "black" if grid[y, x] > 0.45 else "white"
+            colour = "white" if grid[y, x] > DARK_FROM else BLACK
             centred(
                 ax, x, y, f"{grid[y, x]:.2f}".lstrip("0"), color=colour, fontsize=8.5
             )

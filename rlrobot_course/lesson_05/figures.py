@@ -9,9 +9,90 @@ from matplotlib.patches import Rectangle
 
 from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
 from rlrobot_edu import load_task
+from rlrobot_edu.show.palette import LIGHT, WHITE
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of
-from rlrobot_edu.widgets.bias_explorer.words import name_text, state_words, value_words
+from rlrobot_edu.widgets.bias_explorer.words import (
+    name_text,
+    state_words,
+    two_decimals,
+    value_text,
+    value_words,
+)
+from rlrobot_edu.widgets.kernels import bias_of
+
+
+def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
+    """The robot in state `s` of worked_example, and beside it the bias as the paper writes it, line by line.
+
+    q: array (n_states, n_actions); a: the action whose numbers stand below each line
+    """
+    task = load_task("worked_example")
+    action = task.actions.label(a)
+    bias = float(bias_of(q, task.states.shape, s)[a])
+    figure = Picture(figsize=(5.2, 4.2))
+    figure.headline(
+        advice(action, bias),
+        f"the paper's five lines; in grey: the numbers of this robot for {action}",
+    )
+    room, lines = figure.subplots(1, 2, width_ratios=(1, 2.9))
+    _draw_pose(room, task.states.decode(s), Mark("", BLUE, WHITE))
+    room.set_title("thick bar: a wall or\nthe box is ahead", fontsize=10)
+    room.set_axis_off()
+    marks = [*marks_of(task).values(), Mark("", BLACK, WHITE)]  # the mean has none
+    told = []
+    for y, (mark, (symbols, numbers)) in enumerate(
+        zip(marks, five_lines(q, s, a), strict=True)
+    ):
+        lines.text(0, y, mark.sign, color=mark.colour)
+        lines.text(0.06, y, symbols)
+        lines.text(0.06, y + 0.4, numbers, color=LIGHT["faint"])
+        told.append(f"{symbols} {numbers}")
+    lines.set(xlim=(0, 1), ylim=(4.6, -0.3))
+    lines.set_axis_off()
+    figure.alt = (
+        f"The robot in state {s} ({state_words(task, s)}), and its bias for {action} in five lines. "
+        f"{'; '.join(told)}."
+    )
+    return figure
+
+
+def five_lines(q: np.ndarray, s: int, a: int) -> list[tuple[str, str]]:
+    """The bias of state `s` of worked_example: the line of each input, and of their mean; in symbols and in numbers."""
+    task = load_task("worked_example")
+    names, means, lines = [], [], []
+    for name, states in task.states.siblings(s).items():
+        names.append(f"bias_{name_text(name).lower()}(s)")
+        means.append(float(q[states, a].mean()))
+        symbols = [f"Q({as_in_the_paper(task.states.decode(int(k)))})" for k in states]
+        lines.append((f"{names[-1]} = {_mean(symbols)}", _mean_of(q[states, a])))
+    lines.append((f"bias(s) = {_mean(names)}", _mean_of(np.array(means))))
+    return lines
+
+
+def as_in_the_paper(bins: Mapping[str, Bin]) -> str:
+    """A state of worked_example as the paper writes it: ``1,1,90,T``."""
+    texts = [value_text(value) for value in bins.values()]
+    texts[-1] = "T" if bins["d"].reading else "F"
+    return ",".join(texts)
+
+
+def _mean(terms: Sequence[str]) -> str:
+    return f"({' + '.join(terms)}) / {len(terms)}"
+
+
+def _mean_of(values: np.ndarray) -> str:
+    terms = [two_decimals(value) for value in values]
+    return f"= {_mean(terms)} = {two_decimals(values.mean())}".replace("+ −", "− ")
+
+
+def advice(action: str, bias: float) -> str:
+    """What the similar states say of an action, as a sentence."""
+    number = two_decimals(bias)
+    does = "recommend" if bias > 0 else "warn of"
+    if number == "0.00":
+        does = "say nothing of"
+    return f"The similar states {does} {action}: bias {number}"
 
 
 def plot_similar_states(s: int) -> Picture:
@@ -26,9 +107,8 @@ def plot_similar_states(s: int) -> Picture:
     similar = {int(k) for states in sets.values() for k in states} - {s}
     figure = Picture(figsize=(5.2, 6.5))
     figure.headline(
-        f"State {s} ({state_words(task, s)}) has {len(similar)} similar states "
-        f"in {len(sets)} sets, and is itself in each set",
-        "row: a set; arrow: the robot; thick bar: something is ahead",
+        f"Change one input alone, and you get {len(similar)} similar states",
+        f"row: a set, in bold: state {s} ({state_words(task, s)}), which is in each",
     )
     maps = figure.subplots(len(sets), 3)
     for row, (name, states), mark in zip(

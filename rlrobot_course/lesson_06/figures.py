@@ -20,10 +20,11 @@ from rlrobot_course.figures.plots import (
     draw_lattice,
     plain,
 )
-from rlrobot_course.figures.words import as_sentence, with_minus
+from rlrobot_course.figures.words import as_sentence
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.widgets.playground.cliff import (
     CLIFF,
     GOAL,
@@ -77,7 +78,7 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         ways = Counter(way_of(history) for history in histories)
         told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
         title = f"{name}: of {len(histories)} agents {told}"
-        title += f"; {falls.sum():.0f} falls each" if falls.any() else "; no falls"
+        title += f"; {falls_in_words(falls) or 'no falls'}"
         if len(groups) > 1:
             ax.set_title(plain(title))
         figure.alt += f" {title}."
@@ -91,11 +92,19 @@ def where_most_go(groups: Mapping[str, Sequence[History]]) -> str:
         ways = Counter(way_of(history) for history in histories)
         way, agents = ways.most_common(1)[0]
         part = f"{name}: {agents} of {len(histories)} {way}"
-        falls = falls_of(histories).sum()
+        falls = falls_in_words(falls_of(histories))
         if falls:
-            part += f", {falls:.0f} falls each"
+            part += f", {falls}"
         parts.append(part)
     return as_sentence("; ".join(parts))
+
+
+def falls_in_words(falls: np.ndarray) -> str:
+    """How often an agent fell, all cells together; empty if none did. falls: as of `falls_of`"""
+    if not falls.any():
+        return ""
+    number = f"{falls.sum():.0f}"
+    return f"{number} {'fall' if number == '1' else 'falls'} each"
 
 
 def way_of(history: History) -> str:

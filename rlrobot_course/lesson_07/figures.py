@@ -15,6 +15,7 @@ from rlrobot_course.figures.plots import (
     plain,
 )
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.style import DARK_FROM, SHADES_OF_WORTH
 
 
 def plot_corridor(values: Mapping[str, np.ndarray]) -> Picture:
@@ -26,15 +27,15 @@ def plot_corridor(values: Mapping[str, np.ndarray]) -> Picture:
     picture = Picture(figsize=(0.4 + 4.0 * len(values), 4.6))
     picture.headline(
         drives_to_the_start(values),
-        "Q of each cell after each drive; the reward lies behind the last cell",
+        "Q of each cell after each drive, the darker the more; the reward lies behind the last cell",
     )
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
     picture.alt = f"How far the reward is known. {'; '.join(known)}."
     for ax, name, table in in_panels(picture, values):
-        ax.imshow(table, cmap="cividis", vmin=0, vmax=highest, aspect="auto")
+        ax.imshow(table, cmap=SHADES_OF_WORTH, vmin=0, vmax=highest, aspect="auto")
         for (row, column), q in np.ndenumerate(table):
-            colour = BLACK if q > 0.45 * highest else "white"
+            colour = "white" if q > DARK_FROM * highest else BLACK
             centred(ax, column, row, f"{q:.1f}", color=colour)
         ax.set(title=plain(name), xlabel="cell")
         ax.set_xticks(range(table.shape[1]))

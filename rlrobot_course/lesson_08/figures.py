@@ -18,10 +18,11 @@ from rlrobot_course.figures.plots import (
     plain,
 )
 from rlrobot_course.figures.runs import error_bars
-from rlrobot_course.figures.words import as_sentence, with_minus
+from rlrobot_course.figures.words import as_sentence
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.numerals import with_minus
 
 NAMES = {
     "accumulating": "SARSA(λ), accumulating traces",
@@ -144,9 +145,7 @@ def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
         for (t, k), weight in np.ndenumerate(shown):
             if k <= t:
                 draw_weight(ax, k + 1, t + 1, weight, most)
-                centred(
-                    ax, k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), fontsize=7.5
-                )
+                centred(ax, k + 1, t + 1, with_minus(weight, 2), fontsize=7.5)
         value = float(shown[-1] @ rewards)
         ax.set(
             xlim=(0.5, n + 0.5),

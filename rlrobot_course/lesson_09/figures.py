@@ -18,12 +18,12 @@ from rlrobot_course.figures.plots import (
     name_rows,
     plain,
 )
-from rlrobot_course.figures.words import with_minus
 from rlrobot_course.play.challenge import Score
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.widgets.kernels import probabilities
 
@@ -31,6 +31,17 @@ MINUS = re.compile(r"-(?=\d)")  # of a number
 TEMPERATURES = np.logspace(
     -2, np.log10(50), 60
 )  # from a cold robot to the highest that LRLE sets
+
+
+def how_often_paid(history: History) -> str:
+    """How much a robot earned in its steps up to now, and how seldom it was paid, as a sentence."""
+    rewards = history.rewards
+    most = rewards.max()
+    share = np.mean(rewards == most)
+    return (
+        f"In its first {len(rewards)} steps the robot earns {with_minus(rewards.mean(), 2)} a step: "
+        f"{most:g} in {100 * share:.0f} % of them"
+    )
 
 
 def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:

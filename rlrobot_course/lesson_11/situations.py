@@ -27,7 +27,7 @@ INNER, OUTER = (
     1.2,
 )  # where the wedges begin, and where the longest ends; not to scale
 NEAR = (RED, ORANGE, SKY)  # the walls in the first bins; the last bin ends at none
-FREE = "#e2dcd0"  # a wedge of free floor
+FREE = LIGHT["line"]  # a wedge of free floor
 
 
 def most_visited(visits: np.ndarray, most: int) -> list[int]:

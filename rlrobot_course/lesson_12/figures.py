@@ -18,6 +18,7 @@ from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.show.describe import robot_of
 from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.numerals import with_minus
 
 
 def corridor_finding(tables: Mapping[str, np.ndarray]) -> str:
@@ -61,7 +62,7 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str = "") -> Picture:
                 ax,
                 cell + 0.5,
                 0.26,
-                f"{q[cell].max():.1f}".replace("-", "−"),
+                with_minus(q[cell].max(), 1),
                 fontsize=10,
             )
         ax.add_patch(

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.colors import Normalize
 from matplotlib.patches import Circle, Polygon, Rectangle, Wedge
 
 from rlrobot_course.figures.plots import BLUE, GREEN, GREY, RED, ROLE, Picture, centred
 from rlrobot_course.lesson_12.episodes import Episode
 from rlrobot_edu.robots.arenas import Arena, arena_of
 from rlrobot_edu.show.palette import BLACK, LIGHT
+from rlrobot_edu.show.style import SHADES_OF_WORTH
 from rlrobot_edu.task.task import Task
 
 HEADINGS = (
@@ -27,8 +28,6 @@ HEADINGS = (
 )
 SECTOR = 360 / len(HEADINGS)
 GAP = 4  # degrees of a petal that are left free
-# From the colour of what is worth nothing to that of the best
-WORTH = LinearSegmentedColormap.from_list("worth", ["#e9e4da", "#7fc3ab", GREEN, "#003b2b"])  # fmt: skip
 # The ways from the first to the last: colour, width, opacity
 WAYS = ((GREY, 0.9, 0.9), (ROLE["path"], 2.4, 1.0), (BLUE, 4.0, 1.0))
 
@@ -67,12 +66,11 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
 
 
 def values_finding(values: np.ndarray) -> str:
-    """How few of the places and headings are worth something. values: of `place_values`"""
-    known = np.isfinite(values)
-    most = float(np.nanmax(values))
-    worth = np.nan_to_num(values) >= most / 10
-    share = worth.sum() / known.sum()
-    return f"Only {share:.0%} of the known places and headings are worth a tenth of the best, {most:.0f} points"
+    """What the best place and heading is worth, and how many are worth little. values: of `place_values`"""
+    known = values[np.isfinite(values)]
+    most = float(known.max())
+    share = np.mean(known < most / 10)
+    return f"The best place and heading is worth {most:.0f} points; {share:.0%} are worth less than {most / 10:.1f}"
 
 
 def plot_values(
@@ -91,7 +89,7 @@ def plot_values(
     figure.headline(values_finding(values), note)
     ax = figure.subplots()
     draw_room(ax, arena)
-    shades = ScalarMappable(Normalize(0, float(np.nanmax(values))), WORTH)
+    shades = ScalarMappable(Normalize(0, float(np.nanmax(values))), SHADES_OF_WORTH)
     edges = [
         [low, *(variable.cuts or ()), high]
         for variable, low, high in zip(

@@ -123,16 +123,16 @@ def leads(groups: Mapping[str, np.ndarray], method: str) -> bool:
 
 
 def leader_finding(groups: Mapping[str, Mapping[str, np.ndarray]]) -> str:
-    """Who is ahead in the first set-up, and in which others it is, too."""
+    """Who earns most in the first set-up, and in which others that method does not."""
     first, *others = groups
     means = {method: values.mean() for method, values in groups[first].items()}
     best = max(means, key=means.__getitem__)
     if not leads(groups[first], best):
-        return f"In “{first}” nobody is ahead of both others"
-    also = [name for name in others if leads(groups[name], best)]
-    if also:
-        return f"{best} is ahead of both others in “{first}”, and in “{'” and “'.join(also)}”"
-    return f"{best} is ahead of both others in “{first}”, but not in “{'” nor in “'.join(others)}”"
+        return f"In “{first}” no method clearly earns most"
+    gone = [name for name in others if not leads(groups[name], best)]
+    if gone:
+        return f"{best} earns most in “{first}”; its lead is gone in “{'” and “'.join(gone)}”"
+    return f"{best} earns most in “{'” and “'.join(groups)}”"
 
 
 def plot_means(

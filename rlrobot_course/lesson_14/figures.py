@@ -21,9 +21,10 @@ from rlrobot_course.figures.plots import (
 from rlrobot_course.lesson_14.worlds import Gap
 from rlrobot_edu import SampleModel, value_iteration
 from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.style import SHADES_OF_BLUE
 
 NEVER = {
-    "facecolor": "#e8e8e8",
+    "facecolor": LIGHT["floor"],
     "edgecolor": GREY,
     "hatch": "///",
     "linewidth": 0.0,
@@ -61,7 +62,7 @@ def plot_estimates(
     ax.fill_between(n, low, high, color=BLUE, alpha=0.15, linewidth=0)
     ax.axhline(p, color=GREY, linestyle=":")
     for size in sizes:
-        ax.plot(beside[size], found[size], "o", color=RED, alpha=0.5, markersize=4)
+        ax.plot(beside[size], found[size], "o", color=BLACK, alpha=0.5, markersize=4)
     ax.text(14, 0.9, "blue: within two\nstandard errors", color=BLUE, weight="bold")
     every = f"all {len(happened):,}\nrows: {p:.2f}"
     ax.annotate(every, (1, p), (6, 0), xycoords=("axes fraction", "data"), textcoords="offset points",
@@ -95,7 +96,7 @@ def plot_counts(
     figure.headline(counts_finding(counts), note)
     ax = figure.subplots()
     shown = np.ma.log10(np.ma.masked_equal(counts, 0))
-    ax.imshow(shown, cmap="Blues", vmin=-0.5, vmax=6, aspect="auto")
+    ax.imshow(shown, cmap=SHADES_OF_BLUE, vmin=-0.5, vmax=6, aspect="auto")
     for (s, a), count in np.ndenumerate(counts):
         if count:
             centred(ax, a, s, f"{count:,}")

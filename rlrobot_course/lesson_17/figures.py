@@ -20,7 +20,7 @@ from rlrobot_course.figures.plots import (
     in_panels,
     plain,
 )
-from rlrobot_course.figures.rows import CHANCE, Rows, Values, rows_of_robots
+from rlrobot_course.figures.rows import CHANCE, Rows, Values, plot_groups
 from rlrobot_course.lesson_17.cells import (
     GOAL,
     MOVES,
@@ -34,6 +34,7 @@ from rlrobot_course.lesson_17.cells import (
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import image_of
+from rlrobot_edu.show.style import SHADES_OF_BLUE
 
 NO_PLANNER = "no planner"
 
@@ -45,7 +46,7 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
     if shades is not None:
         ax.imshow(
             np.ma.masked_invalid(shades),
-            cmap="Blues",
+            cmap=SHADES_OF_BLUE,
             vmin=0,
             vmax=1.6,
             zorder=0,
@@ -210,7 +211,7 @@ def planners_finding(earned: Mapping[str, Values]) -> str:
 
 def plot_planners(earned: Mapping[str, Values]) -> Picture:
     """What robots earn with each planner in each world. earned: mean reward a step of each robot, by world, planner"""
-    return rows_of_robots(earned, planners_finding(earned))
+    return plot_groups(earned, planners_finding(earned), "mean reward a step")
 
 
 def order_finding(firsts: Mapping[str, np.ndarray]) -> str:

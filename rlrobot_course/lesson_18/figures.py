@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from rlrobot_course.figures.plots import Picture
-from rlrobot_course.figures.rows import Values, compared, rows_of_robots
+from rlrobot_course.figures.rows import Values, compared, plot_groups
 
 
 def plot_rehearsals(earned: Mapping[str, Values], hero: str, rival: str) -> Picture:
@@ -11,4 +11,5 @@ def plot_rehearsals(earned: Mapping[str, Values], hero: str, rival: str) -> Pict
 
     earned: name of a group -> mean reward a step of each robot
     """
-    return rows_of_robots(earned, compared(earned, hero, rival), hero)
+    finding = compared(earned, hero, rival)
+    return plot_groups(earned, finding, "mean reward a step", hero=hero)

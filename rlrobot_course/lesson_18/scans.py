@@ -11,7 +11,7 @@ from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
-    RED,
+    ORANGE,
     SKY,
     Picture,
     legend_below,
@@ -93,14 +93,14 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
         ends[laser] = end
         way = np.array([(x, y), end])
         ax.plot(
-            np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=RED, markersize=5, linewidth=2,
+            np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=ORANGE, markersize=5, linewidth=2,
             label="the 8 lasers of the task" if not told else None,
         )  # fmt: skip
         told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
         label = (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far)
         box = {
             "facecolor": "white",
-            "edgecolor": RED,
+            "edgecolor": ORANGE,
             "boxstyle": "round,pad=0.15",
         }
         ax.annotate(

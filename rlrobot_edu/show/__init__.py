@@ -17,6 +17,7 @@ style.py     how a figure looks: letters, lines, the finding above it
 images.py    images as small files
 display.py   what a notebook asks an object for
 picture.py   figures, and the axes to draw on
+numerals.py  how pictures write numbers
 ends.py      the names of curves at their ends
 describe.py  what all views of scenes share: the path, what is a loss, a description in words
 top_down.py  `plot_scene`, a scene from above

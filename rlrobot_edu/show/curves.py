@@ -11,6 +11,7 @@ from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.ends import End, name_ends
+from rlrobot_edu.show.numerals import with_minus
 from rlrobot_edu.show.palette import BLACK, CURVES, GREY, Dashes
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
@@ -20,7 +21,8 @@ BEGINNING = 0.02
 DOTS = 40  # repetitions; more are too many to be seen one by one
 
 LONGEST_NAME = 24  # characters beside the end of a curve; longer ones need a legend
-HEROES = ("yours", "TOSL+QBIASSR")  # whom the lessons are about
+# Whom the lessons are about: the first of them that is in a picture is its hero, else the best
+HEROES = ("yours", "TOSL+QBIASSR", "Q+QBIASSR", "SARSA(λ)")
 
 # Its name, and its repetitions as an array (repetitions, steps), NaN after the end of each
 Curve = tuple[str, np.ndarray]
@@ -145,12 +147,12 @@ def plot_curves(
         ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     kept: list[float] = []  # the values that must stay in the picture
     ends: list[End] = []
-    looks = _looks([name for name, _ in curves])
+    looks = _looks({name: repetitions[:, -1].mean() for name, repetitions in curves})
     for curve, (colour, dashes) in zip(curves, looks, strict=True):
         kept += _draw(ax, curve, colour, dashes)
         name, repetitions = curve
         mean = repetitions[:, -1].mean()
-        ends.append(End(float(mean), f"{name}\n{_signed(mean)}", colour))
+        ends.append(End(float(mean), f"{name}\n{with_minus(mean, 2)}", colour))
         if isinstance(shown, Picture) and 1 < len(repetitions) <= DOTS:
             _dot(ax, repetitions, colour)
             kept += repetitions[:, -1].tolist()
@@ -181,7 +183,7 @@ def finding(curves: list[Curve]) -> str:
     said = best
     if best[:1].isascii():  # an ε stays as it is
         said = best[:1].upper() + best[1:]
-    mean = _signed(means[best])
+    mean = with_minus(means[best], 2)
     if not others:
         return f"{said} earns {mean} a step"
     if min(map(len, ends.values())) < 2:
@@ -189,22 +191,23 @@ def finding(curves: list[Curve]) -> str:
     lowest, _ = mean_band(ends[best][:, None])
     highest = max(float(mean_band(ends[name][:, None])[1][0]) for name in others)
     if lowest[0] > highest:
-        return f"{said} earns most: {mean} a step, {_signed(means[others[0]])} the next"
-    least = _signed(means[others[-1]])
+        second = with_minus(means[others[0]], 2)
+        return f"{said} earns most: {mean} a step, {second} the next"
+    least = with_minus(means[others[-1]], 2)
     return f"Too close to tell which is best: {least} to {mean} a step"
 
 
-def _signed(number: float) -> str:
-    """A number with two digits, and a minus as long as it should be."""
-    return f"{number:.2f}".replace("-", "−")
+def _looks(ends: Mapping[str, float]) -> list[tuple[str, Dashes]]:
+    """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared.
 
-
-def _looks(names: list[str]) -> list[tuple[str, Dashes]]:
-    """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared."""
-    heroes = [name for name in names if name in HEROES]
-    if len(names) == 2 and len(heroes) == 1:
-        return [CURVES[0] if name in heroes else (GREY, "--") for name in names]
-    hero_first = sorted(names, key=lambda name: name not in heroes)
+    ends: the mean at the end of each curve; the highest is the hero if none of the `HEROES` is there
+    """
+    names = list(ends)
+    heroes = [name for name in HEROES if name in ends]
+    hero = heroes[0] if heroes else max(names, key=ends.__getitem__)
+    if len(names) == 2:
+        return [CURVES[0] if name == hero else (GREY, "--") for name in names]
+    hero_first = sorted(names, key=lambda name: name != hero)
     return [CURVES[hero_first.index(name) % len(CURVES)] for name in names]
 
 

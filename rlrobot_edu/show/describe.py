@@ -9,6 +9,7 @@ import numpy as np
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
+from rlrobot_edu.show.numerals import signed
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 NEAR = 0.8  # films draw only what a laser finds nearer than this [m]; the paper's robots tell no distances farther off
@@ -89,14 +90,6 @@ def losses(rewards: Sequence[float]) -> list[bool]:
     """Which steps lost much."""
     limit = loss_of(rewards)
     return [limit is not None and r <= limit for r in rewards]
-
-
-def signed(number: float) -> str:
-    """A number with its sign, in four digits."""
-    text = f"{abs(number):.4g}"
-    if text == "0":
-        return text
-    return ("−" if number < 0 else "+") + text
 
 
 def finding(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:

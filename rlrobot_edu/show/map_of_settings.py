@@ -9,6 +9,7 @@ from matplotlib.collections import PathCollection
 
 from rlrobot_edu.checks import check_name
 from rlrobot_edu.show.palette import BLACK
+from rlrobot_edu.show.style import SHADES_OF_WORTH
 
 LABELS = {
     "alpha": "α, learning rate",
@@ -28,7 +29,7 @@ def plot_settings(
     y: str = "alpha",
     **look: Any,
 ) -> PathCollection:
-    """Draw a dot for each setting, coloured by what it earned: the best are bright, and drawn last.
+    """Draw a dot for each setting, coloured by what it earned: the best are dark, and drawn last.
 
     earned: array (settings,); x, y: names of parameters; look: arguments of matplotlib's `scatter`
     Raises ValueError if the settings have no such parameter.
@@ -38,7 +39,8 @@ def plot_settings(
     order = np.argsort(earned)
     xs = [settings[i][x] for i in order]
     ys = [settings[i][y] for i in order]
-    style = {"cmap": "cividis", "s": 60, "edgecolors": BLACK, "linewidths": 0.4, **look}
+    style: dict[str, Any] = {"cmap": SHADES_OF_WORTH, "s": 60, "edgecolors": BLACK}
+    style.update({"linewidths": 0.4, **look})
     dots = ax.scatter(xs, ys, c=earned[order], **style)
     ax.set(xlabel=LABELS.get(x, x), ylabel=LABELS.get(y, y))
     if x in LOGARITHMIC:

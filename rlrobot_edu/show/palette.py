@@ -77,6 +77,10 @@ ROLE = {
     "path": SKY,
 }
 
+# Shades: from what is worth nothing to what is worth most, and from little to much of anything else
+WORTH = ("#e9e4da", "#7fc3ab", GREEN, "#003b2b")
+BLUES = (LIGHT["paper"], SKY, BLUE)
+
 # The style of a line, as matplotlib takes it
 Dashes = str | tuple[int, tuple[int, ...]]
 

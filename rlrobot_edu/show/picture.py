@@ -42,6 +42,13 @@ class Picture(Displayed, Figure):
         with styled():
             return super().add_subplot(*args, **settings)
 
+    def colorbar(self, *args: Any, **settings: Any) -> Any:
+        """As matplotlib's, without a frame."""
+        with styled():
+            bar = super().colorbar(*args, **settings)
+        bar.outline.set_visible(False)
+        return bar
+
     def draw(self, renderer: Any) -> None:
         """As matplotlib's; what is made when it is drawn, such as ticks, looks as all of this project."""
         with styled():

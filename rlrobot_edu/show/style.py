@@ -6,13 +6,14 @@ from typing import Any
 import matplotlib as mpl
 from matplotlib import font_manager
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.legend import Legend
 from matplotlib.rcsetup import cycler
 from matplotlib.text import Text
 
-from rlrobot_edu.show.palette import CURVES, LIGHT
+from rlrobot_edu.show.palette import BLUES, CURVES, LIGHT, WORTH
 
 DPI = 90  # pixels of a page for an inch
 POINT = DPI / 72  # pixels of a page
@@ -27,6 +28,10 @@ for file in sorted(FOLDER.glob("*.ttf")):
     font_manager.fontManager.addfont(file)
 # Where the first has no such sign (↗ ● ⟶), matplotlib takes it from the second.
 FONTS = ["Source Sans Pro", "DejaVu Sans"]
+
+SHADES_OF_WORTH = LinearSegmentedColormap.from_list("worth", WORTH)
+SHADES_OF_BLUE = LinearSegmentedColormap.from_list("blue", BLUES)
+DARK_FROM = 0.55  # of the shades of worth; letters on darker ones are white
 
 SETTINGS: Any = {
     "font.family": FONTS,

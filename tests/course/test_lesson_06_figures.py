@@ -7,6 +7,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_06.figures import (
     WAYS,
+    falls_in_words,
     falls_of,
     first_returns,
     plot_paths,
@@ -98,6 +99,12 @@ def test_the_finding_names_the_way_that_most_agents_go():
     }
     finding = plot_paths(groups).finding
     assert finding == "First: 2 of 3 along the edge; second: 1 of 1 up to row 1"
+
+
+def test_one_fall_is_no_falls():
+    assert falls_in_words(np.zeros(10)) == ""
+    assert falls_in_words(np.full(10, 0.1)) == "1 fall each"
+    assert falls_in_words(np.full(10, 1.1)) == "11 falls each"
 
 
 def test_falls_are_counted_in_the_cell_that_was_stepped_into():

@@ -7,6 +7,7 @@ from matplotlib.text import Annotation
 import rlrobot_edu as rl
 from rlrobot_course.lesson_09.figures import (
     heats_and_pays,
+    how_often_paid,
     plot_escape,
     plot_pull,
     plot_rut,
@@ -43,6 +44,16 @@ def test_the_rut_counts_the_steps_since_the_reward_last_changed():
     picture = plot_rut(env.unwrapped.robot.scene(), history)
     assert picture.finding.startswith("For 5 steps")
     assert "−2.00" in picture.finding
+
+
+def test_the_first_finding_says_how_often_the_robot_is_paid():
+    env = rl.make_env("worked_example", seed=0)
+    agent = rl.Agent("worked_example", seed=0)
+    history = rl.learn(agent, env, 20, progress=False)
+    history.rewards[:5], history.rewards[5:] = 10.0, -2.0
+    assert how_often_paid(history) == (
+        "In its first 20 steps the robot earns 1.00 a step: 10 in 25 % of them"
+    )
 
 
 def test_the_finding_of_the_escape_names_the_first_payment_after_the_heat():

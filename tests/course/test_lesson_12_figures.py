@@ -132,11 +132,13 @@ def test_a_rose_has_a_petal_for_each_heading_that_was_met():
     assert picture.alt.count("places known") == len(HEADINGS)
 
 
-def test_the_title_of_the_roses_counts_what_is_worth_something():
+def test_the_title_of_the_roses_says_what_the_best_is_worth_and_how_many_are_worth_little():
     values = np.zeros((2, 2, 8))
     values[0, 0, :4], values[1] = 10.0, np.nan
     said = values_finding(values)
-    assert said.startswith("Only 25% of") and said.endswith("10 points")
+    assert said == (
+        "The best place and heading is worth 10 points; 75% are worth less than 1.0"
+    )
 
 
 def test_the_title_of_the_ways_tells_their_lengths():

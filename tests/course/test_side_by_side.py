@@ -1,6 +1,8 @@
 """Films side by side run together, step by step, and each says whose it is."""
 
 import io
+import re
+from html import escape
 
 import numpy as np
 from PIL import Image, ImageSequence
@@ -31,4 +33,16 @@ def test_films_side_by_side_are_one_film_in_which_the_shorter_waits_at_its_end()
         rights.append(seen[:, ROW // 2 :])
     assert not np.array_equal(lefts[1], lefts[2])
     assert np.array_equal(rights[1], rights[2])
-    assert "left, at the end: " in still.alt and "right, at the end: " in still.alt
+    for name, film in films.items():
+        assert f"{name}: {film.finding}. At the end: " in still.alt
+
+
+def test_above_each_film_stand_its_name_and_its_finding_in_readable_letters():
+    films = {"at <random>": filmed(3), "right": filmed(2)}
+    page = SideBySide(films)._as_html()
+    captions = re.findall(r"<td style=\"(.*?)\"><strong>(.*?)</strong><br>(.*?)</td>", page)  # fmt: skip
+    assert [(name, said) for _, name, said in captions] == [
+        (escape(name), film.finding) for name, film in films.items()
+    ]
+    assert all("font-size: 14px" in style for style, _, _ in captions)
+    assert page.index("</table>") < page.index("<img")

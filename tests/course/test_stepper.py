@@ -666,4 +666,6 @@ def test_no_value_in_the_still_lies_on_the_robot():
     assert not any(
         mark.get_bbox().contains(*xy) for mark in marks for xy in robot.get_xy()
     )
-    assert "rises from −0.002 to 0.167" in picture.finding
+    assert picture.finding == (
+        "It spun to the left and was paid −0.02: Q(0, 1) rises from −0.002 to 0.167"
+    )

@@ -125,6 +125,38 @@ def test_the_title_of_curves_says_who_is_ahead_only_where_it_shows():
     assert finding([("A", low)]) == f"A earns {low[:, -1].mean():.2f} a step"
 
 
+def colours_of(**ends: float) -> dict[str, str]:
+    """The colours of curves that end so high."""
+    curves = [(name, np.full((2, 5), end)) for name, end in ends.items()]
+    axes = plot_curves(curves, "step", None, None).axes[0]
+    found = {}
+    for line in axes.lines:
+        name, says_how_many, _ = str(line.get_label()).partition(" (2 repetitions")
+        if says_how_many:  # dots at the ends have no name
+            found[name] = str(line.get_color())
+    return found
+
+
+def test_the_hero_of_two_curves_is_blue_and_the_other_grey():
+    yours = colours_of(**{"SARSA": 3.0, "SARSA(λ)": 1.0})
+    assert yours == {"SARSA": GREY, "SARSA(λ)": BLUE}
+    assert colours_of(**{"Q+SR": 3.0, "Q+QBIASSR": 1.0})["Q+QBIASSR"] == BLUE
+    both = colours_of(**{"TOSL+QBIASSR": 1.0, "yours": 2.0})
+    assert both == {"TOSL+QBIASSR": GREY, "yours": BLUE}
+
+
+def test_without_a_hero_the_best_curve_is_blue():
+    assert colours_of(a=1.0, b=2.0) == {"a": GREY, "b": BLUE}
+    assert colours_of(a=1.0, b=2.0, c=0.0)["b"] == BLUE
+
+
+def test_no_figure_has_a_map_of_colours_of_its_own():
+    for folder in ("rlrobot_edu", "rlrobot_course", "studies"):
+        for file in (ROOT / folder).rglob("*.py"):
+            code = file.read_text(encoding="utf-8")
+            assert not re.search(r"cmap[\"']?[=:] ?[\"']", code), file.name
+
+
 def test_pages_have_no_colours_of_their_own():
     allowed = {colour.lower() for colour in [*LIGHT.values(), *DARK.values()]}
     pages = [*(ROOT / "rlrobot_edu/widgets").rglob("*.css")]

@@ -7,15 +7,17 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import losses, path_of, signed
+from rlrobot_edu.show.describe import losses, path_of
+from rlrobot_edu.show.numerals import signed
 from rlrobot_edu.show.painting.parts import grid_cell
 from rlrobot_edu.show.painting.room import ASPECT, Room
 from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.style import font_file
 
 EDGE = 8  # pixels at both ends of the bar
-LETTERS = 14  # [pixels]; 12 in a narrow picture
+LETTERS = 14  # [pixels]
 NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
+TINY = 300  # pixels; in a narrower picture the letters are smaller
 
 
 def frames(
@@ -69,7 +71,7 @@ class Bar:
         self._steps = steps
         self._width = width
         self._is_narrow = width < NARROW
-        self._size = 12 if self._is_narrow else LETTERS
+        self._size = 12 if width < TINY else LETTERS
         self._row = 2 * self._size
         self._height = self._row * (2 if has_notes else 1) + 4
         side = grid_cell(scene)

@@ -34,18 +34,18 @@ def still(tape: Tape, names: Names) -> Picture:
     equations = []
     if frame is not None:
         equations = [as_text(line) for line in explain_update(tape.agent, frame)]
-    note = "\n".join(equations)
+    note = "\n".join([f"step {tape.t}", *equations])
     n_tables = 2 if tape.agent.method.algorithm.has_traces else 1
     table = n_rows(window) * ROW + 0.75
     choice = 0.3 * len(window.actions) + 1.2
     above = max(WORLD, choice)
     n_lines = sum(len(line) // LINE + 1 for line in equations)
-    head = 0.45 + ROW * n_lines
+    head = 0.45 + ROW * (n_lines + 1)
     figure = Picture(figsize=(WIDTH, head + above + n_tables * table))
     sentences = [sentence(tape, names)]
     sentences += [f"{line}." for line in equations]
     figure.alt = " ".join(sentences)
-    figure.headline(_title(tape), note)
+    figure.headline(_title(tape, names), note)
     heights = [above] + [table] * n_tables
     grid = figure.add_gridspec(
         1 + n_tables, 2, height_ratios=heights, width_ratios=(3, 2)
@@ -60,8 +60,8 @@ def still(tape: Tape, names: Names) -> Picture:
     return figure
 
 
-def _title(tape: Tape) -> str:
-    """What became of Q(s, a)."""
+def _title(tape: Tape, names: Names) -> str:
+    """What the robot did, what that paid, and what became of Q(s, a)."""
     frame = tape.frame
     if frame is None:
         return "Before the first step"
@@ -71,8 +71,8 @@ def _title(tape: Tape) -> str:
         change = f"rises from {number(frame.q_sa)} to"
     elif frame.q_sa_new < frame.q_sa:
         change = f"falls from {number(frame.q_sa)} to"
-    new = number(frame.q_sa_new)
-    return f"Step {tape.t}: Q({step.s}, {step.a}) {change} {new}"
+    did = f"{names.told(step.a)} and was paid {given(step.r)}"
+    return f"{did}: Q({step.s}, {step.a}) {change} {number(frame.q_sa_new)}"
 
 
 def sentence(tape: Tape, names: Names) -> str:
