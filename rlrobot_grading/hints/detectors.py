@@ -28,7 +28,8 @@ from rlrobot_grading.hints.suspicions import (
 
 # times that a function is asked the same, to see whether there is chance in it
 AGAIN = 40
-SECONDS = 0.3  # of computing that this may take
+RUNS_AGAIN = 5  # the same, if it runs a whole world: chance shows in one of its many steps
+SECONDS = 1.0  # of computing that this may take
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
 
@@ -72,7 +73,8 @@ DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
 def _differs(seen: Evidence, i: int) -> bool:
     """Whether the answer does something else when it is asked the same case again, as far as there is time."""
     begun = time.process_time()
-    for _ in range(AGAIN):
+    times = RUNS_AGAIN if "env" in seen.cases[i] else AGAIN
+    for _ in range(times):
         again = seen.outcome(seen.answer, seen.cases[i])
         if not again.failure and not again.equals(seen.got[i]):
             return True
