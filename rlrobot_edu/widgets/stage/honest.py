@@ -65,7 +65,8 @@ def honest(numbers: Numbers) -> str:
     memories = verdict(ideal["advice"]["all"])
     return (
         f"<b>Typical, not lucky.</b> Over {last - first + 1} seeds the one that asks drives {metres} in its hour and "
-        f"earns {reward} a step. Bumps: {bumps[0]}; where walls hold it, {bumps[1]}. <b>{memories}</b>"
+        f"earns {reward} a step. Bumps<span id='bumps'></span>: over all, {bumps[0]}; where walls hold it, {bumps[1]}. "
+        f"<b>{memories}</b>"
     )
 
 
