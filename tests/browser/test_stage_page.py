@@ -258,6 +258,9 @@ def test_with_motion_they_race_first_and_a_key_leads_to_the_question(opened):
     assert page.evaluate("moment.t") > first
     page.get_by_role("button", name="When it was wrong").click()
     until(page, "find('said').textContent.includes('bump')")
+    page.get_by_role("button", name="When it was wrong").click()
+    until(page, "find('said').textContent.includes('ten steps earned')")
+    assert page.evaluate("earnedFrom(lives[1], moment.t) < usuallyEarned(lives[1])")
 
 
 def test_forced_colours_are_followed(opened):

@@ -149,9 +149,11 @@ def test_the_moment_shown_has_the_most_advisers_and_the_wrong_one_the_most_bumps
           const says = similar.map((one) => Math.abs(sayOf(moment, one, favourite)));
           const advisers = says.filter((say) => say >= 0.1).length, did = favourite.actions.includes(life.a[t]);
           const rise = sum(chances.filter((_, a) => pays[a] <= -2), (p) => p - 1 / 9);
-          return { advisers, did, rise, tried: pays[life.a[t]], paid: life.r[t + 1] };
+          const next = Array.from(life.r.slice(t + 1, t + 11)), grown = chances[favourite.actions[0]] * 9;
+          return { advisers, did, rise, next, grown, tried: pays[life.a[t]], paid: life.r[t + 1] };
         });
-        return { rows, first, wrong };
+        const least = moments.indexOf(leastEarned(life, moments, motions));
+        return { rows, first, wrong, least, usual: usuallyEarned(life), rewards: Array.from(life.r).slice(1) };
         """,
         seeds=[6],
     )
@@ -163,6 +165,13 @@ def test_the_moment_shown_has_the_most_advisers_and_the_wrong_one_the_most_bumps
     later = [row for row in rows[told["first"] + 1 :] if row["did"]]
     assert all(row["advisers"] < shown["advisers"] for row in later)
     assert wrong["rise"] == pytest.approx(max(row["rise"] for row in rows))
+    doubled = [row for row in followed if row["grown"] >= 2]
+    advised = [row for row in doubled if len(row["next"]) == 10]
+    assert 10 < len(advised) < len(followed)
+    least = min(sum(row["next"]) for row in advised)
+    assert sum(rows[told["least"]]["next"]) == pytest.approx(least)
+    assert rows[told["least"]] in advised
+    assert told["usual"] == pytest.approx(10 * np.mean(told["rewards"]))
     for row in rows:
         assert row["tried"] == row["paid"], "what was tried is what the step paid"
 

@@ -101,6 +101,11 @@ function ask(which, quick = false) {
 }
 
 const firstNow = () => firstShown(lives[1], momentsNow(), motions);
+const leastNow = () => leastEarned(lives[1], momentsNow(), motions);
+const wrongNow = () => { // first where it bumped by its memories; from there on, where its next steps earned least
+  const bumped = mostWrong(momentsNow());
+  return moment === bumped ? leastNow() : bumped;
+};
 const next = (way) => {
   const all = momentsNow(), i = moment ? all.indexOf(moment) : 0;
   ask(all[(i + way + all.length) % all.length], true);

@@ -145,6 +145,10 @@ function drawn() {
   const paid = { bump: `a bump, ${numberText(r)}`, paid: `reward +${numberText(r)}`, idle: `reward ${numberText(r)}` }[kind];
   const favourite = favouriteOf(moment.chances, motions), isAdvised = favourite === motions[chosen] && moment.known.some((one) =>
     speaks({ say: sayNow(one) }));
+  if (isAdvised && moment === leastNow()) {
+    const [earned, usual] = [earnedFrom(lives[1], moment.t), usuallyEarned(lives[1])].map((x) => numberText(Math.round(x)));
+    return `Its next ten steps <span class="red">earned ${earned}</span>; ten of its hour earn ${usual}.`;
+  }
   const isWrong = isAdvised && moment.pays[favourite.actions[0]] <= BUMP, told = `<span class="${SIDE[kind]}">${paid}.</span>`;
   if (isWrong && taken === favourite) return `It drew that: ${told} Its memories misled it.`;
   if (isWrong) return `That would bump. It drew “${taken.called}”: ${told}`;
