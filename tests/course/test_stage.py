@@ -2,10 +2,12 @@
 
 import copy
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 from in_node import run
+from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
@@ -25,6 +27,7 @@ from rlrobot_edu.widgets.stage.second_room import NEW_IN, SECOND_ROOM, grown
 
 HOUR = 3600
 SEEDS = range(10)
+PICTURES = Path(__file__).parents[2] / "docs/pictures"
 NUMBERS = read_numbers()
 
 
@@ -272,3 +275,16 @@ def test_of_those_that_knew_four_similar_states_the_bias_changes_this_one_most()
     seed, steps = NEW_IN["new in state 21, the paper's"]
     assert max(changes, key=changes.get) == seed
     assert KNEW_FOUR[seed] == steps
+
+
+@pytest.mark.parametrize("name", ["stage", "stage_dark"])
+def test_the_film_of_the_opening_is_short_and_small(name):
+    path = PICTURES / f"{name}.gif"
+    assert path.stat().st_size < 500_000
+    with Image.open(path) as film:
+        times = []
+        for i in range(film.n_frames):
+            film.seek(i)
+            times.append(film.info["duration"])
+    assert len(times) > 30
+    assert sum(times[:-1]) <= 5000, "five seconds, and then it waits"

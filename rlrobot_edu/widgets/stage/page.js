@@ -93,7 +93,7 @@ function ask(which, quick = false) {
   isNear = isNear || quick || calm.matches;
   arrived = performance.now() + (isNear ? 0 : CAMERA_MS);
   phase = "ask";
-  document.body.classList.remove("racing");
+  if (isNear) document.body.classList.remove("racing");
   isNear ||= calm.matches;
   fillPanel();
   keepLink();
@@ -193,9 +193,11 @@ function drawAsk(context, now) {
   const camera = new Camera(lives[1].world.bounds, places.rooms[1]);
   if (part < 1) {
     drawLife(context, camera, 1, t, 1 - near);
+    tellMoment(0);
     return true;
   }
   isNear = true;
+  document.body.classList.remove("racing"); // till then the left room is on its way across the panel
   drawMoment(context, camera, seconds());
   tellMoment(seconds());
   return !isCalm && seconds() < TIMES.end + 0.2;

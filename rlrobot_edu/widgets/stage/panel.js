@@ -126,7 +126,7 @@ function sentence(s, motion, rise) {
   }
   const finding = `<b>${adviceOn(motion, n, heard)}</b>`, chance = `${capital(motion.called)}: ${rise}.`;
   if (s < 0.9) return `${finding} It never read its lasers like this: its own table is empty.`;
-  if (n && s < 2.3) return `${finding} ${n === 1 ? "Once" : `${capital(String(n))} times`} all its readings but <em>one</em> were the same.`;
+  if (n && s < 2.3) return `${finding} ${n === 1 ? "Once" : `${capital(String(n))} times`} all its readings but <em>one</em> were the same; ${heard || "none"} taught it something.`;
   return stepPart(s) < 0.9 && !calm.matches ? `${finding} ${chance}` : `${finding} ${chance} ${drawn()}`;
 }
 
