@@ -1,17 +1,20 @@
 """Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``.
 
 For each task: the robot at work after it has learned, in 3D, and the learning curves of TOSL+QBIASSR and of a robot
-that acts at random, means of 10 repetitions. For wander_1k also a film, and the stepper.
+that acts at random, means of 10 repetitions. For wander_1k also a film, and the stepper. Of the stage its opening.
 """
 
 import sys
 from pathlib import Path
+
+from stage_film import film_of_stage
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.painting.room import painted
 from rlrobot_edu.task.task_file import available_tasks
 
 HERE = Path(__file__).parents[1] / "pictures"
+STAGE = "stage"  # a page, and no task
 STEPS = 3600
 
 
@@ -58,7 +61,10 @@ def save(figure, name: str, dpi: float) -> None:
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or available_tasks():
+    for name in sys.argv[1:] or [*available_tasks(), STAGE]:
+        if name == STAGE:
+            film_of_stage(HERE)
+            continue
         picture_of(name)
         curves_of(name)
         if name == "wander_1k":

@@ -70,7 +70,7 @@ def write_source(source: Path) -> None:
         add_buttons(notebook, LITE, colab)
         if colab:
             write_colab(name.as_posix(), root / "colab", SOURCE)
-    shutil.copy2(ROOT / "docs/pictures/wander_1k.png", root / CARD)
+    shutil.copy2(ROOT / "docs/pictures/stage.png", root / CARD)
     for page in root.rglob("*.html"):
         show_when_shared(page, page.relative_to(root))
 

@@ -259,6 +259,30 @@ def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(ope
     assert np.allclose(second, [(mean, ends["bias"]) for mean in means], atol=1.5)
 
 
+WIDTHS = """(block) => [...block.querySelectorAll("svg")].map((svg) => [...svg.querySelectorAll("path")].map((path) => {
+  const { strokeWidth, strokeDasharray } = getComputedStyle(path);
+  return [parseFloat(strokeWidth), strokeDasharray !== "none"];
+}))"""
+
+
+def test_lines_are_as_wide_as_what_they_bring_and_dashed_below_zero(opened):
+    explorer = BiasExplorer("worked_example", TABLES, state=13)
+    page, numbers, q = opened(explorer), explorer.numbers, explorer.q
+    most = np.abs(numbers.means).max()
+    for a, name in enumerate(("advance", "spin left", "spin right")):
+        block = page.get_by_role("group", name=name)
+        first, second = (np.array(each) for each in block.evaluate(WIDTHS))
+        parts = []
+        for states in numbers.sets.values():
+            parts.append(q[13, a] / len(states))
+        for states in numbers.sets.values():
+            parts += [q[k, a] / len(states) for k in states if k != 13]
+        for lines, brings in ((first, parts), (second, numbers.means[:, a])):
+            part = np.minimum(np.abs(brings) / most, 1)
+            np.testing.assert_allclose(lines[:, 0], np.maximum(20 * part, 1), atol=0.01)
+            np.testing.assert_array_equal(lines[:, 1], np.array(brings) < 0)
+
+
 def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#17")

@@ -57,9 +57,23 @@ def calm(opened, request):
 
 def test_without_motion_it_opens_at_the_arrow_and_tells_what_came(calm):
     said = calm.locator("#said").inner_text()
-    assert "memories say" in said and "It drew" in said
+    assert "memories of similar places say: " in said and "It drew" in said
+    assert "itself, earlier" in calm.locator("#lead").inner_text()
     assert calm.evaluate("stepPart(seconds())") == 0
     assert calm.locator("#motions [aria-pressed=true]").count() == 1
+
+
+LETTER = """(where) => parseFloat(getComputedStyle(document.querySelector(where)).fontSize)"""
+
+
+def test_the_finding_is_the_title_and_bumps_are_told_in_words(calm):
+    assert calm.evaluate(LETTER, "#said b") > calm.evaluate(LETTER, "h1")
+    bumps = calm.evaluate("lives.map(({ bumps }) => bumps[HOUR])")
+    assert (
+        f"(these two: {bumps[0]} and {bumps[1]})"
+        in calm.locator("#honest").inner_text()
+    )
+    assert "bump" not in calm.locator("#stage").inner_text()
 
 
 HELD = """() => { // how many of the pixels around each robot's middle have its colour, and whether that is in the room
@@ -79,7 +93,7 @@ HELD = """() => { // how many of the pixels around each robot's middle have its 
     const [x, y] = camera.from(...spot);
     return x > xMin && x < xMax && y > yMin && y < yMax + 0.2; // the top of a robot is seen farther back
   };
-  const loud = ghosts.filter(speaks).map((one) => [one.spot, colours[`input-${one.input + 1}`]]);
+  const loud = ghosts.filter(speaks).map((one) => [one.spot, ghostTone(one.input, colours)]);
   return [[robot, colours.blue], ...loud].map(([spot, tone]) => [held(spot, tone), isInside(spot)]);
 }"""
 
@@ -184,7 +198,7 @@ def test_a_link_holds_motion_ghost_memory_and_walls(opened):
     until(page, "walls !== null && later === 0 && phase === 'ask'")
     assert page.evaluate(NUMBERS)[5] != was[5], "in another room they live other hours"
     page.locator("#motions button").nth(4).click()
-    page.locator("#ghosts button").first.click()
+    page.locator("#ghosts button:visible").first.click()
     page.locator("#value").fill("-80")
     told = page.evaluate(NUMBERS)
     assert told[3] != page.evaluate("moment.chances")
@@ -244,6 +258,9 @@ def test_with_motion_they_race_first_and_a_key_leads_to_the_question(opened):
     assert page.evaluate("moment.t") > first
     page.get_by_role("button", name="When it was wrong").click()
     until(page, "find('said').textContent.includes('bump')")
+    page.get_by_role("button", name="When it was wrong").click()
+    until(page, "find('said').textContent.includes('ten steps earned')")
+    assert page.evaluate("earnedFrom(lives[1], moment.t) < usuallyEarned(lives[1])")
 
 
 def test_forced_colours_are_followed(opened):

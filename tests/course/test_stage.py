@@ -2,12 +2,15 @@
 
 import copy
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 from in_node import run
+from PIL import Image
 
 import rlrobot_edu as rl
+from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 from rlrobot_edu.widgets.page_file import read_text
 from rlrobot_edu.widgets.playground.script import luck_of
@@ -20,9 +23,11 @@ from rlrobot_edu.widgets.stage.honest import (
     verdict,
 )
 from rlrobot_edu.widgets.stage.page import METHODS, TASK, lives_script
+from rlrobot_edu.widgets.stage.second_room import NEW_IN, SECOND_ROOM, grown
 
 HOUR = 3600
 SEEDS = range(10)
+PICTURES = Path(__file__).parents[2] / "docs/pictures"
 NUMBERS = read_numbers()
 
 
@@ -147,9 +152,11 @@ def test_the_moment_shown_has_the_most_advisers_and_the_wrong_one_the_most_bumps
           const says = similar.map((one) => Math.abs(sayOf(moment, one, favourite)));
           const advisers = says.filter((say) => say >= 0.1).length, did = favourite.actions.includes(life.a[t]);
           const rise = sum(chances.filter((_, a) => pays[a] <= -2), (p) => p - 1 / 9);
-          return { advisers, did, rise, tried: pays[life.a[t]], paid: life.r[t + 1] };
+          const next = Array.from(life.r.slice(t + 1, t + 11)), grown = chances[favourite.actions[0]] * 9;
+          return { advisers, did, rise, next, grown, tried: pays[life.a[t]], paid: life.r[t + 1] };
         });
-        return { rows, first, wrong };
+        const least = moments.indexOf(leastEarned(life, moments, motions));
+        return { rows, first, wrong, least, usual: usuallyEarned(life), rewards: Array.from(life.r).slice(1) };
         """,
         seeds=[6],
     )
@@ -161,6 +168,13 @@ def test_the_moment_shown_has_the_most_advisers_and_the_wrong_one_the_most_bumps
     later = [row for row in rows[told["first"] + 1 :] if row["did"]]
     assert all(row["advisers"] < shown["advisers"] for row in later)
     assert wrong["rise"] == pytest.approx(max(row["rise"] for row in rows))
+    doubled = [row for row in followed if row["grown"] >= 2]
+    advised = [row for row in doubled if len(row["next"]) == 10]
+    assert 10 < len(advised) < len(followed)
+    least = min(sum(row["next"]) for row in advised)
+    assert sum(rows[told["least"]]["next"]) == pytest.approx(least)
+    assert rows[told["least"]] in advised
+    assert told["usual"] == pytest.approx(10 * np.mean(told["rewards"]))
     for row in rows:
         assert row["tried"] == row["paid"], "what was tried is what the step paid"
 
@@ -208,3 +222,69 @@ def test_the_page_is_small_and_needs_nothing_else(tmp_path):
     for word in ("http:", "https:", "import(", "fetch("):
         assert word not in written
     assert page.still().alt
+
+
+def test_the_second_room_is_the_explorer_in_the_papers_state(tmp_path):
+    explorer = rl.stage(tmp_path / "cells.html", room="worked_example")
+    assert (tmp_path / "cells.html").stat().st_size <= 200_000
+    assert explorer.task.states.decode(21)["theta"].reading == 90
+    assert explorer.state == 21 and not explorer.q[21].any()
+    terms = sum(len(states) - 1 for states in explorer.numbers.sets.values())
+    assert (terms, len(explorer.numbers.means)) == (5, 4)
+    with pytest.raises(ValueError, match="wander_1k"):
+        rl.stage(room="kitchen")
+
+
+@pytest.mark.parametrize("name", NEW_IN)
+def test_the_robots_of_the_second_room_come_to_their_states_for_the_first_time(name):
+    seed, steps = NEW_IN[name]
+    s = int("".join(filter(str.isdigit, name.split(",")[0])))
+    robot = grown(seed, steps)
+    assert robot.visits[s].sum() == 0
+    env = rl.make_env(SECOND_ROOM, seed=seed)
+    agent = rl.Agent(SECOND_ROOM, "Q+SR", alpha=0.3, seed=seed, loop_evasion=False)
+    *_, last = rl.steps(agent, env, steps + 1)
+    assert last.s == s
+
+
+# Of the seeds 0 to 999, and after how many steps
+KNEW_FOUR = {
+    79: 82,
+    138: 71,
+    387: 72,
+    429: 73,
+    647: 76,
+    806: 105,
+    846: 68,
+    874: 41,
+    922: 86,
+}
+
+
+def test_of_those_that_knew_four_similar_states_the_bias_changes_this_one_most():
+    task = rl.load_task(SECOND_ROOM)
+    others = [9, 15, 19, 20, 23]
+    changes = {}
+    for seed, steps in KNEW_FOUR.items():
+        robot = grown(seed, steps)
+        known = robot.visits[others].any(axis=1)
+        assert known.tolist() == [True, True, True, False, True]
+        assert robot.visits[21].sum() == 0
+        numbers = bias_numbers(task, robot.q, 21, 1.0, 1.0)
+        changes[seed] = np.abs(numbers.qbiassr - numbers.sr).max()
+    seed, steps = NEW_IN["new in state 21, the paper's"]
+    assert max(changes, key=changes.get) == seed
+    assert KNEW_FOUR[seed] == steps
+
+
+@pytest.mark.parametrize("name", ["stage", "stage_dark"])
+def test_the_film_of_the_opening_is_short_and_small(name):
+    path = PICTURES / f"{name}.gif"
+    assert path.stat().st_size < 500_000
+    with Image.open(path) as film:
+        times = []
+        for i in range(film.n_frames):
+            film.seek(i)
+            times.append(film.info["duration"])
+    assert len(times) > 30
+    assert sum(times[:-1]) <= 5000, "five seconds, and then it waits"

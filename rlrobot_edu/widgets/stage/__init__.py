@@ -3,6 +3,7 @@
 Read in this order:
 
 - `page`: ``rl.stage()``, which builds the page;
+- `second_room`: the paper's four cells and a box, which the bias explorer shows;
 - `honest`: what the page says of a hundred robots, from numbers.json, which studies/stage_numbers.py writes;
 - `life.js`: two lives of an hour, by the library's kernels, and the moments at which a state was new;
 - `view.js`: the room in 3D; `asking.js`: ghosts, ribbons and the arrow;

@@ -69,14 +69,26 @@ function drawRibbon(context, { curve, width, say, input }, grown, strength, colo
   context.globalAlpha = 1;
 }
 
-// A ghost that says nothing of the motion is an outline on the floor.
-function drawMute(context, camera, world, { place, input }, strength, colours) {
-  context.globalAlpha = 0.7 * strength;
-  context.strokeStyle = colours[`input-${input + 1}`];
-  context.lineWidth = 1.5;
-  polygon(context, footOfRobot(world, place).map(([x, y]) => camera.at(x, y)));
-  context.stroke();
-  context.globalAlpha = 1;
+// A ghost is paler than its ribbon, so that nobody takes it for another robot.
+const ghostTone = (input, colours) => between(colours[`input-${input + 1}`], colours.floor, 0.5);
+
+// Beside one of some ghosts stands who that is: where most room is for it. all: spots of all that is drawn
+function drawWho(context, camera, ghosts, all, colours) {
+  context.font = `650 14px ${FONT}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = 4;
+  context.strokeStyle = colours.floor;
+  context.fillStyle = colours.ink;
+  const far = 0.3 * camera.scale + 8, half = context.measureText("itself, minute 00").width / 2;
+  const around = [[0, far + 4], [far + half, 0], [-far - half, 0], [0, -far - 2]];
+  const spots = ghosts.flatMap(({ spot: [left, top], seen }) => around.map(([dx, dy]) => ({ at: [left + dx, top + dy], seen })));
+  const ends = [-1, -0.5, 0, 0.5, 1].map((part) => part * half);
+  const free = ({ at: [x, y] }) => Math.min(...ends.flatMap((dx) => all.map(([left, top]) => Math.hypot(left - x - dx, top - y))));
+  const isIn = ({ at: [x] }) => x > camera.left + half && x < camera.left + camera.wide - half;
+  const { at, seen } = mostBy(spots.filter(isIn), free);
+  for (const how of ["strokeText", "fillText"]) context[how](`itself, minute ${Math.floor(seen / 60)}`, ...at);
 }
 
 // A ghost that had to step aside is tied to where it was.

@@ -112,7 +112,7 @@ document.onkeydown = (event) => {
   else if (event.key === "ArrowLeft" && phase === "ask") next(-1);
 };
 find("next").onclick = () => next(1);
-find("wrong").onclick = () => ask(mostWrong(momentsNow()), true);
+find("wrong").onclick = () => ask(wrongNow(), true);
 find("again").onclick = () => { moment = null; race(RACE_MS); keepLink(); };
 find("restore").onclick = () => { walls = null; liveAnew(); find("next").focus(); };
 find("value").oninput = () => remember(Number(find("value").value));

@@ -65,7 +65,8 @@ def honest(numbers: Numbers) -> str:
     memories = verdict(ideal["advice"]["all"])
     return (
         f"<b>Typical, not lucky.</b> Over {last - first + 1} seeds the one that asks drives {metres} in its hour and "
-        f"earns {reward} a step. Bumps: {bumps[0]}; where walls hold it, {bumps[1]}. <b>{memories}</b>"
+        f"earns {reward} a step. Bumps<span id='bumps'></span>: over all, {bumps[0]}; where walls hold it, {bumps[1]}. "
+        f"<b>{memories}</b>"
     )
 
 
@@ -102,7 +103,9 @@ def rule(numbers: Numbers) -> str:
         "memories favour, the one with the most advisers (a say of 0.1 or more); of several the last. It shows the "
         f"idea at its clearest, not on average: at all {everywhere['moments']:,} new states of the {last - first + 1} "
         f"robots, asking lifted the favourite’s chance {favourite}, that of a step that pays {risen('pays', 0)}, and "
-        f"that of a bump {risen('bumps', 1)}. “When it was wrong”: where asking raised the chance of a bump most. Each "
+        f"that of a bump {risen('bumps', 1)}. “When it was wrong”: where asking raised the chance of a bump most. "
+        "Pressed there: where asking at least doubled the favourite’s chance, the robot did that, and its next ten "
+        "steps earned least. Each "
         "similar state has 1⁄20 of a say for each action, 5 inputs of 4 bins; one that was never met says 0. The page "
         "lives both hours with the library’s own kernels. ± is half of a 95 % interval of the mean difference."
     )

@@ -3,6 +3,7 @@
 const HOUR = 3600; // steps of a second
 const NOBODY = "TOSL+SR", NEIGHBOURS = "TOSL+QBIASSR"; // whom the two robots ask
 const BUMP = -2, PAYS = 1; // a step bumps if its reward is at most this; it pays above that
+const AFTER = 10; // steps by which a choice is judged
 const LEAST_SAY = 0.1; // who says less of the favourite is no adviser
 
 const freshLife = (method, walls) => newSimulation({ ...about.parameters, task: "wander_1k", method, luck: 0 }, walls);
@@ -141,4 +142,18 @@ function firstShown(life, moments, motions) {
 function mostWrong(moments) {
   const rise = ({ pays, chances }) => sum([...pays.keys()], (a) => (pays[a] <= BUMP ? chances[a] - 1 / pays.length : 0));
   return mostBy(moments, rise);
+}
+
+// What the steps from t on earned, and what as many of its hour earn on average.
+const earnedFrom = ({ r }, t) => sum(Array.from(r.subarray(t + 1, t + 1 + AFTER)), (reward) => reward);
+const usuallyEarned = ({ r, steps }) => (AFTER * sum(Array.from(r), (reward) => reward)) / steps;
+
+// The moment at which asking had at least doubled a motion's chance, the robot did that, and its next steps earned least.
+function leastEarned(life, moments, motions) {
+  const isAdvised = ({ t, chances }) => {
+    const favourite = favouriteOf(chances, motions);
+    return chanceOf(chances, favourite) >= 2 * lotOf(favourite) && t + AFTER <= life.steps;
+  };
+  const advised = followedOf(life, moments, motions).filter(isAdvised);
+  return mostBy(advised.length ? advised : moments, ({ t }) => -earnedFrom(life, t));
 }

@@ -4,7 +4,7 @@ const find = (id) => document.getElementById(id);
 const FONT = ROOM_LETTERS;
 ROOM_COLOURS.push("input-1", "input-2", "input-3", "input-4", "input-5", "on-input", "black", "shadow"); // which coloursOf reads
 const RACE_MS = 5000, AGAIN_MS = 3000, REST_MS = 900, CAMERA_MS = 1000;
-const SCORE_HIGH = 98, UNDER = 72; // height of the numbers above a room, and of those at the question on a phone [px]
+const SCORE_HIGH = 98, UNDER = 64; // height of the numbers above a room, and of those at the question on a phone [px]
 const canvas = find("picture"), calm = matchMedia("(prefers-reduced-motion: reduce)");
 const FINGER = matchMedia("(pointer: coarse)");
 
@@ -48,7 +48,7 @@ function placesOf(near) {
     const wide = (H - 12) / 2 / shape, one = wide * shape;
     return {
       rooms: [mix([0, 0, wide], [0, -40, wide]), mix([0, one + 12, wide], [0, UNDER, W])], fade: 1 - eased(near * 1.6),
-      scores: [mix([wide + 14, one / 2 - 40], [0, 0]), mix([wide + 14, one * 1.5 - 44], [W / 2, 0])], size: mixed(0.8, 0.5, near),
+      scores: [mix([wide + 14, one / 2 - 40], [0, 0]), mix([wide + 14, one * 1.5 - 44], [W / 2, 0])], size: mixed(0.8, 0.62, near),
       clock: [wide + 14, 22, W - wide - 14],
     };
   }
@@ -57,7 +57,7 @@ function placesOf(near) {
   const race = [[side, SCORE_HIGH, wide], [side + wide + 56, SCORE_HIGH, wide]];
   return {
     rooms: [mix(race[0], [132, 0, 100]), mix(race[1], [W - last, 0, last])], fade: 1,
-    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 248), 0])], size: mixed(1, 0.62, near),
+    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 248), 0])], size: mixed(1, 0.8, near),
     clock: null,
   };
 }
@@ -66,6 +66,7 @@ function placesOf(near) {
 function begin(ms) {
   lives = [NOBODY, NEIGHBOURS].map((method) => lifeOf(method, walls));
   motions ??= motionsOf(lives[1].world);
+  find("bumps").textContent = ` (these two: ${lives.map(({ bumps }) => bumps[HOUR]).join(" and ")})`;
   [moments, moment, ways, wallChosen] = [[], null, null, -1];
   race(ms);
   keepLink();
@@ -92,7 +93,7 @@ function ask(which, quick = false) {
   isNear = isNear || quick || calm.matches;
   arrived = performance.now() + (isNear ? 0 : CAMERA_MS);
   phase = "ask";
-  document.body.classList.remove("racing");
+  if (isNear) document.body.classList.remove("racing");
   isNear ||= calm.matches;
   fillPanel();
   keepLink();
@@ -100,6 +101,11 @@ function ask(which, quick = false) {
 }
 
 const firstNow = () => firstShown(lives[1], momentsNow(), motions);
+const leastNow = () => leastEarned(lives[1], momentsNow(), motions);
+const wrongNow = () => { // first where it bumped by its memories; from there on, where its next steps earned least
+  const bumped = mostWrong(momentsNow());
+  return moment === bumped ? leastNow() : bumped;
+};
 const next = (way) => {
   const all = momentsNow(), i = moment ? all.indexOf(moment) : 0;
   ask(all[(i + way + all.length) % all.length], true);
@@ -186,10 +192,12 @@ function drawAsk(context, now) {
   tellScores(places, HOUR);
   const camera = new Camera(lives[1].world.bounds, places.rooms[1]);
   if (part < 1) {
-    drawLife(context, camera, 1, t, mixed(1, 0.4, near));
+    drawLife(context, camera, 1, t, 1 - near);
+    tellMoment(0);
     return true;
   }
   isNear = true;
+  document.body.classList.remove("racing"); // till then the left room is on its way across the panel
   drawMoment(context, camera, seconds());
   tellMoment(seconds());
   return !isCalm && seconds() < TIMES.end + 0.2;
@@ -201,35 +209,37 @@ const stepPart = (s) => (calm.matches || changed.size ? 0 : eased((s - TIMES.ste
 function drawMoment(context, camera, s) {
   const life = lives[1], { world } = life, here = life.places[moment.t], narrow = isNarrow(), shown = layoutNow();
   const step = stepPart(s), place = placeBetween(here, life.places[moment.t + 1], step), each = Math.min(0.11, 0.9 / Math.max(1, shown.ghosts.length));
-  const bodies = [];
-  drawFloor(context, camera, world, colours, ways[1].to(moment.t, colours), 0.4);
-  shown.ghosts.forEach((one, i) => {
-    const seen = eased((s - TIMES.ghosts - i * each) / 0.4), isLoud = speaks(one) || ghost === i;
-    if (seen <= 0) return;
-    if (!isLoud) return void drawMute(context, camera, world, one, seen, colours);
-    const look = { tone: colours[`input-${one.input + 1}`], rim: ghost === i ? colours.ink : colours.card, ink: colours["on-input"], mark: MARKS[one.input] };
-    drawTie(context, camera, one, colours);
-    return void bodies.push({ place: one.place, draw: () => {
-      context.globalAlpha = seen;
-      drawRobot(context, camera, world, one.place, look, colours);
-      context.globalAlpha = 1;
-    } });
-  });
+  const seenOf = (i) => eased((s - TIMES.ghosts - i * each) / 0.4), isShown = (one, i) => speaks(one) || ghost === i;
+  const ghosts = [...shown.ghosts.entries()].filter(([i, one]) => isShown(one, i) && seenOf(i) > 0);
+  const bodies = ghosts.map(([i, one]) => ({ place: one.place, draw: () => {
+    const rim = ghost === i ? colours.ink : colours[`input-${one.input + 1}`];
+    const look = { tone: ghostTone(one.input, colours), rim, ink: colours.ink, mark: MARKS[one.input], isGhost: true };
+    context.globalAlpha = seenOf(i);
+    drawRobot(context, camera, world, one.place, look, colours);
+    context.globalAlpha = 1;
+  } }));
   bodies.push({ place, draw: () => drawRobot(context, camera, world, place, { tone: colours.blue, rim: colours.card }, colours) });
-  shown.ghosts.forEach((one, i) => { // they lie on the floor
+  drawFloor(context, camera, world, colours);
+  for (const [i, one] of ghosts) { // ties and ribbons lie on the floor
+    drawTie(context, camera, one, colours);
     const grown = eased((s - TIMES.ribbons - 0.7 * i * each) / 0.7);
-    if (grown > 0 && (speaks(one) || ghost === i)) drawRibbon(context, one, grown, ghost < 0 ? 0.8 : ghost === i ? 1 : 0.4, colours);
-  });
+    if (grown > 0) drawRibbon(context, one, grown, ghost < 0 ? 0.8 : ghost === i ? 1 : 0.4, colours);
+  }
   drawUpright(context, camera, world, colours, bodies, wallChosen);
-  shown.ghosts.forEach((one, i) => {
-    const seen = eased((s - TIMES.ghosts - i * each) / 0.4);
-    if (seen > 0 && (speaks(one) || ghost === i)) {
-      drawBeam(context, camera, world, one.at, one.input, colours[`input-${one.input + 1}`], 3, one.shift);
-    }
-  });
-  if (!step) world.inputs.forEach((_, i) => drawBeam(context, camera, world, here, i, colours[`input-${i + 1}`], 2.5));
+  drawBeams(context, camera, here, ghosts, s);
+  const spots = [shown.robot, ...ghosts.map(([, { spot }]) => spot)], told = ghosts.filter(([i]) => ghost < 0 || i === ghost);
+  if (told.length) drawWho(context, camera, told.map(([, one]) => one), spots, colours);
   if (!calm.matches && s < TIMES.ring) drawRing(context, shown.robot, camera, eased(s / TIMES.ring), colours);
   drawAnswer(context, camera, here, place, s, shown, narrow);
+}
+
+// All that it reads, and which reading differs; once the arrow is there, only for the ghost that is chosen.
+function drawBeams(context, camera, here, ghosts, s) {
+  const { world } = lives[1], isAll = s < TIMES.arrow, inputs = isAll ? world.inputs.keys() : [moment.known[ghost]?.input ?? -1];
+  for (const [i, { at, input, shift }] of ghosts) {
+    if (isAll || ghost === i) drawBeam(context, camera, world, at, input, colours[`input-${input + 1}`], 3, shift);
+  }
+  for (const i of inputs) if (i >= 0) drawBeam(context, camera, world, here, i, colours[`input-${i + 1}`], 2.5);
 }
 
 // The arrow with its chance, and then what the step paid.
@@ -240,7 +250,7 @@ function drawAnswer(context, camera, here, place, s, shown, narrow) {
     const arrow = drawArrow(context, camera, here, motion, shown, grown, 1 - step, colours, narrow, lives[1].world.bounds);
     const middle = arrow?.middle ?? shown.robot, turn = arrow?.turn ?? 0, far = (arrow?.wide ?? 20) / 2 + (narrow ? 32 : 44);
     const sides = [1, -1].map((side) => [middle[0] - side * far * Math.sin(turn), middle[1] + side * far * Math.cos(turn)]);
-    const aside = mostFree(sides, shown.ghosts, rect);
+    const aside = mostFree(sides, [...shown.ghosts, { spot: shown.robot }], rect);
     context.globalAlpha = 1 - step;
     drawBadge(context, percent(chance), aside, colours.ink, colours.back, rect, narrow);
     context.globalAlpha = 1;
@@ -254,10 +264,10 @@ function drawAnswer(context, camera, here, place, s, shown, narrow) {
   drawBadge(context, text, mostFree(around, shown.ghosts, rect), tone, colours.back, rect, narrow);
 }
 
-// Of some spots the one that is farthest from all ghosts, and inside the room.
-function mostFree(spots, ghosts, [left, top, wide, high]) {
+// Of some spots the one that is farthest from all robots, and inside the room.
+function mostFree(spots, robots, [left, top, wide, high]) {
   const isIn = ([x, y]) => x > left + 30 && x < left + wide - 30 && y > top + 20 && y < top + high - 20;
-  const free = (spot) => Math.min(200, ...ghosts.map((one) => Math.hypot(one.spot[0] - spot[0], one.spot[1] - spot[1])));
+  const free = (spot) => Math.min(200, ...robots.map((one) => Math.hypot(one.spot[0] - spot[0], one.spot[1] - spot[1])));
   return mostBy(spots, (spot) => free(spot) - (isIn(spot) ? 0 : 1000));
 }
 

@@ -18,11 +18,13 @@ from rlrobot_edu.show.room.scene_data import room_script
 from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.page_file import bare, bare_style, read_text
 from rlrobot_edu.widgets.playground.kernels import kernels
 from rlrobot_edu.widgets.playground.script import script_of
 from rlrobot_edu.widgets.playground.worlds import base_world
 from rlrobot_edu.widgets.stage.honest import honest, read_numbers, rule
+from rlrobot_edu.widgets.stage.second_room import SECOND_ROOM, second_room
 
 if TYPE_CHECKING:
     from rlrobot_edu.widgets.playground.page_frame import PageFrame
@@ -97,7 +99,7 @@ class Stage(Displayed):
 
 
 @suggests_keywords
-def stage(path: str | Path | None = None) -> Stage:
+def stage(path: str | Path | None = None, room: str = TASK) -> Stage | BiasExplorer:
     """A page on which two robots learn in one room, and one of them asks the states that are similar to its own.
 
     Both live an hour of ``wander_1k`` with true online SARSA(λ), softmax and the same luck; one has the bias of
@@ -105,24 +107,31 @@ def stage(path: str | Path | None = None) -> Stage:
     each said, and with which chances it chose. Walls can be moved and memories changed. It needs no network, no Python
     and no server.
 
+    In the second room, ``worked_example``, the moment stands still, and all numbers can be seen and changed: the bias
+    explorer of the paper's 24 states, in the state (1, 1, 90°, T) in which a robot had never been.
+
     Parameters
     ----------
     path : str or Path, optional
         A file to write, such as ``stage.html``; it is written whole or not at all.
+    room : str
+        ``wander_1k`` or ``worked_example``.
 
     Returns
     -------
-    Stage
+    Stage or BiasExplorer
         What a notebook shows.
 
     Raises
     ------
     ValueError
-        If the name ends like that of another kind of file.
+        If there is no such room, or the name ends like that of another kind of file.
     OSError
         If the file cannot be written.
     """
-    page = Stage()
+    if room not in (TASK, SECOND_ROOM):
+        raise ValueError(f"room must be {TASK!r} or {SECOND_ROOM!r}, got {room!r:.200}")
+    page = Stage() if room == TASK else second_room()
     if path is not None:
         page.save(path)
     return page

@@ -39,11 +39,10 @@ function tellScores({ scores, size: zoom }, t) {
   if (text === scored) return;
   scored = text;
   ["nobody", "neighbours"].forEach((id, i) => {
-    const score = find(id), { metres, bumps } = lives[i];
+    const score = find(id), { metres } = lives[i];
     score.style.transform = `translate(${scores[i][0]}px, ${scores[i][1]}px)`;
     score.style.setProperty("--zoom", zoom);
     score.querySelector("b").textContent = Math.round(metres[t]);
-    score.querySelector("small").textContent = `${bumps[t]} bumps`;
   });
 }
 
@@ -68,7 +67,8 @@ function fillPanel() {
     return element("li", {}, button);
   });
   find("ghosts").replaceChildren(...all);
-  find("lead").textContent = all.length ? "Who advises, and how much. Press one:" : "No similar state is known.";
+  find("lead").textContent = all.length ? "Pale discs: itself, earlier. All readings but one were the same."
+    : "No similar state is known.";
   fillSlider();
   const advisers = moment.known.length;
   canvas.setAttribute("aria-label", `The right robot in its room, in minute ${Math.floor(moment.t / 60)}, in a state that is new to it. ` +
@@ -117,39 +117,42 @@ function tellMoment(s) {
   tell(sentence(s, motion, `${percent(lotOf(motion))} → ${percent(chanceOf(chances, motion))}`));
 }
 
-function sentence(s, { called }, rise) {
+// In large type what they say, at once; below it how that came.
+function sentence(s, motion, rise) {
   const n = moment.known.length, heard = moment.known.filter((one) => speaks({ say: sayNow(one) })).length;
   if (changed.size) {
-    const truth = percent(chanceOf(moment.chances, motions[chosen]));
-    return `If it remembered that: ${called}, ${rise}. <s>In truth it was ${truth}.</s>`;
+    const truth = percent(chanceOf(moment.chances, motion));
+    return `<b>If it remembered that: ${motion.called}, ${rise}.</b> In truth it was ${truth}.`;
   }
-  if (s < 0.5) return `Minute ${Math.floor(moment.t / 60)}. It never read its lasers like this. <s>Its table is empty.</s>`;
-  if (!n) return `Nobody it knows was ever near this. It draws lots. ${stepPart(s) > 0.9 || calm.matches ? drawn() : ""}`;
-  if (s < 1.4) return `But ${n === 1 ? "once" : `${n} times`} all its readings but <em>one</em> were the same.`;
-  if (s < 2.3) return heard ? `${heard === 1 ? "One of them remembers" : `${heard} of them remember`} what it was worth.` : "They remember nothing of worth.";
-  const advice = adviceOn(called, heard, rise);
-  if (calm.matches) return `${advice} ${drawn()}`;
-  return stepPart(s) < 0.9 ? advice : `${capital(called)}, ${rise}. ${drawn()}`;
+  const finding = `<b>${adviceOn(motion, n, heard)}</b>`, chance = `${capital(motion.called)}: ${rise}.`;
+  if (s < 0.9) return `${finding} It never read its lasers like this: its own table is empty.`;
+  if (n && s < 2.3) return `${finding} ${n === 1 ? "Once" : `${capital(String(n))} times`} all its readings but <em>one</em> were the same; ${heard || "none"} taught it something.`;
+  return stepPart(s) < 0.9 && !calm.matches ? `${finding} ${chance}` : `${finding} ${chance} ${drawn()}`;
 }
 
-// What the memories say of a motion; heard: how many say something.
-function adviceOn(called, heard, rise) {
-  if (!heard) return `They remember nothing of worth: ${called}, ${rise}.`;
-  const motion = motions[chosen];
-  if (chanceOf(moment.chances, motion) < lotOf(motion)) return `They speak more for other motions: ${called}, ${rise}.`;
-  return `${heard === 1 ? "One memory says" : `${heard} memories say`}: ${called}, ${rise}.`;
+// What memories say of a motion. n: how many it has; heard: how many of them say something
+function adviceOn(motion, n, heard) {
+  const { called } = motion, does = called.startsWith("ahead") ? `drive ${called}` : called;
+  if (!n) return "It has no memory of a similar place: it draws lots.";
+  if (!heard) return "Its memories of similar places know nothing of worth.";
+  if (chanceOf(moment.chances, motion) < lotOf(motion)) return "Its memories of similar places speak more for other motions.";
+  return `${heard === 1 ? "One memory of a similar place says" : `${heard} memories of similar places say`}: ${does}.`;
 }
 
 // Which step it took, and what that paid.
 function drawn() {
   const a = lives[1].a[moment.t], taken = motions.find(({ actions }) => actions.includes(a)), r = lives[1].r[moment.t + 1], kind = kindOf(r);
-  const paid = { bump: `a bump, ${numberText(r)}`, paid: `+${numberText(r)}`, idle: `${numberText(r)}, it hardly moved` }[kind];
+  const paid = { bump: `a bump, ${numberText(r)}`, paid: `reward +${numberText(r)}`, idle: `reward ${numberText(r)}` }[kind];
   const favourite = favouriteOf(moment.chances, motions), isAdvised = favourite === motions[chosen] && moment.known.some((one) =>
     speaks({ say: sayNow(one) }));
+  if (isAdvised && moment === leastNow()) {
+    const [earned, usual] = [earnedFrom(lives[1], moment.t), usuallyEarned(lives[1])].map((x) => numberText(Math.round(x)));
+    return `Its next ten steps <span class="red">earned ${earned}</span>; ten of its hour earn ${usual}.`;
+  }
   const isWrong = isAdvised && moment.pays[favourite.actions[0]] <= BUMP, told = `<span class="${SIDE[kind]}">${paid}.</span>`;
   if (isWrong && taken === favourite) return `It drew that: ${told} Its memories misled it.`;
   if (isWrong) return `That would bump. It drew “${taken.called}”: ${told}`;
-  return `It drew “${taken.called}”: ${told}`;
+  return `It drew ${taken === motions[chosen] ? "that" : `“${taken.called}”`}: ${told}`;
 }
 
 // The link holds the moment, the motion, the ghost, what it is to remember, and the walls.

@@ -140,15 +140,17 @@ function drawUpright(context, camera, world, colours, bodies, chosen = -1) {
   }
 }
 
-// A robot: its body in a colour, its nose in that of the rim, and a mark behind it.
-function drawRobot(context, camera, world, place, { tone, rim, ink, mark = "" }, colours) {
+// A robot: its body in a colour, its nose in that of the rim, and a mark behind it; a ghost has no shadow and a dashed rim.
+function drawRobot(context, camera, world, place, { tone, rim, ink, mark = "", isGhost = false }, colours) {
   const [x, y, heading] = place, foot = footOfRobot(world, place), high = BODY_HIGH;
-  shadow(context, camera, foot, high, colours);
+  if (!isGhost) shadow(context, camera, foot, high, colours);
   solid(context, camera, foot, high, tone, between(tone, colours.black, 0.25), between(tone, colours.black, 0.4));
   context.strokeStyle = rim;
-  context.lineWidth = 1.5;
+  context.lineWidth = isGhost ? 2 : 1.5;
+  context.setLineDash(isGhost ? [5, 3] : []);
   polygon(context, foot.map(([a, b]) => camera.at(a, b, high)));
   context.stroke();
+  context.setLineDash([]);
   const nose = { outline: [[0.235, 0], [0.13, 0.085], [0.13, -0.085]], axle: world.axle };
   fill(context, footOfRobot(nose, place).map(([a, b]) => camera.at(a, b, high)), rim);
   if (!mark) return;

@@ -65,7 +65,8 @@ function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
 function legendHtml({ inputs, temperature }, scale, s, stage) {
   const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
   const names = inputs.map(({ name }, i) => `${marksHtml({ inputs }, i)}&nbsp;${escaped(name)}`).join(", ");
-  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}, which is in every set and has every mark.` + (stage < 4 ? "" :
+  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}, which is in every set and has every mark. ` +
+    (stage < 2 ? "" : "A line is as wide as what it brings; dashed, that is below 0.") + (stage < 4 ? "" :
     `<br>${bar("rl-sr")}probability without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
     `${bar("rl-qbiassr")}with it: softmax of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>). Both first multiply by ` +
     `100⁄<i>Q</i><sub>max</sub>&nbsp;= ${given(scale)}; temperature <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`);

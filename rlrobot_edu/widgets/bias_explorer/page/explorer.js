@@ -29,9 +29,9 @@ function actionHtml({ inputs, shape }, name, a) {
   const others = inputs.flatMap((_, i) => Array(shape[i] - 1).fill(i)), rows = [null, ...others];
   const height = Math.max(rows.length, inputs.length) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
   const lines = (from, ends) => `<svg data-from="${from}" viewBox="0 0 1 ${height}" preserveAspectRatio="none" aria-hidden="true">` +
-    `${ends.map(([y, to, i]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" stroke="${inputs[i].colour}"/>`).join("")}</svg>`;
+    `${ends.map(([y, to, i, k]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" stroke="${inputs[i].colour}" data-of="${[k, i]}"/>`).join("")}</svg>`;
   const meanOf = (i) => space(inputs.length, i), all = inputs.map((_, i) => i);
-  const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i]));
+  const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i, k]));
   const row = (input) => `<label class="rl-row" ${input === null ? "" : `data-from="1" style="background:${inputs[input].colour};` +
     `color:${inputs[input].ink}"`}><span></span><input type="number" step="any"></label>`;
   const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <data></data></span>`;
@@ -39,7 +39,7 @@ function actionHtml({ inputs, shape }, name, a) {
   return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h2>${escaped(name)}</h2>` +
     `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${inputs.map(mean).join("")}</div>` +
-    `${lines(3, all.map((i) => [meanOf(i), height / 2, i]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
+    `${lines(3, all.map((i) => [meanOf(i), height / 2, i, "mean"]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
     `<div class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</div></div></div>`;
 }
 
@@ -184,10 +184,16 @@ class Explorer {
   }
 
   // The numbers of one action, into the block of its columns.
-  showAction(block, a, s, stage, { members, means, bias, sr, qbiassr }) {
-    const { about, q } = this, write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
+  showAction(block, a, s, stage, { sets, members, means, bias, sr, qbiassr }) {
+    const { about, q } = this, most = Math.max(...means.flatMap((mean) => Array.from(mean, Math.abs)), 1e-9), write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
     block.hidden = stage < 4 && a !== this.action;
     write(".rl-row span:first-child", members.map(([k, input]) => `<b>${k}</b>${stage ? marksHtml(about, input) : ""}`));
+    for (const line of block.querySelectorAll("path")) { // as wide as what it brings; dashed if that speaks against
+      const [k, i] = line.dataset.of.split(","), say = k === "mean" ? means[i][a] : q[members[k][0]][a] / sets[i].length;
+      line.style.strokeWidth = `max(1px, ${Math.min(1, Math.abs(say) / most)} * var(--widest))`;
+      line.style.strokeDasharray = say < 0 ? "4 3" : "";
+      line.style.opacity = say ? 1 : 0.5;
+    }
     block.querySelectorAll("input").forEach((field, i) => {
       const [k] = members[i];
       Object.assign(field.dataset, { s: k, a });
