@@ -145,7 +145,7 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
     along = np.array([np.cos(np.radians(theta)), np.sin(np.radians(theta))])
     across, middle = np.array([-along[1], along[0]]), np.array([x, y])
     ax.annotate("", middle + 0.32 * along, middle - 0.32 * along,
-                arrowprops={"arrowstyle": "-|>", "color": mark.ink, "linewidth": 2})  # fmt: skip
+                arrowprops={"arrowstyle": "-|>", "color": "white", "linewidth": 2})  # fmt: skip
     bar = np.array([middle + 0.42 * along + side * 0.35 * across for side in (-1, 1)])
     ax.plot(
         *bar.T,

@@ -4,8 +4,12 @@ import base64
 from html import escape
 from typing import Any, NamedTuple
 
+from rlrobot_edu.show.palette import WHITE
+
 # A light card, also on a dark page, because figures are drawn in black on white
-_BORDER = "box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
+_BORDER = (
+    f"box-sizing: border-box; padding: 6px; background: {WHITE}; border-radius: 8px"
+)
 CARD = f"max-width: 100%; height: auto; {_BORDER}"
 
 

@@ -28,6 +28,7 @@ LIGHT = {
     "input-3": "#b8558d",
     "input-4": "#7453c0",
     "input-5": "#737d0c",
+    "input-6": "#8a5a3c",
     "on-input": "#ffffff",
     "focus": "#b26b00",  # round what the keyboard has chosen
 }
@@ -53,6 +54,7 @@ DARK = {
     "input-3": "#e08fbd",
     "input-4": "#ab93f0",
     "input-5": "#b8c23c",
+    "input-6": "#cf9f7c",
     "on-input": "#15181a",
     "focus": "#e69f00",
 }
@@ -80,6 +82,14 @@ ROLE = {
 # Shades: from what is worth nothing to what is worth most, and from little to much of anything else
 WORTH = ("#e9e4da", "#7fc3ab", GREEN, "#003b2b")
 BLUES = (LIGHT["paper"], SKY, BLUE)
+
+# What things are made of that are drawn in no colour of their own
+METAL = "#a9b0b8"
+WOOD = "#c08b55"
+FIELD = "#e6dfc8"  # a marked part of a table
+SCREEN = "#dfe3e8"
+GLASS = "#8fc7ea"
+SHINE = "#2a2a2a"  # how much light comes back from what shines
 
 # The style of a line, as matplotlib takes it
 Dashes = str | tuple[int, tuple[int, ...]]

@@ -18,12 +18,11 @@ from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import Scenes, as_scenes, describe, path_of
 from rlrobot_edu.show.painting.parts import (
     BY_NAME,
-    WOOD,
     grid_cell,
     ground,
     has_walls,
 )
-from rlrobot_edu.show.palette import LIGHT, ROLE
+from rlrobot_edu.show.palette import LIGHT, ROLE, WOOD
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain, set_title
 from rlrobot_edu.show.style import SMALLEST
 

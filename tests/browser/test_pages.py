@@ -299,7 +299,7 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     marked = {13: "13●▲■◆", 1: "1●", 19: "19▲", 15: "15■", 17: "17■", 12: "12◆"}
     assert dict(labels) == {s: marked.get(s, str(s)) for s in range(24)}
     colours = dict(
-        page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.background])")
+        page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.getPropertyValue('--own')])")
     )
     assert {s for s in range(24) if colours[s]} == set(marked) - {13}
     assert len(set(colours.values())) == 1 + 4  # the two of θ are alike
@@ -339,6 +339,39 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     )
     page.get_by_role("button", name="Reset Q").click()
     assert page.inner_text("main") == before
+
+
+def test_a_value_follows_the_pointer_and_the_lines_are_as_wide_as_what_they_carry(
+    opened,
+):
+    """To the right it grows, by the largest |Q| in half a row; a line that carries a loss is dashed."""
+    q = np.zeros((24, 3))
+    q[0] = 2, 8, -4
+    explorer = BiasExplorer("worked_example", {"mine": q}, state=1)
+    page = opened(explorer)
+    asks = page.locator(".rl-asks")
+    assert asks.inner_text() == "It has learned nothing here. Who can advise it?"
+    lines = "(e) => [...e.querySelectorAll('path')].map((path) => parseFloat(path.style.strokeWidth))"
+    blocks = page.locator(".rl-action")
+    widest = [max(blocks.nth(a).evaluate(lines)) for a in range(3)]
+    assert widest[1] > widest[2] > widest[0]
+    assert [blocks.nth(a).locator(".rl-against").count() for a in range(3)] == [0, 0, 2]
+
+    row = blocks.nth(1).locator(".rl-row").first
+    box = row.bounding_box()
+    x, y = box["x"] + 25, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + box["width"] / 4, y, steps=4)
+    assert float(row.locator("input").input_value()) == pytest.approx(4, abs=0.2)
+    page.mouse.up()
+    page.mouse.move(x, y)
+    value = float(row.locator("input").input_value())
+    assert value == pytest.approx(4, abs=0.2)
+    assert asks.inner_text() == "What do similar states advise it here?"
+    q[1, 1] = value
+    explorer.widget.tables = [q.tolist()]
+    explored(page, explorer.numbers, "1")
 
 
 def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):

@@ -54,6 +54,12 @@ def stands(page, t: int) -> None:
     until(page, STANDS.format(t))
 
 
+def unfold(page) -> None:
+    """Open what asks what another setting would do."""
+    asks = page.locator("details", has_text="What if?")
+    asks.evaluate("(e) => { e.open = true; }")
+
+
 def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     page = opened(stepper_of(at=5), 30)
     stands(page, 5)
@@ -92,6 +98,25 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     page.focus("summary")
     page.keyboard.press(" ")  # opens the code of the update, and plays nothing
     until(page, "document.querySelector('details').open && !stepper.player")
+
+
+@pytest.mark.parametrize("viewport", [(1280, 500), (390, 700)])
+def test_the_buttons_do_not_cover_what_is_focused_and_a_phone_has_no_keys(
+    opened, viewport
+):
+    width, height = viewport
+    page = opened(stepper_of(at=5), viewport={"width": width, "height": height})
+    assert page.locator(".rl-keys").is_visible() == (width > 560)
+    page.click("details:first-of-type summary")
+    hidden = """() => {
+      const { top, bottom } = document.activeElement.getBoundingClientRect();
+      const bar = document.querySelector(".rl-bar"), { top: from, bottom: to } = bar.getBoundingClientRect();
+      const elsewhere = bar.contains(document.activeElement) || document.activeElement === document.body;
+      return !elsewhere && top < to && bottom > from;
+    }"""
+    for key in ["Tab"] * 14 + ["Shift+Tab"] * 14:
+        page.keyboard.press(key)
+        assert not page.evaluate(hidden), key
 
 
 def test_a_key_counts_at_once_and_play_at_the_end_begins_again(opened):
@@ -175,6 +200,7 @@ def test_it_plays_to_the_end_and_a_key_or_a_click_stops_it(opened):
 def test_another_alpha_is_learned_anew_on_the_page_and_back_again(opened):
     page = opened(stepper_of(method="TOSL+SR", at=40), 60)
     before = page.evaluate(Q)
+    unfold(page)
     page.get_by_role("combobox", name="α").select_option("0.5")
     until(page, "stepper.find('parted').textContent.includes('With α = 0.5')")
     agent = rl.Agent("worked_example", "TOSL+SR", alpha=0.5, seed=0)
@@ -278,6 +304,7 @@ def test_a_click_on_a_bias_tells_whose_advice_it_was(opened):
 def test_a_fork_shows_both_futures_side_by_side(opened):
     page = opened(stepper_of(method="TOSL+SR", at=60), 120)
     a = page.evaluate("stepper.tape.frame.a")
+    unfold(page)
     page.get_by_role("button", name="from the step shown").click()
     assert page.evaluate("stepper.tape === stepper.recorded"), "nothing was changed yet"
     page.get_by_role("combobox", name="in that step a =").select_option(
@@ -371,6 +398,7 @@ def test_a_kernel_that_does_not_answer_is_missed_and_the_steps_stay(notebook):
     page.get_by_text("The kernel does not answer").wait_for()
     page.click("button[name=back]")
     stands(page, 11)
+    unfold(page)
     page.get_by_role("combobox", name="α").select_option("1")
     until(page, "stepper.find('parted').textContent.includes('α = 1')")
     for t in (12, 13):  # a life of the page's own goes on without a kernel

@@ -169,7 +169,8 @@ def test_pages_have_no_colours_of_their_own():
 
 def test_a_sign_can_be_read_on_the_colour_of_its_input():
     for mark in MARKS:
-        assert contrast(mark.colour, mark.ink) >= 4.5, mark
+        for theme in LIGHT, DARK:  # of a sign, WCAG asks for less than of letters
+            assert contrast(theme[mark.token], theme["on-input"]) >= 3, mark
 
 
 def test_every_robot_s_dot_lies_within_the_chart():

@@ -215,6 +215,26 @@ def test_every_colour_of_the_palette_is_a_token_light_and_dark():
     assert {name: dark for name, _, dark in found} == DARK
 
 
+# Files that hold a colour of their own, and why
+OWN_COLOURS = {
+    "show/palette.py": "the list itself",
+    "widgets/playground/host_page.js": "a page around it that has no colour is white",
+    "widgets/stage/style.css": "its shadows",
+    "widgets/stage/view.js": "white light on a wall",
+}
+
+
+def test_only_the_palette_lists_colours():
+    folder = Path(rl.__file__).parent
+    found = set()
+    for kind in ("py", "css", "js", "html"):
+        for path in folder.rglob(f"*.{kind}"):
+            text = path.read_text("utf-8")
+            if re.search(r"#[0-9a-fA-F]{3,8}\b|rgba?\(\d|0x[0-9a-fA-F]{6}\b", text):
+                found.add(path.relative_to(folder).as_posix())
+    assert found == set(OWN_COLOURS)
+
+
 def test_the_colours_that_are_used_are_in_the_palette():
     script = ROOM.read_text("utf-8")
     listed = script.partition("ROOM_COLOURS = [")[2].partition("];")[0]

@@ -9,7 +9,7 @@ import numpy as np
 
 from rlrobot_edu.robots.scene import ON_ITS_SIDE
 from rlrobot_edu.show.painting.parts import Part
-from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.palette import LIGHT, SHINE
 
 UPRIGHT = ON_ITS_SIDE  # three.js's cylinders stand along y
 UNPAID = LIGHT["grey"]  # of a trail
@@ -29,7 +29,7 @@ def material(part: Part) -> g.Material:
     if not part.shines:
         return g.MeshLambertMaterial(color=colour)
     return g.MeshPhongMaterial(
-        color=colour, opacity=part.opacity, shininess=40, specular=0x2A2A2A
+        color=colour, opacity=part.opacity, shininess=40, specular=_number(SHINE)
     )
 
 

@@ -7,14 +7,17 @@ import numpy as np
 
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.painting.mesh import mesh
-from rlrobot_edu.show.palette import LIGHT, ROLE
+from rlrobot_edu.show.palette import (
+    FIELD,
+    GLASS,
+    LIGHT,
+    METAL,
+    ROLE,
+    SCREEN,
+    WOOD,
+)
 
 UNTURNED = np.eye(4)
-METAL = "#a9b0b8"
-WOOD = "#c08b55"
-FIELD = "#e6dfc8"  # a marked part of a table
-SCREEN = "#dfe3e8"
-GLASS = "#8fc7ea"
 BY_NAME = {"table": WOOD, "field": FIELD}
 THICK = 0.02  # of a floor [m]
 TABLE_EDGE = 0.04  # how far a table reaches beyond where the arm works [m]

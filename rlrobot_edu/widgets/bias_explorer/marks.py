@@ -4,38 +4,32 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rlrobot_edu.show.palette import (
-    BLACK,
-    BLUE,
-    GREEN,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    WHITE,
-)
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.task import Task
 
 MOST_STATES = 64  # more do not fit on a page
 
 
 class Mark(NamedTuple):
-    """What shows that a state belongs to the set of one input: a sign, its colour, and a colour to write on that."""
+    """What shows that a state belongs to the set of one input: a sign, and the name of its colour in the palette."""
 
     sign: str
-    colour: str
-    ink: str
+    token: str
+
+    @property
+    def colour(self) -> str:
+        """The colour on a light ground."""
+        return LIGHT[self.token]
 
 
 MARKS = (
-    Mark("●", ORANGE, BLACK),
-    Mark("▲", SKY, BLACK),
-    Mark("■", GREEN, WHITE),
-    Mark("◆", PURPLE, WHITE),
-    Mark("★", RED, WHITE),
-    Mark("✚", BLUE, WHITE),
+    Mark("●", "input-1"),
+    Mark("▲", "input-2"),
+    Mark("■", "input-3"),
+    Mark("◆", "input-4"),
+    Mark("★", "input-5"),
+    Mark("✚", "input-6"),
 )
-HERE = Mark("", WHITE, BLACK)  # the state itself, which is in every set
 
 
 def marks_of(task: Task) -> dict[str, Mark]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex, to_rgb
 
-from rlrobot_edu.show.palette import BLACK, BLUE, GREY
+from rlrobot_edu.show.palette import BLACK, BLUE, GREY, WHITE
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.bias_explorer.bias import BiasNumbers
-from rlrobot_edu.widgets.bias_explorer.marks import HERE, Mark
+from rlrobot_edu.widgets.bias_explorer.marks import Mark
 from rlrobot_edu.widgets.bias_explorer.words import (
     name_text,
     state_words,
@@ -17,6 +18,9 @@ from rlrobot_edu.widgets.bias_explorer.words import (
     vector,
 )
 
+PALE = (
+    0.72  # how much white is in the floor of a box, so that letters can be read on it
+)
 # Where each column begins, and its heading
 HEADS = (
     (0, "Q of state s and\nits similar states"),
@@ -108,13 +112,14 @@ def _draw_action(
 ) -> None:
     """The columns of action `a` and the lines that lead from one to the next. q: array (n_states,), of the action."""
     s = numbers.s
-    rows = {s: HERE}
+    rows: dict[int, Mark | None] = {s: None}
     for name, states in numbers.sets.items():
         rows |= {int(k): marks[name] for k in states if k != s}
     height = {k: top + i + 0.5 for i, k in enumerate(rows)}
     middle = top + len(rows) / 2
     for k, mark in rows.items():
-        text = f"{k:>2} {mark.sign:<8}{two_decimals(q[k]):>7}"
+        sign = mark.sign if mark else ""
+        text = f"{k:>2} {sign:<8}{two_decimals(q[k]):>7}"
         _box(ax, 0, 15.5, height[k], mark, text)
     for i, mark in enumerate(marks.values()):  # the state itself is in every set
         _box(ax, 3 + 1.4 * i, 1.4, height[s], mark, mark.sign)
@@ -128,7 +133,7 @@ def _draw_action(
         if stage > 2:
             ax.plot((29.5, 33.5), (y, middle), color=mark.colour)
     if stage > 2:
-        _box(ax, 33.5, 7, middle, HERE, two_decimals(numbers.bias[a]))
+        _box(ax, 33.5, 7, middle, None, two_decimals(numbers.bias[a]))
     if stage > 3:
         _draw_probabilities(ax, middle, q[s], a, numbers)
 
@@ -139,12 +144,12 @@ def _draw_probabilities(
     """The probability of action `a` without the bias, and below it with the bias."""
     above, below = middle - 0.55, middle + 0.55
     text = f"Q(s) + bias = {two_decimals(q_sa + numbers.bias[a])}"
-    white = {"color": "white", "pad": 0.5}
+    white = {"color": WHITE, "pad": 0.5}
     right = {"ha": "right", "va": "center"}
     ax.text(40.5, middle + 1, text, size=9, bbox=white, **right)
-    border = {"color": "white", "edgecolor": "black", "linewidth": 0.6}
+    border = {"color": WHITE, "edgecolor": BLACK, "linewidth": 0.6}
     ax.barh((above, below), 4.5, 0.9, left=42.5, **border)
-    hatched = {"color": "white", "edgecolor": GREY, "hatch": "//////"}
+    hatched = {"color": WHITE, "edgecolor": GREY, "hatch": "//////"}
     for y, p, look in (
         (above, numbers.sr[a], hatched),
         (below, numbers.qbiassr[a], {"color": BLUE}),
@@ -153,9 +158,18 @@ def _draw_probabilities(
         ax.text(52, y, f"{100 * p:.0f} %", **right)
 
 
-def _box(ax: Axes, x: float, width: float, y: float, mark: Mark, text: str) -> None:
-    """A text of fixed pitch in a box that begins at `x`, in the colours of a mark."""
-    look = {"color": mark.colour, "edgecolor": BLACK, "linewidth": 0.6}
+def _box(
+    ax: Axes, x: float, width: float, y: float, mark: Mark | None, text: str
+) -> None:
+    """A text of fixed pitch in a box that begins at `x`, in the colour of a mark; without one it is white."""
+    edge = BLACK
+    floor = WHITE
+    if mark:
+        edge = mark.colour
+        floor = to_hex(
+            PALE * np.array(to_rgb(WHITE)) + (1 - PALE) * np.array(to_rgb(edge))
+        )
+    look = {"color": floor, "edgecolor": edge, "linewidth": 1.2}
     ax.barh(y, width, 0.86, left=x, zorder=2, **look)
-    letters = {"family": "monospace", "size": 9.5, "color": mark.ink}
+    letters = {"family": "monospace", "size": 9.5, "color": BLACK}
     ax.text(x + width - 0.3, y, text, ha="right", va="center", **letters)

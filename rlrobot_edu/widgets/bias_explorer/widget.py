@@ -27,6 +27,7 @@ from rlrobot_edu.widgets.page_file import read_text
 SCRIPTS = (
     "stepper/page/numerals.js",
     "bias_explorer/page/bias.js",
+    "bias_explorer/page/states.js",
     "bias_explorer/page/explorer.js",
 )
 
@@ -63,7 +64,8 @@ def about(
         inputs.append(
             {
                 "name": name_text(name),
-                **mark._asdict(),
+                "sign": mark.sign,
+                "colour": f"var(--{mark.token})",
                 "values": [value_text(each) for each in bins],
                 "words": [value_words(each) for each in bins],
             }

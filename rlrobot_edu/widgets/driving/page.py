@@ -41,12 +41,8 @@ export default {
 """
 _STYLE = """
 .rl-drive { padding: 10px; border-radius: var(--round) }
-.rl-drive button { min-width: 4.6em; min-height: 44px; padding: 0 10px; font: 15px var(--sans); color: var(--ink);
-  background: var(--card); border: 1px solid var(--line); border-radius: var(--round-button) }
-.rl-drive button:hover { border-color: var(--blue) }
+.rl-drive.rl-look button { min-width: 4.6em; min-height: 44px; padding: 0 10px }
 .rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid var(--focus) !important; outline-offset: -3px }
-.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed var(--line); line-height: 1.4;
-  border-radius: var(--round-button) }
 """
 
 

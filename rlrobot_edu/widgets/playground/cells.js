@@ -4,19 +4,20 @@
 function drawCells(canvas, world, place, learned, colours) {
   const { context, width, height } = sharpCanvas(canvas), cells = world.drawn.map(({ cell }) => cell);
   const columns = 1 + Math.max(...cells.map(([x]) => x)), rows = 1 + Math.max(...cells.map(([, y]) => y));
-  const view = new RoomView([-0.05, -0.05, columns + 0.05, rows + 0.05], width, height);
-  const is = (some, [x, y]) => some.some(([a, b]) => a === x && b === y), middle = ([x, y]) => view.at(x + 0.5, y + 0.5);
-  const box = ([x, y], shrink) => {
-    const [left, top] = view.at(x + shrink, y + 1 - shrink), side = view.scale * (1 - 2 * shrink);
-    context.fillRect(left, top, side, side);
+  const wide = width / columns, high = height / rows, small = Math.min(wide, high);
+  const at = (x, y) => [wide * x, height - high * y], from = (left, top) => [left / wide, (height - top) / high];
+  const is = (some, [x, y]) => some.some(([a, b]) => a === x && b === y), middle = ([x, y]) => at(x + 0.5, y + 0.5);
+  const box = ([x, y], gap) => {
+    const [left, top] = at(x, y + 1);
+    context.fillRect(left + gap, top + gap, wide - 2 * gap, high - 2 * gap);
   };
   context.textAlign = "center";
   context.textBaseline = "middle";
-  context.font = `${Math.max(11, 0.36 * view.scale)}px system-ui, sans-serif`;
+  context.font = `${Math.max(11, 0.36 * small)}px system-ui, sans-serif`;
   cells.forEach((cell, i) => {
     const isCliff = is(world.cliff, cell);
     context.fillStyle = isCliff ? colours.line : colours.floor;
-    box(cell, isCliff ? 0 : 0.02);
+    box(cell, isCliff ? 0 : 1);
     context.fillStyle = is([world.goal], cell) ? colours.green : colours.faint;
     if (!isCliff) context.fillText(is([world.goal], cell) ? "goal" : learned(i), ...middle(cell));
   });
@@ -25,7 +26,7 @@ function drawCells(canvas, world, place, learned, colours) {
   context.fillText("cliff", (ends[0][0] + ends[1][0]) / 2, ends[0][1]);
   context.fillStyle = colours.blue;
   context.beginPath();
-  context.arc(...middle(place.cell), 0.3 * view.scale, 0, 7);
+  context.arc(...middle(place.cell), 0.3 * small, 0, 7);
   context.fill();
-  return view;
+  return { at, from };
 }

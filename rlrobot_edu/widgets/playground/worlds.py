@@ -192,6 +192,8 @@ def _in_words(one: Bin) -> str:
         text = f"up to {one.high:g} {one.unit}"
     elif math.isinf(one.high):
         text = f"above {one.low:g} {one.unit}"
+    elif one.low < one.high:
+        text = f"{one.low:.3g}–{one.high:.3g} {one.unit}"
     else:
         text = str(one)
     return _plain(text)

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.picture import plain
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint, trace_tint
 from rlrobot_edu.widgets.stepper.names import Names
@@ -148,7 +149,7 @@ def _draw_cell(ax: Axes, x: float, y: float, look: Look, size: float) -> None:
     text, colour, opacity = look
     floor = Rectangle((x, y), 1, 1, facecolor=colour, alpha=opacity, linewidth=0)
     ax.add_patch(floor)
-    border = Rectangle((x, y), 1, 1, fill=False, edgecolor="#ccc", linewidth=0.5)
+    border = Rectangle((x, y), 1, 1, fill=False, edgecolor=LIGHT["line"], linewidth=0.5)
     ax.add_patch(border)
     place, side = (0.5, "center") if text == UNTRIED else (0.94, "right")
     ax.text(x + place, y + 0.5, text, ha=side, va="center", fontsize=size)

@@ -2,7 +2,8 @@
 
 // How QBIASSR chooses in state s, beside how SR would choose; q: a row for each state; scale: of both softmaxes.
 // sets: for each input the states that share all others with s; members: all states that have a say, s first,
-// each with the number of the one input in which it differs.
+// each with the number of the one input in which it differs; flows: for each action what each line of its columns carries,
+// from a state to the mean of a set and from that to the bias.
 function biasOf({ shape, states, temperature }, q, scale, s) {
   const { sets } = states[s], room = () => new Float64Array(q[s].length);
   const m = { q, shape, bias: room(), probabilities: room(), parameters: { q_scale: scale }, now: { temperature } };
@@ -15,7 +16,12 @@ function biasOf({ shape, states, temperature }, q, scale, s) {
     return means;
   };
   const others = sets.flatMap((set, i) => set.filter((k) => k !== s).map((k) => [k, i]));
-  return { sets, members: [[s, null], ...others], means: sets.map(mean), bias: m.bias, sr, qbiassr: m.probabilities };
+  const members = [[s, null], ...others], means = sets.map(mean), all = sets.map((_, i) => i);
+  const flows = Array.from(sr, (_, a) => [
+    ...members.flatMap(([k, input]) => (input === null ? all : [input]).map((i) => q[k][a] / sets[i].length)),
+    ...means.map((x) => x[a]),
+  ]);
+  return { sets, members, means, bias: m.bias, sr, qbiassr: m.probabilities, flows };
 }
 
 function twoDecimals(x) { // with a true minus sign, which never stands before zero
@@ -29,16 +35,19 @@ const vector = (x) => whole(`(${Array.from(x, twoDecimals).join(", ")})`);
 
 // The mark of an input on its colour; the state itself, which is in every set, has the marks of all.
 function marksHtml({ inputs }, input) {
-  return (input === null ? inputs : [inputs[input]]).map(({ sign, colour, ink }) =>
-    `<span class="rl-mark" style="background:${colour};color:${ink}">${sign}</span>`).join("");
+  return (input === null ? inputs : [inputs[input]]).map(({ sign, colour }) =>
+    `<span class="rl-mark" style="background:${colour}">${sign}</span>`).join("");
 }
 
+// The page's title, by the state's own row of Q.
+const question = (row) => (row.some(Boolean) ? "What do similar states advise it here?" : "It has learned nothing here. Who can advise it?");
+
 // In large type: the action whose probability the bias raises most.
-function findingHtml({ actions }, { sr, qbiassr }) {
+function findingHtml({ actions }, { sr, qbiassr, members }) {
   const gains = qbiassr.map((p, a) => p - sr[a]), a = gains.indexOf(Math.max(...gains)), whole = (p) => (100 * p).toFixed(0);
   const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
   return `<b>${escaped(actions[a])} <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
-    "how likely the robot is to choose this, without and with the advice of similar states";
+    `how likely the robot is to choose this, without and with the advice of its ${members.length - 1} similar states`;
 }
 
 // What the reader sees, in words: stage is the number of columns, and a the action of the first three.

@@ -5,40 +5,43 @@ const ROW = 26; // height of a state's row [px]
 const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice",
   "Build it up, column by column"];
 
-// All that stays while the numbers change: a block of columns for each action, the states, the inputs.
+// All that stays while the numbers change: the states, a block of columns for each action, the inputs.
 function explorerHtml(about) {
   const { inputs, actions, originals } = about, option = (text, i) => `<option value="${i}">${escaped(text)}</option>`;
-  const choices = inputs.map(({ name, sign, words }, i) =>
-    `<label>${sign} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
-  return '<div class="rl-bias rl-look"><div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> ' +
-    '<button name="next" class="main" title="Next (key →)"></button> <button name="all">All columns</button> ' +
-    `<label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
-    '<p class="rl-finding" data-from="4"></p><p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
-    '<div class="rl-columns rl-heads"><b>Q of <i>s</i> and its similar states</b><b data-from="2">mean of each set</b>' +
-    '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
-    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div><div class="rl-chooser">` +
-    `<h2>The state: click one, or choose its inputs${isRoom(about) ? ". A bar: something is right ahead (d = 1)" : ""}</h2>` +
+  const choices = inputs.map(({ name, words }, i) =>
+    `<label>${marksHtml(about, i)} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
+  const where = isRoom(about) ? "in the room. A bar: something is right ahead" : "in the tables";
+  return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><div class="rl-top"><div class="rl-chooser">' +
     `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
-    `<div class="rl-inputs">${choices.join(" ")}</div><h2>The values of Q: edit them in the first column</h2>` +
-    `<label>Q-table <select name="table">${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
-    '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div></div></div>';
+    `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>, or type one: the choice changes.</p>` +
+    `<div class="rl-inputs">${choices.join(" ")} <label>Q-table <select name="table">` +
+    `${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
+    '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div>' +
+    '<div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> <button name="next" title="Next (key →)"></button> ' +
+    `<button name="all">All columns</button> <label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
+    '<p class="said" role="status"></p></div><div class="rl-shown"><p class="rl-finding" data-from="4"></p>' +
+    '<div class="rl-picture" role="region" aria-label="Four columns">' +
+    '<div class="rl-columns rl-heads"><b><i>Q</i> of the state and of similar ones</b><b data-from="2">mean of each set</b>' +
+    '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
+    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div></div></div></div>`;
 }
 
 // The columns of one action, and between them lines; which row belongs to which set is the same in all states.
 function actionHtml({ inputs, shape }, name, a) {
   const others = inputs.flatMap((_, i) => Array(shape[i] - 1).fill(i)), rows = [null, ...others];
   const height = Math.max(rows.length, inputs.length) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
+  const own = (i) => `style="--own:${i === null ? "" : inputs[i].colour}"`;
   const lines = (from, ends) => `<svg data-from="${from}" viewBox="0 0 1 ${height}" preserveAspectRatio="none" aria-hidden="true">` +
-    `${ends.map(([y, to, i, k]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" stroke="${inputs[i].colour}" data-of="${[k, i]}"/>`).join("")}</svg>`;
+    `${ends.map(([y, to, i, k]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" ${own(i)} data-of="${[k, i]}"/>`).join("")}</svg>`;
   const meanOf = (i) => space(inputs.length, i), all = inputs.map((_, i) => i);
   const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i, k]));
-  const row = (input) => `<label class="rl-row" ${input === null ? "" : `data-from="1" style="background:${inputs[input].colour};` +
-    `color:${inputs[input].ink}"`}><span></span><input type="number" step="any"></label>`;
-  const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <data></data></span>`;
+  const row = (input) => `<div class="rl-row" ${own(input)}${input === null ? "" : ' data-from="1"'}><span></span>` +
+    '<input type="number" step="any"></div>';
+  const mean = (i) => `<span ${own(i)}>${marksHtml({ inputs }, i)} <data></data></span>`;
   const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
-  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h2>${escaped(name)}</h2>` +
+  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h3>${escaped(name)}</h3>` +
     `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
-    `${lines(2, toMeans)}<div class="rl-means" data-from="2">${inputs.map(mean).join("")}</div>` +
+    `${lines(2, toMeans)}<div class="rl-means" data-from="2">${all.map(mean).join("")}</div>` +
     `${lines(3, all.map((i) => [meanOf(i), height / 2, i, "mean"]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
     `<div class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</div></div></div>`;
 }
@@ -47,36 +50,6 @@ function actionHtml({ inputs, shape }, name, a) {
 function typed(x) {
   const text = x.toFixed(3), short = x.toFixed(2);
   return +text === x && !text.endsWith("0") ? text : +short === 0 ? "0.00" : short;
-}
-
-// Whether the states are places and headings of a robot, which can be drawn.
-const isRoom = ({ inputs }) => /^X,Y,(θ|theta),d$/.test(inputs.map(({ name }) => name).join());
-
-// The robot in a state, from above: its heading, and a bar where something is right ahead.
-function robotSvg({ bins }, inputs) {
-  const [heading, ahead] = bins.slice(-2).map((bin, i) => parseInt(inputs.at(i - 2).values[bin].replace("−", "-"), 10));
-  const bar = ahead ? '<path d="M31-24V24" stroke="var(--wall)" stroke-width="8"/>' : "";
-  return `<svg class="rl-robot" viewBox="-40 -40 80 80" aria-hidden="true"><g transform="rotate(${-heading})">${bar}` +
-    '<circle r="21" fill="var(--blue)" stroke="var(--card)" stroke-width="4"/><path d="M17 0 3-11V11Z" fill="var(--on-blue)"/></g></svg>';
-}
-
-// Every state as a button. Those that differ in their last two inputs alone are a block: a column for each value of the
-// last but one, a row for each of the last. Blocks stand as on a map: inputs 0, 2, … go across, 1, 3, … up.
-function statesHtml({ shape, inputs, states }) {
-  const outer = shape.slice(0, -2), columns = shape.at(-2) ?? 1, rows = shape.at(-1), blocks = [];
-  const place = (bins, first) => outer.reduce((n, size, i) => (i % 2 === first ? n * size + bins[i] : n), 0);
-  const [top, last] = [inputs.at(-2), inputs.at(-1)];
-  for (let first = 0; first < states.length; first += columns * rows) {
-    const { bins } = states[first], row = (j) => Array.from({ length: columns }, (_, i) => button(first + i * rows + j));
-    const button = (s) => `<td><button value="${s}" title="state ${s}: ${escaped(states[s].words)}"></button></td>`;
-    const heads = top ? top.values.map((value, i) => `<th>${escaped(i ? value : `${top.name} ${value}`)}</th>`).join("") : "";
-    const body = last.values.map((value, j) => `<tr><th>${escaped(`${last.name} ${value}`)}</th>${row(j).join("")}</tr>`);
-    const common = outer.map((_, i) => `${inputs[i].name} = ${inputs[i].values[bins[i]]}`).join(", ");
-    blocks.push({ across: place(bins, 0), up: place(bins, 1), html: `<b>${escaped(common)}</b><table>` +
-      `<tr><td></td>${heads}</tr>${body.join("")}</table>` });
-  }
-  const highest = Math.max(...blocks.map(({ up }) => up));
-  return blocks.map(({ across, up, html }) => `<div style="grid-area:${highest - up + 1}/${across + 1}">${html}</div>`).join("");
 }
 
 class Explorer {
@@ -102,6 +75,7 @@ class Explorer {
     };
     this.root.onchange = ({ target }) => this.take(target);
     this.root.onkeydown = (event) => this.press(event);
+    this.root.onpointerdown = (event) => this.drag(event);
     this.show();
   }
 
@@ -132,6 +106,11 @@ class Explorer {
     return this.model.get("tables").map((each, i) => (i === this.model.get("table") ? q : each));
   }
 
+  // All tables, with another value of Q(s, a) in the one that is shown.
+  changed(s, a, value) {
+    return this.withTable(this.q.map((row, k) => (k === s ? row.with(a, value) : row)));
+  }
+
   // The keys ← and → build the columns; in a field they move the cursor, and Enter takes its number.
   press(event) {
     const { key, target } = event, by = { ArrowLeft: -1, ArrowRight: 1 }[key], isField = target.matches?.("input, select");
@@ -141,6 +120,24 @@ class Explorer {
     if (!isField) return this.step(by);
     target.blur(); // what was typed counts now, and once
     target.focus();
+  }
+
+  // A value follows the pointer, to the right up and to the left down; whoever else sees it is told at the end.
+  drag(event) {
+    const row = event.target.closest(".rl-row"), { model } = this;
+    if (!row || event.button || event.target.matches("input")) return;
+    const { s, a } = row.lastChild.dataset, was = this.q[s][a], width = row.offsetWidth;
+    const most = Math.max(1, ...this.q.flat().map(Math.abs));
+    row.setPointerCapture(event.pointerId);
+    row.onpointermove = ({ clientX }) => {
+      const moved = (2 * most * (clientX - event.clientX)) / width;
+      model.set("tables", this.changed(+s, +a, Math.round(100 * (was + moved)) / 100));
+      this.show();
+    };
+    row.onlostpointercapture = () => {
+      row.onpointermove = row.onlostpointercapture = null;
+      model.save_changes();
+    };
   }
 
   // A list or a field was changed.
@@ -156,24 +153,27 @@ class Explorer {
     }
     const { s, a } = control.dataset, value = control.valueAsNumber;
     if (!Number.isFinite(value)) return this.show(); // what is no number is not taken over
-    this.set("tables", this.withTable(this.q.map((row, k) => (k === +s ? row.map((x, i) => (i === +a ? value : x)) : row))));
+    this.set("tables", this.changed(+s, +a, value));
   }
 
   // Bring everything in line with the model.
   show() {
     const { about, q, model, action, named } = this, found = this.found();
-    const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s]]);
-    this.buttons.forEach((button, k) => {
-      const input = inputOf.get(k), { colour = "", ink = "" } = about.inputs[input] ?? {};
-      const robot = isRoom(about) ? robotSvg(about.states[k], about.inputs) : "";
-      button.innerHTML = robot + k + (input === undefined ? "" : `<span>${marksHtml(about, input)}</span>`);
-      button.setAttribute("aria-pressed", k === s);
-      Object.assign(button.style, { background: colour, color: ink });
-    });
+    const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s, null]]);
+    this.buttons.forEach((button, k) => showState(button, about, k, inputOf.get(k)));
     this.inputs.forEach((select, i) => { select.value = about.states[s].bins[i]; });
-    this.blocks.forEach((block, a) => this.showAction(block, a, s, stage, found));
+    const largest = Math.max(1e-9, ...found.flows.flat(2).map(Math.abs)), wide = (x) => 1.2 + (6.8 * Math.abs(x)) / largest;
+    this.blocks.forEach((block, a) => {
+      this.showAction(block, a, s, stage, found);
+      block.querySelectorAll("path").forEach((path, i) => {
+        const flow = found.flows[a][i];
+        path.style.strokeWidth = wide(flow);
+        path.classList.toggle("rl-against", flow < 0);
+      });
+    });
     for (const each of this.later) each.style.visibility = stage < each.dataset.from ? "hidden" : "";
     named.next.textContent = NEXT[stage];
+    this.root.querySelector(".rl-asks").textContent = question(q[s]);
     this.root.querySelector(".rl-finding").innerHTML = findingHtml(about, found);
     named.back.disabled = !stage;
     named.action.value = action;

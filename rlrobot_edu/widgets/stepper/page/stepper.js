@@ -48,9 +48,12 @@ class Stepper {
       'aria-label="Keyboard of the stepper: left and right arrow step, space plays and pauses, Home and End go to the ends">' +
       `Keyboard${link ? "" : " (click the view, or come here with Tab)"}: <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> play or ` +
       "pause &nbsp; <kbd>Home</kbd> <kbd>End</kbd> first and last step</div>" +
-      '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><div class="rl-why rl-ask" role="group" ' +
-      'aria-label="Who paid for a value?"></div><div class="rl-view rl-paid"></div><div class="rl-what-if rl-ask" role="group" ' +
-      `aria-label="What if?"></div><div class="rl-view rl-futures"></div><div class="rl-view">${this.about.code}</div></div>`;
+      '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><details><summary><b>Why?</b> ' +
+      "Click a value in Q, or ask here who paid for it</summary>" +
+      '<div class="rl-why rl-ask" role="group" aria-label="Who paid for a value?"></div><div class="rl-view rl-paid"></div></details>' +
+      "<details><summary><b>What if?</b> Learn again with other settings, another action or another reward</summary>" +
+      '<div class="rl-what-if rl-ask" role="group" aria-label="What if?"></div><div class="rl-view rl-futures"></div></details>' +
+      `<div class="rl-view">${this.about.code}</div></div>`;
     this.root = root.firstChild;
     this.link = link;
     this.find = (name) => this.root.querySelector(`.rl-${name}`);
@@ -215,7 +218,7 @@ class Stepper {
       return;
     }
     const option = (a) => `<option value="${a}">${escaped(named(names, a))}</option>`, actions = count(nActions).map(option).join("");
-    place.innerHTML = '<b>Why?</b> <span>Click a value in Q, or ask: who paid for Q(</span>' +
+    place.innerHTML = '<span>Who paid for Q(</span>' +
       `<input name="s" type="number" min="0" max="${nStates - 1}" aria-label="state">, <select name="a" aria-label="action">${actions}</select> ) ` +
       `<label>rather than <select name="rather"><option value="">no other action</option>${actions}</select></label> ` +
       '<button name="tell">Tell</button> <button name="mine">What did the step shown pay?</button> ' +
@@ -248,6 +251,7 @@ class Stepper {
   // Who paid for a value: tell it below the tables, at every step, until another one is asked for.
   why(asked) {
     this.asked = asked;
+    this.find("why").parentNode.open = Boolean(asked);
     if (asked && "s" in asked) for (const name of ["s", "a", "rather"]) this.find("why").querySelector(`[name=${name}]`).value = asked[name] ?? "";
     this.show();
   }
@@ -267,7 +271,7 @@ class Stepper {
   wishes() {
     const place = this.find("what-if"), { replayData, about } = this, { names } = about;
     if (!replayData || !replayData.kernels) {
-      place.innerHTML = "";
+      place.parentNode.hidden = true;
       return;
     }
     const own = replayData.memory.parameters, as = '<option value="">as it was</option>';
@@ -278,7 +282,7 @@ class Stepper {
     };
     const methods = about.methods.map(({ algorithm }, i) => `<option value="${i || ""}">${escaped(algorithm)}</option>`);
     const actions = count(about.nActions).map((a) => `<option value="${a}">${escaped(named(names, a))}</option>`);
-    place.innerHTML = '<b>What if,</b> <label>from step <input name="from" type="number" min="1" value="1"></label> ' +
+    place.innerHTML = '<label>From step <input name="from" type="number" min="1" value="1"></label> ' +
       `<button name="here">from the step shown</button> ${replayData.settings.map(select).join(" ")} ` +
       `<label>learn by <select name="method">${methods.join("")}</select></label> <label>in that step a = ` +
       `<select name="action">${as}${actions.join("")}</select></label> <label>r = <input name="reward" type="number" step="any" ` +
