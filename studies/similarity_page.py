@@ -23,8 +23,10 @@ from similarity_numbers import (
 )
 from similarity_split import spectrum_of_noise
 from similarity_text import PAGE
+from stage_table import HEAD, asked_table
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.widgets.stage.honest import IDEAL, read_numbers, verdict
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE_OF = DOCS / "when_similarity_helps.md"
@@ -109,6 +111,8 @@ def numbers(found: Found) -> dict[str, str]:
 def page(found: Found) -> str:
     """The page in Markdown."""
     rank = rank_correlation(found)
+    new_states = read_numbers()
+    first_seed, last_seed = new_states["seeds"]
     return PAGE.format(
         factors_alt=factors_picture().alt,
         spectra_alt=spectra_picture(found).alt,
@@ -118,6 +122,10 @@ def page(found: Found) -> str:
         gain_over_sr=gain_table(found, "SR"),
         gain_over_fair=gain_table(found, "SR, fair T"),
         advice=advice_table(found),
+        first_seed=first_seed,
+        last_seed=last_seed,
+        asked=table(HEAD, asked_table(new_states)),
+        memories=verdict(new_states[IDEAL]["advice"]["all"]),
         teachers=len(found["advice"]["wander_1k"]["skill"]),
         robots=len(found["advice"]["wander_1k"]["SR"]),
         rho=rank.rho,

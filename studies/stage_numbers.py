@@ -14,11 +14,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+import similarity_page
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.robots.chassis import CHASSIS
+from rlrobot_edu.widgets.stage.honest import read_numbers
 
 HERE = Path(__file__).parent
 FILE = HERE.parent / "rlrobot_edu/widgets/stage/numbers.json"
@@ -208,7 +210,13 @@ def measure(seeds: Sequence[int]) -> dict[str, Any]:
 
 
 def main(names: Sequence[str]) -> None:
-    """Measure and write; with two seeds given, only print what these and all between them give."""
+    """Measure and write; with two seeds given, only print what these and all between them give.
+
+    ``--page`` measures nothing, and only writes the table.
+    """
+    if list(names) == ["--page"]:
+        write_table()
+        return
     if names:
         first, last = map(int, names)
         print(json.dumps(measure(range(first, last + 1)), indent=1))
@@ -216,6 +224,14 @@ def main(names: Sequence[str]) -> None:
     first, last = REGISTERED["seeds"]
     found = measure(range(first, last + 1))
     write_whole(FILE, json.dumps(found, indent=1) + "\n")
+    write_table()
+
+
+def write_table() -> None:
+    """The page with the table, which has much from another study, anew."""
+    read_numbers.cache_clear()
+    others = (HERE / "similarity.json").read_text(encoding="utf-8")
+    write_whole(similarity_page.PAGE_OF, similarity_page.page(json.loads(others)))
 
 
 if __name__ == "__main__":

@@ -169,13 +169,85 @@ def test_the_honest_line_is_seen_without_scrolling(calm):
         assert last <= below["y"], "the buttons stay at the bottom of a phone"
 
 
+THUMBNAIL = """() => { // of the left room: parts of its pixels that are wall, floor and way; where it is
+  const camera = new Camera(lives[0].world.bounds, placesOf(1).rooms[0]), box = canvas.getBoundingClientRect();
+  const sheet = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+  const context = sheet.getContext("2d", { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  const place = [camera.left, camera.top, camera.wide, camera.high];
+  const { data } = context.getImageData(...place.map((side) => side * ratio));
+  const greener = (i) => data[i + 1] - Math.max(data[i], data[i + 2]) > 12;
+  const starts = Array.from({ length: data.length / 4 }, (_, i) => 4 * i), n = starts.length;
+  const bare = starts.filter((i) => data[i + 3] === 0).length / n;
+  return { green: starts.filter(greener).length / n, bare, left: camera.left + box.left, top: camera.top + box.top,
+    right: camera.left + camera.wide + box.left, bottom: camera.top + camera.high + box.top };
+}"""
+LETTERS_OF_SCORES = """() => [...document.querySelectorAll(".score :is(b, i, em)")].map((element) => {
+  const range = document.createRange();
+  range.selectNodeContents(element);
+  const { left, right, top, bottom } = range.getBoundingClientRect();
+  return { left, right, top, bottom };
+})"""
+
+
+def test_the_left_room_stays_as_a_small_picture_beside_its_number(calm):
+    shown = calm.evaluate(THUMBNAIL)
+    assert shown["green"] > 0.05, "the way of its hour"
+    assert shown["bare"] < 0.3, "a room fills its rectangle but for the corners"
+    for letters in calm.evaluate(LETTERS_OF_SCORES):
+        beside = shown["left"] >= letters["right"] or shown["right"] <= letters["left"]
+        above = shown["top"] >= letters["bottom"] or shown["bottom"] <= letters["top"]
+        assert beside or above
+
+
 def test_axe_finds_nothing(calm):
+    assert violations(calm) == []
+
+
+def test_axe_finds_nothing_in_the_dark_with_a_ghost_chosen(opened):
+    page = opened(color_scheme="dark")
+    until(page, "phase === 'ask' && !isMoving")
+    page.locator("#ghosts button").first.click()
+    assert violations(page) == []
+
+
+def violations(page):
+    """What axe finds."""
     axe = pytest.importorskip(
         "axe_playwright_python.sync_playwright", reason="needs axe-playwright-python"
     ).Axe()
-    found = axe.run(calm, options={"resultTypes": ["violations"]}).response
-    told = [(each["id"], each["nodes"][0]["html"]) for each in found["violations"]]
-    assert told == []
+    found = axe.run(page, options={"resultTypes": ["violations"]}).response
+    return [(each["id"], each["nodes"][0]["html"]) for each in found["violations"]]
+
+
+def test_a_ghost_that_is_chosen_tells_when_it_was_there_and_shows_what_differs(opened):
+    page = opened()
+    until(page, "phase === 'ask' && !isMoving")
+    page.evaluate("""() => {
+      window.beams = [];
+      const whole = drawBeam;
+      drawBeam = (context, camera, world, place, input, ...rest) => {
+        window.beams.push(input);
+        whole(context, camera, world, place, input, ...rest);
+      };
+      window.texts = [];
+      const fillText = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+        window.texts.push([text, parseFloat(this.font.match(/([\\d.]+)px/)[1])]);
+        fillText.call(this, text, ...rest);
+      };
+      wake();
+    }""")
+    until(page, "texts.length > 0 && !isMoving")
+    assert page.evaluate("beams") == [], "the opening is bare of beams"
+    assert min(size for _, size in page.evaluate("texts")) >= 13
+    page.evaluate("texts.length = 0")
+    page.locator("#ghosts button").nth(1).click()
+    until(page, "texts.length > 0 && !isMoving")
+    chosen = page.evaluate("moment.known[1]")
+    assert page.evaluate("beams") == [chosen["input"]] * 2, "its own, and the robot's"
+    told = [text for text, _ in page.evaluate("texts")]
+    assert f"itself, minute {chosen['seen'] // 60}" in told
 
 
 def test_the_main_buttons_come_first(opened):

@@ -17,7 +17,7 @@ function drawCells(canvas, world, place, learned, colours) {
   cells.forEach((cell, i) => {
     const isCliff = is(world.cliff, cell);
     context.fillStyle = isCliff ? colours.line : colours.floor;
-    box(cell, isCliff ? 0 : 1);
+    box(cell, isCliff ? -0.5 : 1); // no seams within the cliff
     context.fillStyle = is([world.goal], cell) ? colours.green : colours.faint;
     if (!isCliff) context.fillText(is([world.goal], cell) ? "goal" : learned(i), ...middle(cell));
   });

@@ -47,7 +47,7 @@ function placesOf(near) {
   if (isNarrow()) {
     const wide = (H - 12) / 2 / shape, one = wide * shape;
     return {
-      rooms: [mix([0, 0, wide], [0, -40, wide]), mix([0, one + 12, wide], [0, UNDER, W])], fade: 1 - eased(near * 1.6),
+      rooms: [mix([0, 0, wide], [W / 2 - 66, 2, 56]), mix([0, one + 12, wide], [0, UNDER, W])],
       scores: [mix([wide + 14, one / 2 - 40], [0, 0]), mix([wide + 14, one * 1.5 - 44], [W / 2, 0])], size: mixed(0.8, 0.62, near),
       clock: [wide + 14, 22, W - wide - 14],
     };
@@ -56,7 +56,7 @@ function placesOf(near) {
   const last = Math.min(0.56 * W, H / shape), panel = W - last - 28;
   const race = [[side, SCORE_HIGH, wide], [side + wide + 56, SCORE_HIGH, wide]];
   return {
-    rooms: [mix(race[0], [132, 0, 100]), mix(race[1], [W - last, 0, last])], fade: 1,
+    rooms: [mix(race[0], [132, 0, 100]), mix(race[1], [W - last, 0, last])],
     scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 248), 0])], size: mixed(1, 0.8, near),
     clock: null,
   };
@@ -186,9 +186,7 @@ function drawClock(context, spot, t) {
 function drawAsk(context, now) {
   const isCalm = calm.matches, part = isNear ? 1 : Math.max(0, Math.min(1, 1 - (arrived - now) / CAMERA_MS));
   const near = isNear ? 1 : eased(part), places = placesOf(near), t = Math.round(mixed(HOUR, moment.t, eased(part)));
-  context.globalAlpha = places.fade;
-  if (places.fade > 0.01) drawLife(context, new Camera(lives[0].world.bounds, places.rooms[0]), 0, HOUR, 1);
-  context.globalAlpha = 1;
+  drawLife(context, new Camera(lives[0].world.bounds, places.rooms[0]), 0, HOUR, 1);
   tellScores(places, HOUR);
   const camera = new Camera(lives[1].world.bounds, places.rooms[1]);
   if (part < 1) {
