@@ -28,7 +28,9 @@ from rlrobot_grading.hints.suspicions import (
 
 # times that a function is asked the same, to see whether there is chance in it
 AGAIN = 40
-RUNS_AGAIN = 5  # the same, if it runs a whole world: chance shows in one of its many steps
+RUNS_AGAIN = (
+    5  # the same, if it runs a whole world: chance shows in one of its many steps
+)
 SECONDS = 1.0  # of computing that this may take
 CHANCE = "called twice with the same arguments, your function answers differently. Is there chance in it?"
 

@@ -10,7 +10,6 @@ from in_node import run
 from PIL import Image
 
 import rlrobot_edu as rl
-from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 from rlrobot_edu.widgets.page_file import read_text
 from rlrobot_edu.widgets.playground.script import luck_of
@@ -247,34 +246,12 @@ def test_the_robots_of_the_second_room_come_to_their_states_for_the_first_time(n
     assert last.s == s
 
 
-# Of the seeds 0 to 999, and after how many steps
-KNEW_FOUR = {
-    79: 82,
-    138: 71,
-    387: 72,
-    429: 73,
-    647: 76,
-    806: 105,
-    846: 68,
-    874: 41,
-    922: 86,
-}
-
-
-def test_of_those_that_knew_four_similar_states_the_bias_changes_this_one_most():
-    task = rl.load_task(SECOND_ROOM)
+def test_the_robot_in_the_papers_state_knows_four_of_its_five_similar_ones():
+    """The fifth, a free way ahead there, cannot occur."""
+    robot = grown(*NEW_IN["new in state 21, the paper's"])
     others = [9, 15, 19, 20, 23]
-    changes = {}
-    for seed, steps in KNEW_FOUR.items():
-        robot = grown(seed, steps)
-        known = robot.visits[others].any(axis=1)
-        assert known.tolist() == [True, True, True, False, True]
-        assert robot.visits[21].sum() == 0
-        numbers = bias_numbers(task, robot.q, 21, 1.0, 1.0)
-        changes[seed] = np.abs(numbers.qbiassr - numbers.sr).max()
-    seed, steps = NEW_IN["new in state 21, the paper's"]
-    assert max(changes, key=changes.get) == seed
-    assert KNEW_FOUR[seed] == steps
+    known = robot.visits[others].any(axis=1)
+    assert known.tolist() == [True, True, True, False, True]
 
 
 @pytest.mark.parametrize("name", ["stage", "stage_dark"])

@@ -8,11 +8,9 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 
 SECOND_ROOM = "worked_example"
-# Robots that stand in a state for the first time: their seed, and the steps before. The first is that of the paper's
-# state (1, 1, 90°, T): of the seeds 0 to 999 those that knew four of its five similar states (the fifth, a free way
-# ahead there, cannot occur); of these the one whose chances the bias changes most. The second is lesson 05's.
+# The two robots of lesson 05, which stand in a state for the first time: their seed, and the steps before
 NEW_IN = {
-    "new in state 21, the paper's": (806, 105),
+    "new in state 21, the paper's": (138, 71),
     "new in state 1, lesson 05's": (131, 158),
 }
 

@@ -2,6 +2,7 @@
 // or of a file alone; `state`, `table` (the number of one), `tables` (the values of all) and `stage` change.
 
 const ROW = 26; // height of a state's row [px]
+const WIDEST = 10; // of a line from a state to its mean, and on to the bias [px]
 const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice",
   "Build it up, column by column"];
 
@@ -32,9 +33,9 @@ function actionHtml({ inputs, shape }, name, a) {
   const height = Math.max(rows.length, inputs.length) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
   const own = (i) => `style="--own:${i === null ? "" : inputs[i].colour}"`;
   const lines = (from, ends) => `<svg data-from="${from}" viewBox="0 0 1 ${height}" preserveAspectRatio="none" aria-hidden="true">` +
-    `${ends.map(([y, to, i, k]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" ${own(i)} data-of="${[k, i]}"/>`).join("")}</svg>`;
+    `${ends.map(([y, to, i]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" ${own(i)}/>`).join("")}</svg>`;
   const meanOf = (i) => space(inputs.length, i), all = inputs.map((_, i) => i);
-  const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i, k]));
+  const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i]));
   const row = (input) => `<div class="rl-row" ${own(input)}${input === null ? "" : ' data-from="1"'}><span></span>` +
     '<input type="number" step="any"></div>';
   const mean = (i) => `<span ${own(i)}>${marksHtml({ inputs }, i)} <data></data></span>`;
@@ -42,7 +43,7 @@ function actionHtml({ inputs, shape }, name, a) {
   return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h3>${escaped(name)}</h3>` +
     `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${all.map(mean).join("")}</div>` +
-    `${lines(3, all.map((i) => [meanOf(i), height / 2, i, "mean"]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
+    `${lines(3, all.map((i) => [meanOf(i), height / 2, i]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
     `<div class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</div></div></div>`;
 }
 
@@ -162,7 +163,8 @@ class Explorer {
     const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s, null]]);
     this.buttons.forEach((button, k) => showState(button, about, k, inputOf.get(k)));
     this.inputs.forEach((select, i) => { select.value = about.states[s].bins[i]; });
-    const largest = Math.max(1e-9, ...found.flows.flat(2).map(Math.abs)), wide = (x) => 1.2 + (6.8 * Math.abs(x)) / largest;
+    const largest = Math.max(1e-9, ...found.flows.flat(2).map(Math.abs));
+    const wide = (x) => Math.max(1, (WIDEST * Math.abs(x)) / largest);
     this.blocks.forEach((block, a) => {
       this.showAction(block, a, s, stage, found);
       block.querySelectorAll("path").forEach((path, i) => {
@@ -184,16 +186,10 @@ class Explorer {
   }
 
   // The numbers of one action, into the block of its columns.
-  showAction(block, a, s, stage, { sets, members, means, bias, sr, qbiassr }) {
-    const { about, q } = this, most = Math.max(...means.flatMap((mean) => Array.from(mean, Math.abs)), 1e-9), write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
+  showAction(block, a, s, stage, { members, means, bias, sr, qbiassr }) {
+    const { about, q } = this, write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
     block.hidden = stage < 4 && a !== this.action;
     write(".rl-row span:first-child", members.map(([k, input]) => `<b>${k}</b>${stage ? marksHtml(about, input) : ""}`));
-    for (const line of block.querySelectorAll("path")) { // as wide as what it brings; dashed if that speaks against
-      const [k, i] = line.dataset.of.split(","), say = k === "mean" ? means[i][a] : q[members[k][0]][a] / sets[i].length;
-      line.style.strokeWidth = `max(1px, ${Math.min(1, Math.abs(say) / most)} * var(--widest))`;
-      line.style.strokeDasharray = say < 0 ? "4 3" : "";
-      line.style.opacity = say ? 1 : 0.5;
-    }
     block.querySelectorAll("input").forEach((field, i) => {
       const [k] = members[i];
       Object.assign(field.dataset, { s: k, a });
