@@ -42,9 +42,9 @@ function marksHtml({ inputs }, input) {
 // The page's title, by the state's own row of Q.
 const question = (row) => (row.some(Boolean) ? "What do similar states advise it here?" : "It has learned nothing here. Who can advise it?");
 
-// In large type: the action whose probability the bias raises most.
+// In large type: the action whose probability the bias changes most.
 function findingHtml({ actions }, { sr, qbiassr, members }) {
-  const gains = qbiassr.map((p, a) => p - sr[a]), a = gains.indexOf(Math.max(...gains)), whole = (p) => (100 * p).toFixed(0);
+  const changes = qbiassr.map((p, a) => Math.abs(p - sr[a])), a = changes.indexOf(Math.max(...changes)), whole = (p) => (100 * p).toFixed(0);
   const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
   return `<b>${escaped(actions[a])} <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
     `how likely the robot is to choose this, without and with the advice of its ${members.length - 1} similar states`;
