@@ -8,7 +8,7 @@ const SCORE_HIGH = 98, UNDER = 64; // height of the numbers above a room, and of
 const canvas = find("picture"), calm = matchMedia("(prefers-reduced-motion: reduce)");
 const FINGER = matchMedia("(pointer: coarse)");
 
-let colours, W, H, ratio, lives, moments = [], motions, walls = null;
+let colours, W, H, ratio, lives, moments = [], least, motions, walls = null;
 let ways, phase = "race", begun = 0, raceMs = RACE_MS, arrived = 0, isNear = false; // isNear: the camera is there already
 let moment = null, chosen = 0, ghost = -1, changed = new Map(), layout = null; // changed: "state motion" -> value
 let wallChosen = -1, wallMoved = null, isMoving = false;
@@ -81,7 +81,13 @@ function race(ms) {
   wake();
 }
 
-const momentsNow = () => { if (!moments.length) moments = momentsOf(lives[1]); return moments; };
+function momentsNow() {
+  if (!moments.length) {
+    moments = momentsOf(lives[1]);
+    least = leastEarned(lives[1], moments, motions);
+  }
+  return moments;
+}
 
 // Ask about a moment; quick: without the camera's way.
 function ask(which, quick = false) {
@@ -101,10 +107,9 @@ function ask(which, quick = false) {
 }
 
 const firstNow = () => firstShown(lives[1], momentsNow(), motions);
-const leastNow = () => leastEarned(lives[1], momentsNow(), motions);
 const wrongNow = () => { // first where it bumped by its memories; from there on, where its next steps earned least
   const bumped = mostWrong(momentsNow());
-  return moment === bumped ? leastNow() : bumped;
+  return moment === bumped ? least : bumped;
 };
 const next = (way) => {
   const all = momentsNow(), i = moment ? all.indexOf(moment) : 0;

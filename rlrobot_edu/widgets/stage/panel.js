@@ -145,7 +145,7 @@ function drawn() {
   const paid = { bump: `a bump, ${numberText(r)}`, paid: `reward +${numberText(r)}`, idle: `reward ${numberText(r)}` }[kind];
   const favourite = favouriteOf(moment.chances, motions), isAdvised = favourite === motions[chosen] && moment.known.some((one) =>
     speaks({ say: sayNow(one) }));
-  if (isAdvised && moment === leastNow()) {
+  if (isAdvised && moment === least) {
     const [earned, usual] = [earnedFrom(lives[1], moment.t), usuallyEarned(lives[1])].map((x) => numberText(Math.round(x)));
     return `Its next ten steps <span class="red">earned ${earned}</span>; ten of its hour earn ${usual}.`;
   }
