@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from api_pages import write_api
-from front_page import write_playground
+from front_page import take_light_picture, write_pages
 from launch import SOURCE, add_buttons, in_colab, write_colab
 from lesson_cards import write_cards
 from live_pages import enliven
@@ -61,7 +61,8 @@ def write_source(source: Path) -> None:
     (root / "index.html").write_text(TO_THE_SITE, encoding="utf-8")
     write_api(source / "docs/api")
     write_steppers(source / "docs", root / "docs")
-    write_playground(source / "docs/index.md", root / "docs")
+    write_pages(source / "docs/index.md", root / "docs")
+    take_light_picture(source / "README.md")
     write_cards(source, root / "docs")
     for notebook in lessons(source).values():
         name = notebook.relative_to(source)

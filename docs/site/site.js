@@ -6,9 +6,9 @@ function reachable() {
   }
 }
 addEventListener("load", reachable);
-// A playground's frame is as high as what is in it, and follows the switch between light and dark; see host_page.js.
+// The frame of a playground or a stage is as high as what is in it, and follows the switch between light and dark; see host_page.js.
 addEventListener("load", () => {
-  document.querySelectorAll("iframe.playground, iframe.playgrounds").forEach(hostPlayground);
+  document.querySelectorAll("iframe:is(.playground, .playgrounds, .stage, .stages)").forEach(hostPlayground);
 });
 addEventListener("resize", reachable);
 // Both columns beside a page are landmarks; by their names a screen reader tells them apart.

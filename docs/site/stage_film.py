@@ -1,5 +1,7 @@
 """The stage's opening as a film of some five seconds, light and dark, and its picture: ``make pictures TASKS=stage``.
 
+The picture that a saved notebook keeps of the stage is made from it, too.
+
 A browser draws the page, whose clock moves only from picture to picture: so the film is the same on any machine.
 """
 
@@ -12,8 +14,15 @@ from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.show.images import few_colours, image_of, png_of, reduced
+from rlrobot_edu.show.images import (
+    few_colours,
+    in_few_colours,
+    image_of,
+    png_of,
+    reduced,
+)
 
+OPENING = Path(rl.__file__).parent / "widgets/stage/opening.png"
 WIDE, HIGH = 1000, 530  # of the page [px]
 SMALL = (720, 382)  # of the film [px]
 START = 600_000  # when the clock stops [ms]
@@ -46,6 +55,8 @@ def film_of_stage(folder: Path) -> None:
             pictures = pictures_of(page, file.as_uri())
             if scheme == "light":
                 write_whole(folder / "stage.png", png_of(pictures[ARROW]))
+                kept = in_few_colours(pictures[ARROW].resize(SMALL), COLOURS)
+                write_whole(OPENING, png_of(kept))
             small = [picture.resize(SMALL) for picture in pictures]
             times = [SHOWN] * (len(small) - 1) + [AT_LAST]
             write_whole(folder / f"{name}.gif", gif_of(small, times))

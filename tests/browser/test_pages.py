@@ -268,7 +268,9 @@ WIDTHS = """(block) => [...block.querySelectorAll("svg")].map((svg) => [...svg.q
 def test_lines_are_as_wide_as_what_they_bring_and_dashed_below_zero(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     page, numbers, q = opened(explorer), explorer.numbers, explorer.q
-    most = max(np.abs(numbers.means).max(), np.abs(q).max() / 2)  # a set has two or three
+    most = max(
+        np.abs(numbers.means).max(), np.abs(q).max() / 2
+    )  # a set has two or three
     for a, name in enumerate(("advance", "spin left", "spin right")):
         block = page.get_by_role("group", name=name)
         first, second = (np.array(each) for each in block.evaluate(WIDTHS))

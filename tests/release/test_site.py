@@ -111,7 +111,11 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
 
 def test_each_page_has_a_description_and_a_card_for_who_shares_a_link(site, pages):
     made_by_sphinx = [site / "docs" / f"{name}.html" for name in ("index", "method")]
-    alone = [site / "index.html", site / "docs/a_robot_learns.html"]
+    alone = [
+        site / "index.html",
+        site / "docs/a_robot_learns.html",
+        site / "docs/who_does_it_ask.html",
+    ]
     lessons_made = [site / "notebooks/05_qbiassr.html"]
     steppers = sorted((site / "docs/steppers").glob("*.html"))
     for path in [*made_by_sphinx, *alone, *lessons_made, *steppers]:
@@ -367,22 +371,19 @@ def test_the_sidebar_shows_at_most_twenty_pages_before_a_click(address, browser)
         page.close()
 
 
-def test_on_the_front_page_a_robot_learns(address, browser):
-    page = browser.new_page()
+def test_on_the_front_page_a_robot_asks_and_the_playground_is_one_click_away(
+    address, browser
+):
+    page = browser.new_page(reduced_motion="reduce")
     try:
         page.goto(f"{address}/docs/index.html")
         until(
             page, "frames.length === 1 && frames[0].document.readyState === 'complete'"
         )
-        until(
-            page.frames[1],
-            "yours.simulation.t > 100 && yours.simulation.m.q.some((row) => row.some(Boolean))",
-        )
-        link = page.frame_locator("iframe.playground").get_by_role(
-            "link", name="Open on its own page"
-        )
-        link.click()
-        page.wait_for_url(f"{address}/docs/a_robot_learns.html#task=wander_1k*")
+        until(page.frames[1], "phase === 'ask' && !isMoving")
+        page.get_by_role("link", name="the playground", exact=True).first.click()
+        page.wait_for_url(f"{address}/docs/a_robot_learns.html*")
+        until(page, "yours.simulation.t > 100")
     finally:
         page.close()
 

@@ -8,7 +8,7 @@ Read in this order:
 - `life.js`: two lives of an hour, by the library's kernels, and the moments at which a state was new;
 - `view.js`: the room in 3D; `asking.js`: ghosts, ribbons and the arrow;
 - `page.html`, `style.css`: the looks; `page.js`: time, and the picture; `panel.js`: words, buttons and the link;
-- `hands.js`: dragging, keys, and the beginning.
+- `hands.js`: dragging, keys, and the beginning; `opening.png`: what a saved notebook keeps.
 
 Kernels, walls and worlds are the playground's, and so is `theme.js`; colours and buttons are those of
 `rlrobot_edu.show.room`; the chances come from the bias explorer's bias.js.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import cache, cached_property
 from html import escape
+from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING
 
-from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
@@ -16,7 +16,6 @@ from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.room.scene_data import room_script
 from rlrobot_edu.show.room.tokens import look
-from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.page_file import bare, bare_style, read_text
@@ -36,6 +35,12 @@ DESCRIPTION = (
     "Two robots learn in the same room. One asks nobody. The other asks its memories of places that differ from its "
     "own in one reading. See what that is worth, and when it misleads."
 )
+OPENING = (
+    "Two robots have learned for an hour in the same room; the one that asked its memories has driven 311 m, the other "
+    "266 m. Here the first one stands at a place that is new to it. Pale discs are itself, earlier, in similar places. "
+    "Five of them say: drive ahead, fast. That raises the chance of this motion from 11 to 83 percent."
+)
+OPENING_WIDTH = 720  # of its picture [pixels of a page]
 SCRIPTS = (
     "playground/theme.js",
     "stage/life.js",
@@ -48,7 +53,7 @@ SCRIPTS = (
 
 
 class Stage(Displayed):
-    """The page that shows whom a robot asks. A notebook shows it, and keeps a picture of the room.
+    """The page that shows whom a robot asks. A notebook shows it, and keeps a picture of its opening.
 
     Attributes
     ----------
@@ -83,11 +88,10 @@ class Stage(Displayed):
         """
         write_whole(path, self.html)
 
-    def still(self) -> Still | None:
-        """The robot at its start, as a saved notebook keeps it."""
-        env = make_env(TASK, engine="kinematic")
-        env.reset()
-        return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
+    def still(self) -> Still:
+        """The question and its answer, as a saved notebook keeps them; ``make pictures TASKS=stage`` draws it anew."""
+        picture = files(__package__).joinpath("opening.png").read_bytes()
+        return Still(OPENING, picture, OPENING_WIDTH)
 
     @cached_property
     def widget(self) -> PageFrame:
