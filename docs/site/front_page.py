@@ -6,9 +6,10 @@ from pathlib import Path
 import rlrobot_edu as rl
 
 FILM = re.compile(r"^!\[.*\]\(pictures/stage\.gif\)$", re.MULTILINE)
-FRAME = """<iframe class="live stage" src="who_does_it_ask.html" title="A robot asks what it has learned elsewhere"></iframe>
+FRAME = """<iframe class="live stage" src="who_does_it_ask.html" title="A robot asks its own memories"></iframe>
 <p><a href="who_does_it_ask.html">The stage on a page of its own</a>, and
-<a href="a_robot_learns.html">the playground</a>, in which a robot learns: each is one file, which works without a network.</p>
+<a href="a_robot_learns.html">the playground</a>, in which a robot learns:
+each is one file, which works without a network.</p>
 
 <noscript>
 

@@ -16,8 +16,8 @@ import rlrobot_edu as rl
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.images import (
     few_colours,
-    in_few_colours,
     image_of,
+    in_few_colours,
     png_of,
     reduced,
 )
