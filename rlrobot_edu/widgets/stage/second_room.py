@@ -6,8 +6,8 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
+from rlrobot_edu.widgets.stage.page import SECOND_ROOM
 
-SECOND_ROOM = "worked_example"
 # Robots that stand in a state for the first time: their seed, and the steps before. The first is that of the paper's
 # state (1, 1, 90°, T): of the seeds 0 to 999 those that knew four of its five similar states (the fifth, a free way
 # ahead there, cannot occur); of these the one whose chances the bias changes most. The second is lesson 05's.
