@@ -9,9 +9,9 @@ from matplotlib.patches import Rectangle
 
 from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
 from rlrobot_edu import load_task
-from rlrobot_edu.show.palette import LIGHT, WHITE
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
-from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of
+from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
     name_text,
     state_words,
@@ -36,15 +36,16 @@ def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
         f"the paper's five lines; in grey: the numbers of this robot for {action}",
     )
     room, lines = figure.subplots(1, 2, width_ratios=(1, 2.9))
-    _draw_pose(room, task.states.decode(s), Mark("", BLUE, WHITE))
+    _draw_pose(room, task.states.decode(s), BLUE)
     room.set_title("thick bar: a wall or\nthe box is ahead", fontsize=10)
     room.set_axis_off()
-    marks = [*marks_of(task).values(), Mark("", BLACK, WHITE)]  # the mean has none
+    signs = [(mark.sign, mark.colour) for mark in marks_of(task).values()]
+    signs.append(("", BLACK))  # the mean has none
     told = []
-    for y, (mark, (symbols, numbers)) in enumerate(
-        zip(marks, five_lines(q, s, a), strict=True)
+    for y, ((sign, colour), (symbols, numbers)) in enumerate(
+        zip(signs, five_lines(q, s, a), strict=True)
     ):
-        lines.text(0, y, mark.sign, color=mark.colour)
+        lines.text(0, y, sign, color=colour)
         lines.text(0.06, y, symbols)
         lines.text(0.06, y + 0.4, numbers, color=LIGHT["faint"])
         told.append(f"{symbols} {numbers}")
@@ -117,7 +118,7 @@ def plot_similar_states(s: int) -> Picture:
         for ax, k in zip_longest(row, map(int, states)):
             ax.set_axis_off()
             if k is not None:
-                _draw_pose(ax, task.states.decode(k), mark)
+                _draw_pose(ax, task.states.decode(k), mark.colour)
                 value = (
                     f"{name_text(name)} = {value_words(task.states.decode(k)[name])}"
                 )
@@ -134,13 +135,13 @@ def plot_similar_states(s: int) -> Picture:
     return figure
 
 
-def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
+def _draw_pose(ax: Axes, bins: dict[str, Bin], colour: str) -> None:
     """Four cells, the robot as an arrow in one of them, and before it a bar: thick if the way is blocked."""
     x, y, theta, blocked = (bins[name].reading for name in ("X", "Y", "theta", "d"))
     for column in (0, 1):
         for row in (0, 1):
             here = (column, row) == (x, y)
-            ax.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, facecolor=mark.colour if here else "white",
+            ax.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, facecolor=colour if here else "white",
                                    edgecolor=GREY, linewidth=0.8))  # fmt: skip
     along = np.array([np.cos(np.radians(theta)), np.sin(np.radians(theta))])
     across, middle = np.array([-along[1], along[0]]), np.array([x, y])

@@ -21,8 +21,8 @@ from rlrobot_edu.widgets.stage.honest import (
     shows,
     verdict,
 )
-from rlrobot_edu.widgets.stage.page import METHODS, TASK, lives_script
-from rlrobot_edu.widgets.stage.second_room import NEW_IN, SECOND_ROOM, grown
+from rlrobot_edu.widgets.stage.page import METHODS, SECOND_ROOM, TASK, lives_script
+from rlrobot_edu.widgets.stage.second_room import NEW_IN, grown
 
 HOUR = 3600
 SEEDS = range(10)

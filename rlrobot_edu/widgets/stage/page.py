@@ -17,18 +17,18 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.room.scene_data import room_script
 from rlrobot_edu.show.room.tokens import look
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.page_file import bare, bare_style, read_text
 from rlrobot_edu.widgets.playground.kernels import kernels
 from rlrobot_edu.widgets.playground.script import script_of
 from rlrobot_edu.widgets.playground.worlds import base_world
 from rlrobot_edu.widgets.stage.honest import honest, read_numbers, rule
-from rlrobot_edu.widgets.stage.second_room import SECOND_ROOM, second_room
 
 if TYPE_CHECKING:
+    from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
     from rlrobot_edu.widgets.playground.page_frame import PageFrame
 
 TASK = "wander_1k"
+SECOND_ROOM = "worked_example"
 METHODS = {"TOSL+SR": "asks nobody", "TOSL+QBIASSR": "asks similar states"}
 TITLE = "It has never been here. Who does it ask?"
 DESCRIPTION = (
@@ -135,7 +135,14 @@ def stage(path: str | Path | None = None, room: str = TASK) -> Stage | BiasExplo
     """
     if room not in (TASK, SECOND_ROOM):
         raise ValueError(f"room must be {TASK!r} or {SECOND_ROOM!r}, got {room!r:.200}")
-    page = Stage() if room == TASK else second_room()
+    page: Stage | BiasExplorer
+    if room == TASK:
+        page = Stage()
+    else:
+        # here, because the explorer needs packages of Jupyter's, and the first room does not
+        from rlrobot_edu.widgets.stage.second_room import second_room
+
+        page = second_room()
     if path is not None:
         page.save(path)
     return page

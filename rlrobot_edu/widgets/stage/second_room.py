@@ -6,8 +6,8 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
+from rlrobot_edu.widgets.stage.page import SECOND_ROOM
 
-SECOND_ROOM = "worked_example"
 # The two robots of lesson 05, which stand in a state for the first time: their seed, and the steps before
 NEW_IN = {
     "new in state 21, the paper's": (138, 71),
