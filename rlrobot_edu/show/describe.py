@@ -13,7 +13,6 @@ from rlrobot_edu.show.numerals import signed
 
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 NEAR = 0.8  # films draw only what a laser finds nearer than this [m]; the paper's robots tell no distances farther off
-PRIZE = 5  # a reward that is so many times the usual one is worth telling
 CLEAR = 5  # a loss is at least this part of the largest gain or loss
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
@@ -93,25 +92,37 @@ def losses(rewards: Sequence[float]) -> list[bool]:
 
 
 def finding(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
-    """What became of these steps, in one sentence; rewards: one for each scene."""
-    told = []
-    prize = max(rewards)
-    is_rare = list(rewards).count(prize) == 1
-    if is_rare and prize > PRIZE * float(np.median(np.abs(rewards))):
-        told.append(f"{signed(prize)} in step {list(rewards).index(prize) + 1}")
+    """What became of these steps in one sentence; rewards: one for each scene."""
+    return f"{_lost(scenes, rewards)}: {_earned(scenes[0], rewards)}"
+
+
+def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
+    """How often the robot bumped, or lost something else."""
+    steps = _counted(len(rewards), "step")
     loses = losses(rewards)
-    lost = sum(loses)
-    bumps = sum(
-        scene.bumped for scene, is_lost in zip(scenes, loses, strict=True) if is_lost
-    )
-    if lost == 0:
-        told.append("no loss")
-    else:
-        told.append(_counted(lost, "bump" if lost == bumps else "loss"))
-    n = _counted(len(rewards), "step")
-    mean = f"{float(np.mean(rewards)):+.1f}".replace("-", "−")
-    text = f"{', '.join(told)} in {n}: {mean} a step"
-    return text[0].upper() + text[1:]
+    bumps = [scene.bumped for scene in scenes]
+    if any(loses):
+        all_bump = all(
+            bump for bump, is_loss in zip(bumps, loses, strict=True) if is_loss
+        )
+        return f"{_counted(sum(loses), 'bump' if all_bump else 'loss')} in {steps}"
+    if not _rolls(scenes[0]):
+        return steps
+    kind = "costly bump" if any(bumps) else "bump"  # to touch a wall may cost nothing
+    return f"No {kind} in {steps}"
+
+
+def _earned(scene: Scene, rewards: Sequence[float]) -> str:
+    """How often the robot got the largest reward."""
+    rewards = list(rewards)
+    most = max(rewards)
+    first = f"step {rewards.index(most) + 1}"
+    if most <= 0:
+        return f"{signed(float(np.mean(rewards)))} a step"
+    if rewards.count(most) == 1:
+        return f"{signed(most)} in {first}"
+    told = f"{signed(most)} in {rewards.count(most)} of them"
+    return told if _rolls(scene) else f"{told}, first in {first}"
 
 
 def sought(scene: Scene) -> str:
@@ -126,6 +137,10 @@ def sought(scene: Scene) -> str:
 
 def _has_arm(scene: Scene) -> bool:
     return any(solid.name == "robot/upper_arm" for solid in scene.solids)
+
+
+def _rolls(scene: Scene) -> bool:
+    return any(solid.name.endswith("_wheel") for solid in scene.solids)
 
 
 def _counted(n: int, name: str) -> str:
@@ -144,8 +159,7 @@ def describe(scene: Scene) -> str:
         return f"A room of {size}."
     x, y = body.pose[:2, 3]
     yaw = math.degrees(math.atan2(body.pose[1, 0], body.pose[0, 0]))
-    rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
-    if _has_arm(scene) and not rolls:
+    if _has_arm(scene) and not _rolls(scene):
         # an arm that is fixed to a table
         return f"A table of {size}, the gripper at x = {x:.2f}, y = {y:.2f}, heading {yaw:.0f} degrees."
     return f"A room of {size}, the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees."

@@ -30,6 +30,7 @@ WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
 IN_A_ROW = 3  # steps
 COLOURS = 32  # of a film
+LETTERS = "font: 16px/1.4 system-ui, sans-serif"
 KEY = "The way is green where a step earned, red where it lost much, grey in between."
 
 
@@ -121,7 +122,7 @@ class Film(Displayed):
 
     @property
     def finding(self) -> str:
-        """What became of it in one sentence, such as ``3 bumps in 60 steps: +5.1 a step``."""
+        """What became of it in one sentence, such as ``3 bumps in 60 steps: +10 in 41 of them``."""
         return finding(self.frames, self.rewards)
 
     def pictures(self, width: int = WIDTH) -> Iterator[Image.Image]:
@@ -237,7 +238,7 @@ class Film(Displayed):
     def _as_html(self) -> str:
         """What became of it, the moving picture, and, to unfold, the steps that tell most; it needs no script."""
         key = f"{KEY} {sought(self.frames[-1])}"
-        title = f"<p><strong>{self.finding}</strong><br><small>{key}</small></p>"
+        title = f"<p style='{LETTERS}'><strong>{self.finding}</strong><br><small>{key}</small></p>"
         folded = (
             f"<details><summary>Step by step</summary>{self.steps().html}</details>"
         )

@@ -179,13 +179,17 @@ def test_no_two_key_steps_are_alike() -> None:
 
 def test_the_title_of_a_film_says_what_became_of_it() -> None:
     drives = [room(0.02 * i, 0) for i in range(4)]
-    assert finding(drives, [1, 1, 1, 1]) == "No loss in 4 steps: +1.0 a step"
-    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps: +0.2 a step"
+    assert finding(drives, [1, 1, 1, 1]) == "No bump in 4 steps: +1 in 4 of them"
+    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps: +1 in 3 of them"
     bumps = [*drives[:3], drives[3]._replace(bumped=True)]
-    assert finding(bumps, [1, 1, 1, -7]) == "1 bump in 4 steps: −1.0 a step"
+    assert finding(bumps, [1, 1, 2, -7]) == "1 bump in 4 steps: +2 in step 3"
+    assert finding(drives[:1], [-0.5]) == "No bump in 1 step: −0.5 a step"
+    arms = [
+        one._replace(solids=tuple(s for s in one.solids if "wheel" not in s.name))
+        for one in drives
+    ]
     assert (
-        finding(drives, [-0.1, -0.1, 50, -0.1])
-        == "+50 in step 3, no loss in 4 steps: +12.4 a step"
+        finding(arms, [-1, 10, -1, 10]) == "4 steps: +10 in 2 of them, first in step 2"
     )
 
 

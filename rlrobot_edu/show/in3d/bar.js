@@ -1,6 +1,6 @@
 // What stands around meshcat's viewer: its size, what it is told, and a bar with the time.
-const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, library, scene, paid] =
-  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "library", "scene", "paid"]
+const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, lit, library, scene, paid] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "lit", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
 let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens;
@@ -87,6 +87,21 @@ function replayed(command) {
   viewer.handle_command({type: "set_animation", animations: animationsOf(command), options: {}});
 }
 
+// The room is light or dark as the page is: what has a colour of the light palette gets its twin.
+const TWINS = ["floor", "wall", "line", "blue", "ink"], TRAIL_IN_THE_DARK = 2;  // times as bright
+function repaint() {
+  const {Color} = MeshCat.THREE, light = coloursOf(lit), now = coloursOf(view.firstChild), isDark = light.floor !== now.floor;
+  const twins = new Map(TWINS.map(name => [new Color(light[name]).getHex(), now[name]]));
+  viewer.scene.traverse(({material}) => {
+    if (!material?.color) return;
+    if (material.vertexColors) return material.color.setScalar(isDark ? TRAIL_IN_THE_DARK : 1);
+    const first = material.userData.first ??= material.color.getHex();
+    if (twins.has(first)) material.color.set(twins.get(first));
+  });
+  viewer.set_dirty();
+}
+followColours(repaint);
+
 // What is new: `commands` of meshcat's, and before them those that are `packed` in one piece; the rewards of the steps,
 // the last ones of `count`; the view in words; whether the page around it is light or dark
 let heard = Promise.resolve();
@@ -96,6 +111,7 @@ async function take(told) {
   if (told.title) view.ariaLabel = told.title;
   if (told.packed?.byteLength) viewer.handle_command_bytearray(new Uint8Array(await inflate(told.packed)));
   for (const command of told.commands) viewer.handle_command_bytearray(command);
+  repaint();
   ({rewards, count} = told);
   sums = [];
   let sum = 0, recent = 0;

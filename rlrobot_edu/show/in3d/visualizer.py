@@ -220,12 +220,14 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         if len(points) < 2:
             return
         rolls = any(solid.name.endswith("_wheel") for solid in way[0].solids)
+        wide = self._span / 70  # an arm leaves its trail in the air
         if rolls:
-            points[:, 2] = FLOOR  # an arm leaves its trail in the air
+            points[:, 2] = FLOOR
+            wide = self._span / 130
         put = [jumps(a, b) for a, b in pairwise(way)]
         paid = np.where(put, np.nan, np.asarray(rewards, dtype=float))
         most = np.abs(self.window.rewards or [0.0]).max()
-        band = looks.trail(points, paid, most, self._span / 130)
+        band = looks.trail(points, paid, most, wide)
         self[path].set_object(band, g.MeshBasicMaterial(vertexColors=True))
         _cast_no_shadow(self[path])
 

@@ -15,7 +15,8 @@ from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.style import font_file
 
 EDGE = 8  # pixels at both ends of the bar
-LETTERS = 14  # [pixels]
+LETTERS = 17  # [pixels]
+FEW_LETTERS = 14  # in a narrow picture [pixels]
 NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
 TINY = 300  # pixels; in a narrower picture the letters are smaller
 
@@ -71,7 +72,9 @@ class Bar:
         self._steps = steps
         self._width = width
         self._is_narrow = width < NARROW
-        self._size = 12 if width < TINY else LETTERS
+        self._size = FEW_LETTERS if self._is_narrow else LETTERS
+        if width < TINY:
+            self._size = 12
         self._row = 2 * self._size
         self._height = self._row * (2 if has_notes else 1) + 4
         side = grid_cell(scene)

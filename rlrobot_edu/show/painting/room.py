@@ -97,7 +97,8 @@ class Room:
         start, end = self._foot_of(before), self._foot_of(after)
         if start is None or end is None or jumps(before, after):
             return
-        painter.line(start, end, colour, 1.5 * self._line_width)
+        wide = 1.5 if self._on_floor else 3  # in the air much of it is hidden
+        painter.line(start, end, colour, wide * self._line_width)
 
     def _foot_of(self, scene: Scene) -> np.ndarray | None:
         """Where the robot's way passes: on the floor, or in the air if it is an arm; array (3,) [m]."""

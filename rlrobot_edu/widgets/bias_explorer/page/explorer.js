@@ -15,6 +15,7 @@ function explorerHtml(about) {
   return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><div class="rl-top"><div class="rl-chooser">' +
     `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
     `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>, or type one: the choice changes.</p>` +
+    '<p class="rl-legend" data-from="1"></p>' +
     `<div class="rl-inputs">${choices.join(" ")} <label>Q-table <select name="table">` +
     `${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
     '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div>' +
@@ -22,9 +23,10 @@ function explorerHtml(about) {
     `<button name="all">All columns</button> <label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
     '<p class="said" role="status"></p></div><div class="rl-shown"><p class="rl-finding" data-from="4"></p>' +
     '<div class="rl-picture" role="region" aria-label="Four columns">' +
-    '<div class="rl-columns rl-heads"><b><i>Q</i> of the state and of similar ones</b><b data-from="2">mean of each set</b>' +
-    '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
-    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div></div></div></div>`;
+    '<div class="rl-columns rl-heads"><b><i>Q</i><span> of the state and of similar ones</span></b>' +
+    '<b data-from="2">mean<span> of each set</span></b><b data-from="3">bias<span>: mean of means</span></b>' +
+    '<b data-from="4">chance</b></div>' +
+    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}</div></div></div></div>`;
 }
 
 // The columns of one action, and between them lines; which row belongs to which set is the same in all states.

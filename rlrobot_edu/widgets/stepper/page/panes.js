@@ -67,7 +67,7 @@ function follows({ equation }, { frame, nActions }) {
 function rewards(tape, most) {
   const chip = ({ n, r }) => `${n === 1 ? "<i>|</i>" : ""}<b style="background:${tint(r, most)}">${given(r)}</b>`;
   const chips = tape.latest(REWARDS).map(chip).join("");
-  return `<p class="rewards" title="The latest rewards; | an episode begins">r: ${chips}</p>`;
+  return `<p class="rewards" title="The latest rewards; | an episode begins">latest rewards: ${chips}</p>`;
 }
 
 // Bars with numbers, the chosen one marked; with a biased selection also the bias of each action.
