@@ -106,7 +106,7 @@ def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
             bump for bump, is_loss in zip(bumps, loses, strict=True) if is_loss
         )
         return f"{_counted(sum(loses), 'bump' if all_bump else 'loss')} in {steps}"
-    if not _rolls(scenes[0]):
+    if _is_fixed(scenes[0]):
         return steps
     kind = "costly bump" if any(bumps) else "bump"  # to touch a wall may cost nothing
     return f"No {kind} in {steps}"
@@ -122,7 +122,7 @@ def _earned(scene: Scene, rewards: Sequence[float]) -> str:
     if rewards.count(most) == 1:
         return f"{signed(most)} in {first}"
     told = f"{signed(most)} in {rewards.count(most)} of them"
-    return told if _rolls(scene) else f"{told}, first in {first}"
+    return f"{told}, first in {first}" if _is_fixed(scene) else told
 
 
 def sought(scene: Scene) -> str:
@@ -139,8 +139,10 @@ def _has_arm(scene: Scene) -> bool:
     return any(solid.name == "robot/upper_arm" for solid in scene.solids)
 
 
-def _rolls(scene: Scene) -> bool:
-    return any(solid.name.endswith("_wheel") for solid in scene.solids)
+def _is_fixed(scene: Scene) -> bool:
+    """Whether the robot is an arm on a table."""
+    rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
+    return _has_arm(scene) and not rolls
 
 
 def _counted(n: int, name: str) -> str:
@@ -159,7 +161,6 @@ def describe(scene: Scene) -> str:
         return f"A room of {size}."
     x, y = body.pose[:2, 3]
     yaw = math.degrees(math.atan2(body.pose[1, 0], body.pose[0, 0]))
-    if _has_arm(scene) and not _rolls(scene):
-        # an arm that is fixed to a table
+    if _is_fixed(scene):
         return f"A table of {size}, the gripper at x = {x:.2f}, y = {y:.2f}, heading {yaw:.0f} degrees."
     return f"A room of {size}, the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees."

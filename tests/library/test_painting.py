@@ -184,10 +184,8 @@ def test_the_title_of_a_film_says_what_became_of_it() -> None:
     bumps = [*drives[:3], drives[3]._replace(bumped=True)]
     assert finding(bumps, [1, 1, 2, -7]) == "1 bump in 4 steps: +2 in step 3"
     assert finding(drives[:1], [-0.5]) == "No bump in 1 step: −0.5 a step"
-    arms = [
-        one._replace(solids=tuple(s for s in one.solids if "wheel" not in s.name))
-        for one in drives
-    ]
+    part = Solid("robot/upper_arm", "box", (0.1, 0.1, 0.1), np.eye(4), "robot")
+    arms = [one._replace(solids=(*one.solids, part)) for one in drives]
     assert (
         finding(arms, [-1, 10, -1, 10]) == "4 steps: +10 in 2 of them, first in step 2"
     )
