@@ -181,7 +181,7 @@ class SideBySide(Displayed):
         if not films:
             return super()._as_html()
         cells = (
-            f'<td style="{CAPTION}"><strong>{escape(film.notes[0])}</strong><br>{film.finding}</td>'
+            f'<td style="{CAPTION}"><strong>{escape(film.notes[0])}</strong><br>{escape(film.finding)}</td>'
             for film in films
         )
         captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'

@@ -1,6 +1,7 @@
 """What all views of a robot share, from above or in 3D: its scenes, its path, a sentence about them."""
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 
 import gymnasium
@@ -91,9 +92,24 @@ def losses(rewards: Sequence[float]) -> list[bool]:
     return [limit is not None and r <= limit for r in rewards]
 
 
-def finding(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
-    """What became of these steps in one sentence; rewards: one for each scene."""
-    return f"{_lost(scenes, rewards)}: {_earned(scenes[0], rewards)}"
+def task_of(env: Env) -> str:
+    """What the robot is to do, as its task's file begins, such as ``Wander in a maze``; empty if nothing says so."""
+    task = getattr(env.unwrapped, "task", None)
+    if task is None:
+        return ""
+    first, *_ = re.split(r"[:.\n]", task.description)
+    return first.strip()
+
+
+def finding(scenes: Sequence[Scene], rewards: Sequence[float], task: str = "") -> str:
+    """What became of these steps in one sentence.
+
+    rewards: one for each scene; task: what the robot is to do, if that is known
+    """
+    text = f"{_lost(scenes, rewards)}, {_earned(scenes[0], rewards)}"
+    if task:
+        return f"{task}: {text}"
+    return text[0].upper() + text[1:]
 
 
 def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
@@ -109,7 +125,7 @@ def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
     if _is_fixed(scenes[0]):
         return steps
     kind = "costly bump" if any(bumps) else "bump"  # to touch a wall may cost nothing
-    return f"No {kind} in {steps}"
+    return f"no {kind} in {steps}"
 
 
 def _earned(scene: Scene, rewards: Sequence[float]) -> str:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +18,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import in_a_notebook, watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import describe, finding, robot_of, sought
+from rlrobot_edu.show.describe import describe, finding, robot_of, sought, task_of
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
 from rlrobot_edu.show.painting.frames import frames, key_steps
@@ -30,7 +31,7 @@ WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
 IN_A_ROW = 3  # steps
 COLOURS = 32  # of a film
-LETTERS = "font: 16px/1.4 system-ui, sans-serif"
+LETTERS = f"font: 16px/1.4 system-ui, sans-serif; max-width: {WIDTH + 12}px"
 KEY = "The way is green where a step earned, red where it lost much, grey in between."
 
 
@@ -52,6 +53,8 @@ class Film(Displayed):
         How long each frame is shown [s].
     notes : sequence of str
         A note for the caption of each frame, such as ``T = 0.5``; none if empty.
+    task : str
+        What the robot is to do, such as ``Wander in a maze``, for the title; none if empty.
 
     Raises
     ------
@@ -64,6 +67,7 @@ class Film(Displayed):
     rewards: list[float]
     seconds_per_frame: float = 0.15
     notes: Sequence[str] = ()
+    task: str = ""
 
     def __post_init__(self) -> None:
         self._check_list("frames", self.frames, Scene, "scenes")
@@ -93,13 +97,15 @@ class Film(Displayed):
             )
 
     @classmethod
-    def of(cls, shots: Iterable[tuple[Scene, float]]) -> "Film":
+    def of(cls, shots: Iterable[tuple[Scene, float]], task: str = "") -> "Film":
         """The film of some scenes, each with its reward.
 
         Parameters
         ----------
         shots : iterable of (Scene, float)
             The scene after each step, and the step's reward.
+        task : str
+            What the robot is to do, for the title.
 
         Returns
         -------
@@ -115,15 +121,15 @@ class Film(Displayed):
         for scene, reward in shots:
             scenes.append(scene)
             rewards.append(reward)
-        return cls(scenes, rewards)
+        return cls(scenes, rewards, task=task)
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
     @property
     def finding(self) -> str:
-        """What became of it in one sentence, such as ``3 bumps in 60 steps: +10 in 41 of them``."""
-        return finding(self.frames, self.rewards)
+        """What became of it in one sentence, such as ``3 bumps in 60 steps, +10 in 41 of them``."""
+        return finding(self.frames, self.rewards, self.task)
 
     def pictures(self, width: int = WIDTH) -> Iterator[Image.Image]:
         """The pictures of the steps, with the way so far and the step's reward.
@@ -211,7 +217,9 @@ class Film(Displayed):
         # Imported here: everything else works without meshcat.
         from rlrobot_edu.show.in3d.visualizer import show_scene
 
-        return show_scene(self.frames, self.rewards, self.seconds_per_frame, self.notes)
+        return show_scene(
+            self.frames, self.rewards, self.seconds_per_frame, self.notes, self.task
+        )
 
     @cached_property
     def widget(self) -> Any:
@@ -238,10 +246,10 @@ class Film(Displayed):
     def _as_html(self) -> str:
         """What became of it, the moving picture, and, to unfold, the steps that tell most; it needs no script."""
         key = f"{KEY} {sought(self.frames[-1])}"
-        title = f"<p style='{LETTERS}'><strong>{self.finding}</strong><br><small>{key}</small></p>"
-        folded = (
-            f"<details><summary>Step by step</summary>{self.steps().html}</details>"
-        )
+        finding = escape(self.finding)
+        title = f'<p style="{LETTERS}"><strong>{finding}</strong><br><small>{key}</small></p>'
+        steps = f"<summary>Step by step</summary>{self.steps().html}"
+        folded = f'<details style="{LETTERS}">{steps}</details>'
         return title + self.still().html + folded
 
 
@@ -274,4 +282,4 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     shots = []
     for step in loop.steps(agent, env, steps=steps):
         shots.append((robot_of(env).scene(), step.r))
-    return Film.of(shots)
+    return Film.of(shots, task_of(env))

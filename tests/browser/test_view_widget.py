@@ -191,7 +191,7 @@ def test_what_was_watched_becomes_a_film_of_the_last_steps_until_it_goes_on(show
     sent = sent_by(view)
     for one in frames:
         view.update(one, reward=1.0)
-    view.look_back(frames[-10:], 0.15)
+    view.look_back(frames[-10:], 0.15, "")
     view.widget.tell()
     notebook.arrive(sent)
     until(

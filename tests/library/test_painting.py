@@ -179,15 +179,16 @@ def test_no_two_key_steps_are_alike() -> None:
 
 def test_the_title_of_a_film_says_what_became_of_it() -> None:
     drives = [room(0.02 * i, 0) for i in range(4)]
-    assert finding(drives, [1, 1, 1, 1]) == "No bump in 4 steps: +1 in 4 of them"
-    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps: +1 in 3 of them"
+    assert finding(drives, [1, 1, 1, 1]) == "No bump in 4 steps, +1 in 4 of them"
+    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps, +1 in 3 of them"
     bumps = [*drives[:3], drives[3]._replace(bumped=True)]
-    assert finding(bumps, [1, 1, 2, -7]) == "1 bump in 4 steps: +2 in step 3"
-    assert finding(drives[:1], [-0.5]) == "No bump in 1 step: −0.5 a step"
+    assert finding(bumps, [1, 1, 2, -7]) == "1 bump in 4 steps, +2 in step 3"
+    assert finding(drives[:1], [-0.5]) == "No bump in 1 step, −0.5 a step"
+    assert finding(drives, [1, 1, 1, 1], "Drive").startswith("Drive: no bump")
     part = Solid("robot/upper_arm", "box", (0.1, 0.1, 0.1), np.eye(4), "robot")
     arms = [one._replace(solids=(*one.solids, part)) for one in drives]
     assert (
-        finding(arms, [-1, 10, -1, 10]) == "4 steps: +10 in 2 of them, first in step 2"
+        finding(arms, [-1, 10, -1, 10]) == "4 steps, +10 in 2 of them, first in step 2"
     )
 
 
@@ -196,7 +197,7 @@ def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:
     page = film._repr_mimebundle_()
     html = page["text/html"] if "text/html" in page else page[0]["text/html"]
     assert html.count("<img") == 2
-    assert "<details><summary>Step by step</summary>" in html
+    assert "<summary>Step by step</summary>" in html
     assert "<script" not in html
     assert len(film.steps().data) < 60_000
     assert "step 60: reward -2" in film.steps().alt

@@ -1,6 +1,6 @@
 // What stands around meshcat's viewer: its size, what it is told, and a bar with the time.
-const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, lit, library, scene, paid] =
-  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "lit", "library", "scene", "paid"]
+const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, lit, strip, library, scene, paid] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "lit", "strip", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
 let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens;
@@ -121,11 +121,19 @@ async function take(told) {
     return recent / Math.min(i + 1, MEAN_OF);
   });
   replay.hidden = !last;
+  if (last) colourStrip(rewards.slice(-last - 1));
   chase.hidden = !body();
   chase.textContent = rolls() ? "Chase camera" : "Follow the gripper";
   bar.hidden = !last && !count && !body();
   chart.hidden = count <= last + 1 || rewards.length < 3;  // a film shows the sum so far
   shown = undefined;
+}
+
+// Below the slider each step has the colour of its part of the way.
+function colourStrip(paid) {
+  const {loss} = film.map, colour = r => `var(--${loss !== null && r <= loss ? "red" : r > 0 ? "green" : "grey"})`;
+  const stops = paid.map((r, i) => `${colour(r)} ${100 * i / paid.length}% ${100 * (i + 1) / paid.length}%`);
+  strip.style.background = stops.length ? `linear-gradient(to right, ${stops.join()})` : "";
 }
 
 // Time

@@ -33,10 +33,12 @@ def replay(
     seconds_per_frame: float,
     notes: Sequence[str],
     opens: str,
+    task: str,
 ) -> dict[str, Any]:
     """The command that gives a page its replay.
 
     rewards, notes: one for each scene, or none; opens: ``playing``, or ``at its end``
+    task: what the robot is to do, or empty
 
     The places are 32-bit numbers in the order (thing, number, scene), which packs well; a thing has 12 of them, the
     first three rows of its transform. What a scene does not hold is NaN there.
@@ -58,7 +60,7 @@ def replay(
         "map": {**scene_data(scenes[-1]), "loss": loss_of(rewards), "put": put},
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
-        "finding": finding(scenes, rewards) if len(rewards) else "",
+        "finding": finding(scenes, rewards, task) if len(rewards) else "",
         "sought": sought(scenes[-1]),
         "opens": opens,
     }

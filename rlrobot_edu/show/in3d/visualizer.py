@@ -117,12 +117,13 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         rewards: Sequence[float],
         seconds_per_frame: float,
         notes: Sequence[str] = (),
+        task: str = "",
     ) -> None:
         """Replay scenes, from the first to the last.
 
-        rewards, notes: one for each scene, or none at all
+        rewards, notes: one for each scene, or none at all; task: what the robot is to do
         """
-        film = replay(scenes, rewards, seconds_per_frame, notes, "playing")
+        film = replay(scenes, rewards, seconds_per_frame, notes, "playing", task)
         self.window.take(film)
         self._is_replay = True
         self._way = list(scenes)
@@ -132,11 +133,13 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         end = describe(scenes[-1])
         self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
-    def look_back(self, scenes: Sequence[Scene], seconds_per_frame: float) -> None:
+    def look_back(
+        self, scenes: Sequence[Scene], seconds_per_frame: float, task: str
+    ) -> None:
         """Make a replay of the last scenes that were shown, until there is another; it opens at its end."""
         self.lay_trail()
         rewards = self.window.rewards[-len(scenes) :]
-        film = replay(scenes, rewards, seconds_per_frame, (), "at its end")
+        film = replay(scenes, rewards, seconds_per_frame, (), "at its end", task)
         self.window.take(film)
         self._is_replay = True
 
@@ -285,6 +288,7 @@ def show_scene(
     rewards: Sequence[float] | None = None,
     seconds_per_frame: float = 0.15,
     notes: Sequence[str] = (),
+    task: str = "",
 ) -> Visualizer:
     """One scene as a 3D picture, or several as a replay that starts at once.
 
@@ -298,6 +302,8 @@ def show_scene(
         How long the replay takes from one scene to the next [s].
     notes : sequence of str
         A note for each scene, such as ``T = 0.5``, shown with its reward; none if empty.
+    task : str
+        What the robot is to do, for the title of a replay; none if empty.
 
     Returns
     -------
@@ -323,5 +329,5 @@ def show_scene(
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
         paid = [] if rewards is None else rewards
-        view.play(scenes, paid, seconds_per_frame, notes)
+        view.play(scenes, paid, seconds_per_frame, notes, task)
     return view

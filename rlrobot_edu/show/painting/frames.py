@@ -70,13 +70,14 @@ class Bar:
         self, scene: Scene, steps: int, width: int, *, has_notes: bool
     ) -> None:
         self._steps = steps
+        self._done: list[str] = []  # the colour of each step so far
         self._width = width
         self._is_narrow = width < NARROW
         self._size = FEW_LETTERS if self._is_narrow else LETTERS
         if width < TINY:
             self._size = 12
         self._row = 2 * self._size
-        self._height = self._row * (2 if has_notes else 1) + 4
+        self._height = self._row * (2 if has_notes else 1) + 5
         side = grid_cell(scene)
         self._squares = (
             f"squares: {side:g} m" if side >= 1 else f"squares: {100 * side:g} cm"
@@ -85,7 +86,7 @@ class Bar:
     def picture(
         self, i: int, reward: float, loses: bool, word: str, total: float, note: str
     ) -> Image.Image:
-        """The bar of step i, counted from 0. word: what happened; total: of the rewards so far"""
+        """The bar of step i, counted from 0, after those before. word: what happened; total: of the rewards so far"""
         image = Image.new("RGB", (self._width, self._height), LIGHT["paper"])
         pen = ImageDraw.Draw(image)
         y = self._row / 2
@@ -114,10 +115,12 @@ class Bar:
             )
         if note:
             pen.text((EDGE, 1.45 * self._row), note, LIGHT["faint"], plain, "lm")
-        done = round(self._width * (i + 1) / self._steps)
+        self._done.append(colour_of(reward, loses))
         bottom = self._height - 1
-        pen.rectangle((0, bottom - 2, self._width, bottom), LIGHT["line"])
-        pen.rectangle((0, bottom - 2, done, bottom), LIGHT["blue"])
+        pen.rectangle((0, bottom - 3, self._width, bottom), LIGHT["line"])
+        for k, what in enumerate(self._done):
+            start, end = (round(self._width * n / self._steps) for n in (k, k + 1))
+            pen.rectangle((start, bottom - 3, end - 1, bottom), what)
         return image
 
 
