@@ -26,7 +26,15 @@ function stepInWords(about, frame) {
 function simply({ names, view }, frame) {
   if (!frame) return "";
   const { a, r } = frame, paid = r < 0 ? `cost ${given(-r)}` : r > 0 ? `earned ${given(r)}` : "brought nothing";
-  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}.`;
+  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}. ${learned(names, frame)}`;
+}
+
+// How the update has changed the value of what it did.
+function learned({ actions }, { s, a, q, old }) {
+  const at = q[0].indexOf(s * actions.length + a);
+  if (at < 0) return "Its value here stays as it was.";
+  const was = old[at], now = q[1][at], written = writerFor(was, now);
+  return `Its value here: ${written(was)} → ${written(now)}.`;
 }
 
 function viewHtml(always, tape) {
