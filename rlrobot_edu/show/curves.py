@@ -147,7 +147,8 @@ def plot_curves(
         ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     kept: list[float] = []  # the values that must stay in the picture
     ends: list[End] = []
-    looks = _looks({name: repetitions[:, -1].mean() for name, repetitions in curves})
+    means = [float(repetitions[:, -1].mean()) for _, repetitions in curves]
+    looks = _looks([name for name, _ in curves], means)
     for curve, (colour, dashes) in zip(curves, looks, strict=True):
         kept += _draw(ax, curve, colour, dashes)
         name, repetitions = curve
@@ -197,18 +198,19 @@ def finding(curves: list[Curve]) -> str:
     return f"Too close to tell which is best: {least} to {mean} a step"
 
 
-def _looks(ends: Mapping[str, float]) -> list[tuple[str, Dashes]]:
+def _looks(names: Sequence[str], means: Sequence[float]) -> list[tuple[str, Dashes]]:
     """Colour and dashes of each curve: the hero is blue, and grey is the only one with which it is compared.
 
-    ends: the mean at the end of each curve; the highest is the hero if none of the `HEROES` is there
+    names: those of the curves; several may be the same
+    means: at the end of each curve; the curve with the highest is the hero if none of the `HEROES` is there
     """
-    names = list(ends)
-    heroes = [name for name in HEROES if name in ends]
-    hero = heroes[0] if heroes else max(names, key=ends.__getitem__)
+    known = [name for name in HEROES if name in names]
+    hero = names.index(known[0]) if known else int(np.argmax(means))
     if len(names) == 2:
-        return [CURVES[0] if name == hero else (GREY, "--") for name in names]
-    hero_first = sorted(names, key=lambda name: name != hero)
-    return [CURVES[hero_first.index(name) % len(CURVES)] for name in names]
+        return [CURVES[0] if i == hero else (GREY, "--") for i in range(2)]
+    others = [i for i in range(len(names)) if i != hero]
+    places = [hero, *others]
+    return [CURVES[places.index(i) % len(CURVES)] for i in range(len(names))]
 
 
 def _note(curves: list[Curve], place: str) -> str:

@@ -333,12 +333,20 @@ def history_of(rewards: np.ndarray, method: str = "Q+SR") -> History:
     return History(method, transitions.without_states(), nothing, 0.0, Size((1,), 1))
 
 
+def test_curves_may_have_the_same_name():
+    one, two, three = (history("Q+SR", seed) for seed in range(3))
+    (ax,) = plot_learning(one, two).axes
+    assert sorted(line.get_linestyle() for line in ax.lines) == ["-", "--"]
+    (ax,) = plot_learning(one, two, three).axes
+    assert len({line.get_color() for line in ax.lines}) == 3
+
+
 def test_curves_are_named_and_differ_by_more_than_their_colour():
     repetitions = [history("TOSL+SR", seed) for seed in range(5)]
     figure = plot_learning(history("Q+SR", 9), repetitions)
     (ax,) = figure.axes
     means = [line for line in ax.lines if line.get_linestyle() != "None"]
-    assert [line.get_linestyle() for line in means] == ["-", "--"]
+    assert sorted(line.get_linestyle() for line in means) == ["-", "--"]
     named = [text.get_text().split("\n")[0] for text in ax.texts]
     assert sorted(named) == ["Q+SR", "TOSL+SR"]
     _, note = figure.texts
