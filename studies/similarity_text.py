@@ -95,7 +95,7 @@ reward is above 1. In brackets the rise in points, paired by robot, ± half of t
 **{memories}** The more of its 15 similar
 states a robot knows, the more often its next step pays. Asking does not make a bump rarer.
 `python studies/stage_numbers.py` writes this table, and the sentence on [the stage](stage.md), from its
-[numbers](../rlrobot_edu/widgets/stage/numbers.json); seeds and measures were
+numbers, `rlrobot_edu/widgets/stage/numbers.json`; seeds and measures were
 [registered](../studies/stage_registered.json) before it was run.
 
 ## What we could not show
