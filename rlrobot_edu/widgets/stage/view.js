@@ -109,7 +109,7 @@ function drawFloor(context, camera, world, colours, way, dim = 1) {
   context.globalAlpha = whole;
   for (const wall of world.walls) if (!isAround(world, wall)) shadow(context, camera, footOf(wall), WALL_HIGH, colours);
   context.globalAlpha = dim * whole;
-  if (way) context.drawImage(way, camera.left, camera.top, camera.wide, camera.high);
+  if (way?.width && way.height) context.drawImage(way, camera.left, camera.top, camera.wide, camera.high); // none while the page is hidden
   context.globalAlpha = whole;
 }
 
