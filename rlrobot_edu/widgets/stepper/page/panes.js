@@ -23,15 +23,15 @@ function stepInWords(about, frame) {
 }
 
 // The same for a beginner: what the robot did, and what came of it.
-function simply({ names, view }, frame) {
+function simply({ names, view, nActions }, frame) {
   if (!frame) return "";
   const { a, r } = frame, paid = r < 0 ? `cost ${given(-r)}` : r > 0 ? `earned ${given(r)}` : "brought nothing";
-  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}. ${learned(names, frame)}`;
+  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}. ${learned(nActions, frame)}`;
 }
 
 // How the update has changed the value of what it did.
-function learned({ actions }, { s, a, q, old }) {
-  const at = q[0].indexOf(s * actions.length + a);
+function learned(nActions, { s, a, q, old }) {
+  const at = q[0].indexOf(s * nActions + a);
   if (at < 0) return "Its value here stays as it was.";
   const was = old[at], now = q[1][at], written = writerFor(was, now);
   return `Its value here: ${written(was)} → ${written(now)}.`;
