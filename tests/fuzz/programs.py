@@ -19,6 +19,7 @@ OWN = (
     "./folder/transitions.csv",
     "./folder/datapackage.json",
 )  # what a program may write
+STORE = re.compile(r"store='([^']+)'")  # a call's own store, whatever it is called
 GIVEN = "  # given"  # ends a line that only prepares others: its errors are not the library's
 
 
@@ -33,7 +34,8 @@ def attack(case: Case) -> str:
             line.endswith(GIVEN),
         )
         answer = attempt(lambda code=code: exec(code, names), given)
-        unchanged(before, OWN)
+        stores = [f"./{name}" for name in STORE.findall(line)]
+        unchanged(before, (*OWN, *stores))
         if answer == "accepted":
             continue
         if not given:
