@@ -90,6 +90,7 @@ SLOW_FILES = [
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
 LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks")
 QUICK_NOTEBOOK = "03_q_learning.ipynb"
+NOT_NOW = pytest.mark.skip(reason="make test-all LONG=1 runs this one, too")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -105,6 +106,8 @@ def pytest_collection_modifyitems(items):
         where = item.path.relative_to(item.config.rootpath).as_posix()
         if where.startswith(LONG) and item.path.name != QUICK_NOTEBOOK:
             item.add_marker("long")
+        if item.get_closest_marker("nightly") and "RLROBOT_EDU_LONG" not in os.environ:
+            item.add_marker(NOT_NOW)
     rank = {f"test_{name}.py": i for i, name in enumerate(SLOW_FILES)}
     items.sort(
         key=lambda item: rank.get(

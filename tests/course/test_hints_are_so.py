@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import inspect
 import json
-import os
 import re
 from pathlib import Path
 
@@ -65,10 +64,7 @@ def told(lesson: str, name: str, source: str, **known: object) -> str:
     return exercises(lesson)[name](answer).hint
 
 
-@pytest.mark.skipif(
-    "RLROBOT_EDU_LONG" not in os.environ,
-    reason="RLROBOT_EDU_LONG=1 tries every slip of every exercise, which takes minutes",
-)
+@pytest.mark.nightly
 @pytest.mark.filterwarnings("ignore")
 def test_a_mistake_given_as_a_program_is_the_shortest_one_with_its_values():
     found = set()

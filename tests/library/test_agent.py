@@ -152,9 +152,9 @@ for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "
     agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)
     if sys.argv[1] == "loop":
-        rl.learn(agent, env, steps=700, progress=False)
+        rl.learn(agent, env, steps=250, progress=False)
     else:
-        for _ in rl.steps(agent, env, steps=700):
+        for _ in rl.steps(agent, env, steps=250):
             pass
     digest.update(agent.q.tobytes())
 print(digest.hexdigest())

@@ -32,7 +32,7 @@ def test_what_the_attack_once_found_is_mended():
     assert outcome.counts["inputs"] == len(list(HERE.glob("found/*/*/")))
 
 
-@pytest.mark.long
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("names", "inputs"), GROUPS, ids=[", ".join(names) for names, _ in GROUPS]
 )

@@ -175,11 +175,10 @@ def test_an_old_browser_is_told_which_ones_are_new_enough(site, browser):
         )
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("lesson", make_lite.smaller_numbers())
 def test_a_lesson_with_smaller_numbers_runs_from_top_to_bottom(lesson, tmp_path):
     """Here, with numba and SciPy: a browser has to do the same, only slower."""
-    if lesson != "06_sarsa_at_a_cliff" and not os.environ.get("RLROBOT_EDU_LONG"):
-        pytest.skip("RLROBOT_EDU_LONG=1 runs all lessons with smaller numbers")
     notebook = nbformat.from_dict(
         make_lite.in_browser(
             ROOT / f"notebooks/{lesson}.ipynb", make_lite.smaller_numbers()[lesson]
@@ -191,6 +190,7 @@ def test_a_lesson_with_smaller_numbers_runs_from_top_to_bottom(lesson, tmp_path)
     ).execute()
 
 
+@pytest.mark.nightly
 @needs_pyodide
 def test_a_site_with_its_own_pyodide_runs_python_and_asks_nobody_else(
     browser, tmp_path

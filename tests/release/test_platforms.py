@@ -7,6 +7,8 @@ import sys
 import platforms
 import pytest
 
+pytestmark = pytest.mark.nightly
+
 
 @pytest.fixture(autouse=True)
 def registry(monkeypatch):
@@ -15,7 +17,6 @@ def registry(monkeypatch):
     monkeypatch.setenv("HOME", os.environ["RLROBOT_TESTS_USERS_HOME"])
 
 
-@pytest.mark.long
 def test_the_table_of_platforms_is_what_the_wheels_allow():
     try:
         table = platforms.table()
@@ -40,7 +41,6 @@ def has_wheel(package, platform, python):
     return done.returncode == 0
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("platform", platforms.PLATFORMS)
 @pytest.mark.parametrize("python", platforms.PYTHONS)
 def test_pybullets_fork_is_asked_for_only_where_pybullet_has_no_wheel(platform, python):

@@ -230,6 +230,7 @@ def colab(released):
     return home
 
 
+@pytest.mark.nightly
 def test_a_lesson_runs_in_colab_and_its_widgets_come_from_their_own_manager(colab):
     cells = json.loads(
         (colab / "notebooks/00_start_here.ipynb").read_text(encoding="utf-8")
@@ -249,6 +250,7 @@ def test_a_lesson_runs_in_colab_and_its_widgets_come_from_their_own_manager(cola
     assert managers == {"https://colab/manager"}, "ipywidgets' own need none"
 
 
+@pytest.mark.nightly
 def test_what_a_learner_writes_in_colab_is_kept_in_the_drive(colab):
     (kept,) = (colab / "content").rglob("my_functions.py")
     assert (
@@ -276,7 +278,7 @@ def test_links_of_a_copy_for_colab_lead_to_colab_or_to_the_repository(tmp_path):
                 )
 
 
-@pytest.fixture(params=["uvx", "make lab"])
+@pytest.fixture(params=["uvx", pytest.param("make lab", marks=pytest.mark.nightly)])
 def lab(request, released, wheel, tmp_path):
     """What a line of the README starts, from an empty home: where it answers. The wheel's path stands for its name."""
     line = re.search(

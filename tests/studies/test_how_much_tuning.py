@@ -46,6 +46,7 @@ def tiny(**sizes):
     }
 
 
+@pytest.mark.nightly
 def test_a_tiny_study_runs_from_nothing_to_its_page(tmp_path):
     data = tmp_path / "data.npz"
     study.run(tiny(), tmp_path / "store", data, n_jobs=1)
