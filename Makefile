@@ -83,7 +83,7 @@ test: $(TOOLS)/tools.done
 	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) $(SOME) tests notebooks
 endif
 
-# LONG=1: with what takes twenty minutes more
+# LONG=1: with what asks the world outside, and what takes twenty minutes more
 SOME = -m "not long"
 test-long: SOME = -m long
 test-all: SOME =
