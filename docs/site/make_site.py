@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 from api_pages import write_api
+from folded import fold
 from front_page import take_light_picture, write_pages
 from launch import SOURCE, add_buttons, in_colab, write_colab
 from lesson_cards import write_cards
@@ -67,6 +68,7 @@ def write_source(source: Path) -> None:
     for notebook in lessons(source).values():
         name = notebook.relative_to(source)
         enliven(notebook, root / name.parent)
+        fold(notebook)
         colab = in_colab(name.as_posix(), SOURCE)
         add_buttons(notebook, LITE, colab)
         if colab:

@@ -130,6 +130,16 @@ def test_reopened_without_a_kernel_no_output_asks_for_a_widget_that_lives_no_mor
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
+def test_folded_code_says_in_its_first_line_what_it_does(name):
+    for cell in read(name).cells:
+        if not cell.metadata.get("jupyter", {}).get("source_hidden"):
+            continue
+        first, *others = cell.source.splitlines()
+        assert first.startswith("# ") and others
+        assert not set(cell.metadata.get("tags", [])) & {"exercise", "challenge"}
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_every_widget_has_a_still_twin(name):
     for output in outputs(name):
         data = output.get("data", {})

@@ -667,22 +667,6 @@ def test_lessons_quote_the_report(outcomes):
     ]  # as lesson 13 has them
 
 
-def test_lesson_22_quotes_the_study_of_networks():
-    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))[
-        "runs"
-    ]["wander_1k"]
-    last = {
-        label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()
-    }
-    numbers = [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
-    assert tells("notebooks/more/22_a_better_bias.ipynb", *numbers)
-    taken = {
-        label: np.mean([run["learning"] for run in runs[label]])
-        for label in ("DQN, fitted", QBIASSR)
-    }
-    assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
-
-
 @pytest.mark.parametrize("page, heading, lines", [
     ("README.md", "## Ten lines of Python", 10), ("docs/real_robot.md", "## In five lines", 7),  # and its imports
 ])  # fmt: skip
