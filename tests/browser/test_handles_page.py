@@ -43,9 +43,11 @@ def test_all_that_can_be_moved_moves_by_keyboard(opened, name):
         slider.focus()
         for key in ("ArrowLeft", "ArrowRight", "ArrowRight"):
             page.keyboard.press(key)
+        after = set()
         for key in ("Home", "End"):
             page.keyboard.press(key)
-        assert seen(page) != before
+            after.add(seen(page))
+        assert after != {before}
     for button in page.locator(".rl-moved button:visible").all():
         button.focus()
         page.keyboard.press("Enter")

@@ -11,6 +11,8 @@ import rlrobot_edu as rl
 from rlrobot_course.handles.handle import Handle
 from rlrobot_course.lesson_02.exercises import discounted_return
 from rlrobot_course.lesson_02.handles import gamma_over
+from rlrobot_course.lesson_07.handles import traces_on_a_path
+from rlrobot_course.lesson_08.handles import traces_and_ideal, with_and_without_q_old
 
 PHONE, SCREEN = 334, 820  # widths of a picture [px]
 LETTER = 7.4  # width of a letter, on the average [px]
@@ -29,7 +31,12 @@ def gamma() -> Handle:
     return gamma_over({name: rewards_of(p) for name, p in policies.items()})
 
 
-HANDLES = {"02 gamma": gamma}
+HANDLES = {
+    "02 gamma": gamma,
+    "07 traces": traces_on_a_path,
+    "08 ideal": traces_and_ideal,
+    "08 q_old": with_and_without_q_old,
+}
 
 
 @pytest.fixture(params=HANDLES)
