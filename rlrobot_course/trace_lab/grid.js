@@ -21,7 +21,7 @@ function grid(found, width, feed, values) {
   if (left !== undefined) {
     const [x, y] = corner(left), frame = { "stroke-width": 3, style: `fill:none;stroke:${ink("blue")}` };
     marks.push(mark("rect", { x: x + 2, y: y + 2, width: wide - 4, height: high - 4, rx: 6, ...frame }));
-    marks.push(robot(middle(left), middle(path[step]), wide));
+    if (step) marks.push(robot(middle(left), middle(path[step])));
   }
   for (let cell = 0; cell < cells.length; cell++) {
     const [x, y] = corner(cell), place = { x: x + 2, y: y + 2, width: wide - 4, height: high - 4, rx: 6 };
@@ -63,9 +63,9 @@ function content(cell, [x, y], wide, scale, found, feed, { step, alpha }) {
   return marks.join("");
 }
 
-// On the border between two cells, pointing to the second; above its cell's middle if it stays there.
-function robot([x1, y1], [x2, y2], wide) {
-  if (x1 === x2 && y1 === y2) return letters(x1 + wide / 4, y1 - 38, "↻", "middle", "blue", { class: "rl-large" });
+// On the border between two cells, pointing to the second; in the middle of its cell if it stays there.
+function robot([x1, y1], [x2, y2]) {
+  if (x1 === x2 && y1 === y2) return letters(x1, y1, "↻", "middle", "blue", { class: "rl-large" });
   const angle = Math.atan2(y2 - y1, x2 - x1) * 180 / Math.PI, place = `translate(${(x1 + x2) / 2} ${(y1 + y2) / 2}) rotate(${angle})`;
   return mark("path", { d: "M-10 -11L13 0L-10 11Z", transform: place, style: `fill:${ink("blue")};stroke:${ink("paper")}`, "stroke-width": 2 });
 }

@@ -108,7 +108,7 @@ function amount(x) {
 function aboutTheGap({ gap, visits }, feed, { kind, first, second }) {
   const name = { replacing: "Replacing traces", accumulating: "Accumulating traces", [TRUE_ONLINE]: trueOnline(first, second) }[feed.kinds[kind]];
   const size = Math.abs(gap.by);
-  if (size < EXACT) return feed.kinds[kind] === TRUE_ONLINE && first && second ? "True online is the ideal, in every cell" : `${name}: no gap to the ideal in this step`;
+  if (size < EXACT) return feed.kinds[kind] === TRUE_ONLINE && first && second ? "True online is the ideal, in every cell" : `${name}: no gap to the ideal after this step`;
   const where = `Q of ${feed.cells[gap.cell]}, left ${times(visits[gap.cell])}, is`;
   return `${name}: ${where} ${size < SEEN ? "almost the ideal" : `${amount(size)} ${gap.by > 0 ? "above" : "below"} the ideal`}`;
 }
@@ -122,7 +122,7 @@ function trueOnline(first, second) {
 function said(found, feed, values) {
   const { path, step, alpha, note } = values, { cells, pays } = feed;
   const key = "Orange: the trace e as this step uses it. Blue: Q, red below 0. " +
-    (feed.againstIdeal ? "Frame and grey band: the ideal’s Q. Dashed line: e = 1/α." : "Dashed line: e = 1.");
+    (feed.againstIdeal ? "Frame and grey band: the ideal’s Q. Dashed line: e = 1/α. " : "Dashed line: e = 1. ");
   if (!step) return `${note}${key}A pays 10 to a step that leads into it, E takes 2. A cell that is pressed twice is a step back into itself.`;
   const from = path[step - 1], to = path[step], trace = found.e[step][from];
   let told = `Step ${step}, ${cells[from]} → ${cells[to]}, pays ${tidy(String(pays[to]))}: δ = ${amount(found.delta[step])}, e(${cells[from]}) = ${amount(trace)}`;
