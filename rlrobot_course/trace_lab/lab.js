@@ -126,7 +126,8 @@ function said(found, feed, values) {
   if (!step) return `${note}${key}A pays 10 to a step that leads into it, E takes 2. A cell that is pressed twice is a step back into itself.`;
   const from = path[step - 1], to = path[step], trace = found.e[step][from];
   let told = `Step ${step}, ${cells[from]} → ${cells[to]}, pays ${tidy(String(pays[to]))}: δ = ${amount(found.delta[step])}, e(${cells[from]}) = ${amount(trace)}`;
-  told += alpha * trace > 1 + EXACT ? `, so α · e = ${amount(alpha * trace)} is above 1: it overshoots. ` : ". ";
+  const overshoots = alpha * trace > 1 + EXACT && Math.abs(found.delta[step]) > EXACT;
+  told += overshoots ? `, so α · e = ${amount(alpha * trace)} is above 1: it overshoots. ` : ". ";
   if (feed.kinds[values.kind] === TRUE_ONLINE && feed.againstIdeal) {
     const before = found.q[step - 1][from], noted = found.qOld[step];
     told += `Noted for ${cells[from]}: Q_old = ${amount(noted)}; now q_sa = ${amount(before)}; δ + q_sa − Q_old = ${amount(found.delta[step] + before - noted)}. `;

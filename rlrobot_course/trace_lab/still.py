@@ -34,9 +34,10 @@ def plot_lab(feed: Mapping[str, Any]) -> Picture:
     e, q, ideal, delta = learned(feed)
     kind, path, cells = feed["kinds"][feed["kind"]], feed["path"], feed["cells"]
     way = " ".join(cells[cell] for cell in path)
+    traces = kind if kind == "true online" else f"{kind} traces"
     compared = "; dashed: the ideal’s Q" if feed["againstIdeal"] else ""
     note = (
-        f"the way {way}, {kind} traces, α = {feed['alpha']:g}, γ = λ = {feed['decay']:g}; "
+        f"the way {way}, {traces}, α = {feed['alpha']:g}, γ = λ = {feed['decay']:g}; "
         f"left: the trace e, right: Q{compared}"
     )
     figure = Picture((8.4, 6.2))
@@ -48,11 +49,11 @@ def plot_lab(feed: Mapping[str, Any]) -> Picture:
     _draw_cells(ax, feed, e[-1], q[-1], ideal[-1])
     _draw_curve(below, feed, e, q, ideal)
     visited = [cell for cell in range(len(cells)) if cell in path[:-1]]
-    told = [
+    numbers = [
         f"{cells[cell]}: e {e[-1, cell]:.2f}, Q {with_minus(q[-1, cell], 2)}"
         for cell in visited
     ]
-    figure.alt = f"A path over a grid, {way}. {figure.finding}. {'; '.join(told)}."
+    figure.alt = f"A path over a grid, {way}. {figure.finding}. {'; '.join(numbers)}."
     return figure
 
 
