@@ -27,6 +27,7 @@ Lessons share these folders:
   (`old_questions`); both read `questions.toml`;
 - `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`) and its picture
   (`staircase`), and the numbers of the reproduction (`report`);
+- `trace_lab`: what lessons 07 and 08 let the reader move: a path over a grid, its traces and its values;
 - `figures`: what figures begin with (`plots`), ways through a room (`paths`), and curves of runs (`runs`).
 
 Exercises, verdicts and hints are `rlrobot_grading`. `commands` are those of ``rlrobot-edu``.

@@ -28,6 +28,7 @@ KINDS = (
     Kind("Replay of", "replays", "replay in 3D"),
     Kind("<Playground", "playgrounds", "playground"),
     Kind("<Stage", "stages", "stage"),
+    Kind("<Handle", "handles", "picture that can be moved"),
 )
 
 

@@ -1,20 +1,16 @@
-"""The figures of lesson 07: how a reward spreads, and how a trace fades."""
+"""The figure of lesson 07: how a reward spreads."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
 from rlrobot_course.figures.plots import (
     BLACK,
-    BLUE,
-    GREY,
     Picture,
     centred,
-    chart,
     in_panels,
     plain,
 )
-from rlrobot_edu.show.ends import End, name_ends
 from rlrobot_edu.show.style import DARK_FROM, SHADES_OF_WORTH
 
 
@@ -57,53 +53,3 @@ def drives_to_the_start(values: Mapping[str, np.ndarray]) -> str:
         else:
             parts.append(f"with {method} in {drives[0] + 1} drives")
     return f"The reward reaches the first cell {', '.join(parts)}"
-
-
-def trace_curve(
-    visits: Sequence[int],
-    steps: int,
-    gamma: float,
-    lam: float,
-    accumulating: bool = False,
-) -> np.ndarray:
-    """The trace of one pair at each step, as the update of that step uses it; array (steps,).
-
-    visits: steps at which the pair is visited; each visit leaves (γλ)^n after n steps. A replacing trace is what the
-    last visit left, an accumulating one the sum of what all of them left. Source: Sutton & Barto, section 12.7.
-    """
-    since = np.arange(steps) - np.array(sorted(visits))[:, None]
-    left = np.where(since >= 0, (gamma * lam) ** np.maximum(since, 0), 0.0)
-    return left.sum(axis=0) if accumulating else left.max(axis=0)
-
-
-def plot_trace(
-    visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: float = 0.9
-) -> Picture:
-    """The trace of one pair, replacing and accumulating, with a mark at each visit."""
-    replacing = trace_curve(visits, steps, gamma, lam)
-    accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
-    picture, ax = chart(
-        (6.5, 4.0),
-        "step",
-        "",
-        f"Replacing stops at {replacing.max():g}, accumulating adds up to {accumulating.max():.2f}",
-        grid="y",
-        note=f"trace e(s, a) of one pair; triangle: the pair is visited; γ = {gamma:g}, λ = {lam:g}",
-    )
-    picture.alt = (
-        f"The trace of one pair over {steps} steps, visited at {', '.join(map(str, visits))}. It fades after each "
-        f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
-    )
-    t = np.arange(steps)
-    dashed = {"color": GREY, "linestyle": "--", "marker": "s", "markersize": 3.5}
-    ax.plot(t, accumulating, **dashed)
-    ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5)
-    at = np.full(len(visits), -0.12)
-    ax.plot(visits, at, "^", color=BLACK, markersize=7)
-    ax.margins(x=0.02)
-    ends = [
-        End(float(accumulating[-1]), "accumulating: e + 1", GREY),
-        End(float(replacing[-1]), "replacing: 1", BLUE),
-    ]
-    name_ends(ax, ends)
-    return picture
