@@ -76,9 +76,9 @@ function queue({ again, mean, redundancy, size, hot, temperature }, name, visite
     marks.push(mark("rect", { x: x + 0.5, y: y + 9, width: wide - 1, height: 22, style }));
     if (s !== undefined) marks.push(letters(x + wide / 2, y + 25, String.fromCharCode(65 + known.indexOf(s)), "middle", now ? "paper" : "ink"));
   }
-  const signs = [[again, "there before"], [mean < 0, `mean ${hundredths(mean)}`], [redundancy > 2, `ρ ${size}/${known.length} = ${redundancy.toFixed(1)}`]];
+  const signs = [[again, "A again"], [mean < 0, `mean ${hundredths(mean)}`], [redundancy > 2, `ρ ${size}/${known.length} = ${redundancy.toFixed(1)}`]];
   const room = Math.min(width - 28, 480);
-  signs.forEach(([is, text], i) => marks.push(letters(14 + [0, 0.33, 0.63][i] * room, y + 50, `${is ? "✓" : "✗"} ${text}`, "start", is ? "ink" : "faint")));
+  signs.forEach(([is, text], i) => marks.push(letters(14 + [0, 0.27, 0.6][i] * room, y + 50, `${is ? "✓" : "✗"} ${text}`, "start", is ? "ink" : "faint")));
   return marks;
 }
 
