@@ -60,7 +60,7 @@ def plot_watched(walks: Mapping[str, Walk], default: float) -> Picture:
     seen = {name: watch(walk, default) for name, walk in walks.items()}
     (name, first), *_ = seen.items()
     at = first_heat(first, default)
-    figure = Picture(figsize=(7.6, 5.0))
+    figure = Picture(figsize=(8.4, 5.0))
     figure.headline(
         when_it_heats(name, first, default),
         f"of the latest {LENGTH} steps; dotted: the rule's thresholds; ▲: the temperature rises",
