@@ -1,5 +1,6 @@
 // What all handles share. A handle's program is an object:
-//   controls(feed)                      what the reader moves, see CONTROLS; each has a name, a kind and a label
+//   controls(feed)                      what the reader moves, see CONTROLS; each has a name, a kind and a label; one that
+//                                       counts only at some values of the others has a function of them, `when`
 //   begins(feed)                        further values by name, such as a path that is clicked; may be missing
 //   compute(feed, values)               all numbers that are shown; tests call it
 //   draw(found, width, feed, values)    { finding, height, picture, said }: a sentence that is the title, the height and
@@ -150,6 +151,7 @@ class View {
     const { root, values } = this, { name, kind } = control, value = values[name];
     if (last !== undefined) Object.assign(control, { last });
     const input = root.querySelector(`[name="${name}"]`);
+    if (control.when) input.closest("label").hidden = !control.when(values);
     if (kind === "toggle") input.setAttribute("aria-pressed", value);
     if (kind === "choice") input.value = value;
     if (kind === "scrubber") {

@@ -1,4 +1,4 @@
-"""The figures of lesson 04: how an action is drawn, rules as bars, rewards in other units, and what robots earn."""
+"""The figures of lesson 04: how an action is drawn, what rules make of Q, rewards in other units, what robots earn."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -14,6 +14,7 @@ from rlrobot_course.figures.plots import (
     GREY,
     Picture,
     in_panels,
+    name_rows,
     plain,
 )
 from rlrobot_course.figures.runs import mean_and_half
@@ -22,6 +23,8 @@ from rlrobot_edu import Agent, Task, learn, make_env, plot_learning
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.ends import End, name_ends
 from rlrobot_edu.show.palette import LIGHT
+
+NARROW = 0.07  # a piece of a bar that has no room for a number
 
 
 def plot_draw(p: Sequence[float], u: float) -> Picture:
@@ -55,32 +58,33 @@ def plot_draw(p: Sequence[float], u: float) -> Picture:
 
 
 def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture:
-    """The values of a state's actions, and beside them the probabilities that some rules give these actions.
+    """The probabilities that some rules give the actions of a state, a bar from 0 to 1 for each rule.
 
-    q_s: array (n_actions,); rules: title of a panel -> array (n_actions,), sums to 1
+    q_s: array (n_actions,); rules: name -> array (n_actions,), sums to 1
     """
-    figure = Picture(figsize=(8.4, 3.3))
+    best = int(np.argmax(q_s))
+    values = ", ".join(f"{q:g}" for q in q_s)
+    figure = Picture(figsize=(8.4, 0.75 * len(rules) + 1.2))
     figure.headline(
         sharpest_and_dullest(q_s, rules),
-        "grey: Q(s, a) of each action; blue: the probability that a rule gives it",
+        f"the probabilities of actions 0, 1, …, end to end; their values: {values}; blue: the best",
     )
-    first, *others = figure.subplots(1, 1 + len(rules))
-    bars = first.bar(range(len(q_s)), q_s, color=GREY)
-    first.bar_label(bars, [f"{q:g}" for q in q_s])
-    first.set_title("values")
-    first.margins(y=0.12)
-    for ax, (name, p) in zip(others, rules.items(), strict=True):
-        bars = ax.bar(range(len(p)), p, color=BLUE)
-        ax.bar_label(bars, [f"{one:.2f}" for one in p])
-        ax.set(ylim=(0, 1.12))
-        ax.set_title(plain(name))
-    for ax in figure.axes:
-        ax.set(xlabel="action", xticks=range(len(q_s)), yticks=[])
+    ax = figure.subplots()
+    for row, p in enumerate(rules.values()):
+        starts = np.cumsum(p) - p
+        colours = [BLUE if a == best else LIGHT["line"] for a in range(len(p))]
+        ax.barh(row, p, left=starts, color=colours, edgecolor="white", height=0.62)
+        for a in np.flatnonzero(p > NARROW):
+            look = {"ha": "center", "va": "center", "weight": "bold"}
+            colour = "white" if a == best else BLACK
+            middle = starts[a] + p[a] / 2
+            ax.text(middle, row, f"{a}: {p[a]:.2f}", color=colour, **look)
+    name_rows(ax, list(rules))
+    ax.set(xlim=(0, 1), xticks=[0, 0.5, 1])
     told = [
         f"{name}: {', '.join(f'{one:.2f}' for one in p)}" for name, p in rules.items()
     ]
-    values = ", ".join(f"{q:g}" for q in q_s)
-    figure.alt = f"Probabilities of {len(q_s)} actions with values {values}, as bars. {'; '.join(told)}."
+    figure.alt = f"Probabilities of {len(q_s)} actions with values {values}, end to end on a bar. {'; '.join(told)}."
     return figure
 
 

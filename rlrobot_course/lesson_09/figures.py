@@ -1,4 +1,4 @@
-"""The figures of lesson 09: what holds a robot in a loop, how the temperature frees it, and what that is worth."""
+"""The figures of lesson 09: what holds a robot in a loop, and what the way out of it is worth."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -9,9 +9,7 @@ from matplotlib.axes import Axes
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    GREEN,
     GREY,
-    RED,
     Picture,
     chart,
     draw_arrow,
@@ -20,7 +18,6 @@ from rlrobot_course.figures.plots import (
 )
 from rlrobot_course.play.challenge import Score
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.numerals import with_minus
@@ -144,54 +141,6 @@ def _draw_pull(ax: Axes, row: int, q: float, bias: float, colour: str) -> None:
     ax.text(q + bias / 2, row - 0.1, text, ha="center", va="bottom", **look)
     total = f"sum\n{with_minus(q + bias, 2)}"
     ax.text(q + bias, row + 0.16, total, ha="center", va="top", **look)
-
-
-def plot_escape(steps: Sequence[Step], default: float) -> Picture:
-    """States, rewards and temperatures of some steps in which LRLE frees a robot.
-
-    steps: from `rl.steps`; default: the temperature outside loops
-    """
-    t = np.arange(1, len(steps) + 1)
-    order: dict[int, int] = {}
-    rank = np.array([order.setdefault(step.s, len(order) + 1) for step in steps])
-    paid = np.array([step.r > 0 for step in steps])
-    heat = np.array([step.temperature for step in steps])
-    hot = t[heat > default]
-    figure = Picture(figsize=(7, 5.2))
-    figure.headline(
-        heats_and_pays(hot, t[paid]),
-        "above: states in the order of their first visit; ● reward above 0, × below; below: temperature T",
-    )
-    above, below = figure.subplots(2, 1, sharex=True)
-    above.plot(t[~paid], rank[~paid], "x", color=RED)
-    above.plot(t[paid], rank[paid], "o", color=GREEN, markersize=4)
-    above.locator_params(axis="y", integer=True)
-    above.set_title("state")
-    below.step(t, heat, where="mid", color=BLUE)
-    below.axhline(default, color=GREY, linestyle=":")
-    at = (t[0], default)
-    below.annotate(f"default, {default:g}", at, (0, 4), textcoords="offset points")
-    below.set_title("temperature T")
-    below.set(xlabel="step")
-    for ax in (above, below):
-        ax.grid(axis="y")
-        ax.margins(x=0.01)
-    figure.alt = (
-        f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
-        f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
-        f"above 0 comes at step {t[paid][0] if paid.any() else 'none'}."
-    )
-    return figure
-
-
-def heats_and_pays(hot: np.ndarray, paid: np.ndarray) -> str:
-    """When the temperature first rises, and when the robot is first paid after that. hot, paid: numbers of steps"""
-    if not hot.size:
-        return "The temperature never rises"
-    later = paid[paid > hot[0]]
-    if not later.size:
-        return f"The temperature rises in step {hot[0]}, and the robot is not paid after that"
-    return f"The temperature rises in step {hot[0]}, and in step {later[0]} the robot is paid"
 
 
 def plot_worth(pairs: Mapping[str, tuple[Score, Score]]) -> Picture:

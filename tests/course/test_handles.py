@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -11,8 +12,13 @@ import rlrobot_edu as rl
 from rlrobot_course.handles.handle import Handle
 from rlrobot_course.lesson_02.exercises import discounted_return
 from rlrobot_course.lesson_02.handles import gamma_over
+from rlrobot_course.lesson_04.exercises import draw, epsilon_greedy, softmax
+from rlrobot_course.lesson_04.handles import TEMPERATURES, draw_on_bar, rules_on_bar
 from rlrobot_course.lesson_07.handles import traces_on_a_path
 from rlrobot_course.lesson_08.handles import traces_and_ideal, with_and_without_q_old
+from rlrobot_course.lesson_09.handles import watch_robots
+from rlrobot_course.lesson_09.queues import Walk, plot_watched, watch
+from rlrobot_edu.learning.loop import Step
 
 PHONE, SCREEN = 334, 820  # widths of a picture [px]
 LETTER = 7.4  # width of a letter, on the average [px]
@@ -31,11 +37,42 @@ def gamma() -> Handle:
     return gamma_over({name: rewards_of(p) for name, p in policies.items()})
 
 
+def draws() -> Handle:
+    return draw_on_bar([0.2, 0.5, 0.3], u=0.65)
+
+
+def rules() -> Handle:
+    return rules_on_bar([10.0, 8.0, 3.0, 0.0])
+
+
+def evading(seed: int, steps: int) -> list[Step]:
+    """What a robot does that was cold for so many steps, from when its loop evasion was switched on."""
+    env = rl.make_env("wander_1k", seed=seed, realism=rl.Realism.vrep())
+    agent = rl.Agent(
+        "wander_1k", temperature=0.01, traces="full", loop_evasion=False, seed=seed
+    )
+    rl.learn(agent, env, steps, progress=False)
+    agent.change(loop_evasion=True)
+    return list(rl.steps(agent, env, 60, resume=True))
+
+
+@cache
+def robots() -> dict[str, list[Step]]:
+    return {"stuck": evading(5, 1500), "healthy": evading(4, 1500)}
+
+
+def loops() -> Handle:
+    return watch_robots(robots(), default=0.01)
+
+
 HANDLES = {
     "02 gamma": gamma,
+    "04 draws": draws,
+    "04 rules": rules,
     "07 traces": traces_on_a_path,
     "08 ideal": traces_and_ideal,
     "08 q_old": with_and_without_q_old,
+    "09 loops": loops,
 }
 
 
@@ -110,3 +147,59 @@ def test_what_gamma_leaves_adds_up_to_the_return():
         right = [discounted_return(r, change["gamma"]) for r in shown.feed["rewards"]]
         np.testing.assert_allclose(found["returns"], right, rtol=1e-12)
     assert "differ by 0.0" in asked(shown, {"gamma": 0.5})[1]["finding"]
+
+
+def test_the_bar_has_the_probabilities_of_the_lessons_rules():
+    shown, q = rules(), np.array([10.0, 8.0, 3.0, 0.0])
+    heats = [{"rule": 2, "heat": i} for i in range(len(TEMPERATURES))]
+    randoms = [{"rule": 1, "epsilon": e} for e in (0.0, 0.2, 1.0)]
+    told = asked(shown, *heats, *randoms, {"rule": 0})[1:]
+    right = [softmax(q, T) for T in TEMPERATURES]
+    right += [epsilon_greedy(q, e) for e in (0.0, 0.2, 1.0, 0.0)]
+    found = [each["found"]["chances"] for each in told]
+    np.testing.assert_allclose(found, right, rtol=1e-12, atol=1e-300)
+    p = right[TEMPERATURES.index(0.5)]
+    assert told[TEMPERATURES.index(0.5)]["finding"] == (
+        f"At T = 0.5 the best action is drawn {100 * p[0]:.0f} times in 100"
+    )
+
+
+def test_a_hundred_numbers_draw_what_the_lessons_draw_does():
+    shown, p = draws(), [0.2, 0.5, 0.3]
+    told = asked(shown, *({"presses": n} for n in (1, 2, 9)))[1:]
+    for each, numbers in zip(told, shown.feed["numbers"][:2], strict=False):
+        drawn = [draw(p, u) for u in numbers]
+        assert each["found"]["counts"] == np.bincount(drawn, minlength=3).tolist()
+        assert f"as do {drawn.count(1)} of the hundred" in each["finding"]
+        assert each["picture"].count("<circle") == 100
+    assert told[2]["found"] == told[0]["found"], "they come again"
+    ends = asked(shown, *({"u": u} for u in (0.0, 0.2, 0.69, 0.7, 0.99)))[1:]
+    assert [each["found"]["drawn"] for each in ends] == [0, 1, 1, 2, 2]
+
+
+def test_the_rule_of_a_page_heats_when_the_library_does():
+    (found,) = (each["found"] for each in asked(loops()))
+    for seen, (name, steps) in zip(found, robots().items(), strict=True):
+        walk = Walk([step.s_next for step in steps], [step.r for step in steps])
+        right = watch(walk, 0.01)
+        for column in ("redundancy", "mean", "temperature"):
+            told = [each[column] for each in seen]
+            np.testing.assert_allclose(
+                told, [getattr(each, column) for each in right], atol=1e-12
+            )
+        chosen_at = [step.temperature for step in steps[1:]]
+        assert [each["temperature"] for each in seen[:-1]] == chosen_at, name
+
+
+def test_the_finding_tells_which_sign_is_missing():
+    told = [each["finding"] for each in asked(loops(), *({"t": t} for t in range(60)))]
+    assert told[0] == told[21] == loops().picture.finding
+    assert "9 of 21 places filled, and the rule waits" in told[9]
+    assert "its state is new, so the temperature falls back to 0.01" in told[23]
+    assert "it earns 0.46 a step, so the temperature stays at 0.01" in told[25]
+
+
+def test_the_still_says_if_the_temperature_never_rises():
+    walks = {name: Walk([1, 2] * 30, [1.0] * 60) for name in ("a", "b")}
+    finding = plot_watched(walks, 1.0).finding
+    assert finding == "In 60 steps the temperature of the a robot never rises"

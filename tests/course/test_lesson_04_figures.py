@@ -35,12 +35,11 @@ def test_the_segment_under_the_point_is_the_action_that_is_sampled():
         )
 
 
-def test_the_bars_of_a_rule_are_its_probabilities():
-    figure = plot_rules(
-        [2.0, 0.0], {"even": np.array([0.5, 0.5]), "greedy": np.array([1.0, 0.0])}
-    )
-    heights = [[bar.get_height() for bar in ax.patches] for ax in figure.axes]
-    assert heights == [[2.0, 0.0], [0.5, 0.5], [1.0, 0.0]]
+def test_the_pieces_of_a_rule_are_its_probabilities():
+    rules = {"even": np.array([0.5, 0.5]), "greedy": np.array([1.0, 0.0])}
+    (ax,) = plot_rules([2.0, 0.0], rules).axes
+    pieces = [(piece.get_x(), piece.get_width()) for piece in ax.patches]
+    assert pieces == [(0.0, 0.5), (0.5, 0.5), (0.0, 1.0), (1.0, 0.0)]
 
 
 @pytest.mark.parametrize("normalised", [True, False])

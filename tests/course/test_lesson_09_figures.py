@@ -6,9 +6,7 @@ from matplotlib.text import Annotation
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_09.figures import (
-    heats_and_pays,
     how_often_paid,
-    plot_escape,
     plot_pull,
     plot_rut,
     plot_worth,
@@ -53,26 +51,6 @@ def test_the_first_finding_says_how_often_the_robot_is_paid():
     history.rewards[:5], history.rewards[5:] = 10.0, -2.0
     assert how_often_paid(history) == (
         "In its first 20 steps the robot earns 1.00 a step: 10 in 25 % of them"
-    )
-
-
-def test_the_finding_of_the_escape_names_the_first_payment_after_the_heat():
-    hot, paid = np.array([22, 23]), np.array([3, 25, 26])
-    assert "in step 22, and in step 25" in heats_and_pays(hot, paid)
-    assert "not paid after that" in heats_and_pays(hot, paid[:1])
-    assert heats_and_pays(hot[:0], paid) == "The temperature never rises"
-
-
-def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
-    agent = rl.Agent("worked_example", seed=0)
-    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 60))
-    picture = plot_escape(steps, default=1.0)
-    above, below = picture.axes
-    assert np.allclose(below.lines[0].get_ydata(), [step.temperature for step in steps])
-    low, high = (line.get_xdata() for line in above.lines)
-    assert sorted([*low, *high]) == list(range(1, 61))
-    assert all(steps[t - 1].r > 0 for t in high) and all(
-        steps[t - 1].r <= 0 for t in low
     )
 
 
