@@ -28,8 +28,8 @@ const handle = {
     for (const k of [0, 10, 20]) marks.push(letters(left + (k + 0.5) * wide, height - 8, k, "middle", "faint"));
     marks.push(letters(right, height - 8, width > 400 ? "steps ahead, k" : "k", "end", "faint"));
     const finding = apart < 0.1
-      ? `With γ = ${gamma} nothing tells the two apart: their returns differ by ${tidy(apart.toFixed(2))}`
-      : `With γ = ${gamma} ${names[returns[0] > returns[1] ? 0 : 1]} is worth ${tidy(apart.toFixed(apart < 10 ? 2 : 0))} more`;
+      ? `With γ = ${gamma}, nothing tells the two apart: their returns differ by ${tidy(apart.toFixed(2))}`
+      : `With γ = ${gamma}, “${names[returns[0] > returns[1] ? 0 : 1]}” is worth ${tidy(apart.toFixed(apart < 10 ? 2 : 0))} more`;
     const said = "Grey: the rewards. Blue: what counts of each in the return G. " +
       `Dashed: about 1 / (1 − γ) = ${Math.round(horizon)} steps ahead, as far as a robot with this γ looks.`;
     return { finding, height, picture: marks.join(""), said };

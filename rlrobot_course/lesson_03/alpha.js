@@ -9,17 +9,15 @@ const handle = {
   compute({ kinds, walk, states, actions, s: shown, a: acted, gamma }, { alpha }) {
     const m = { parameters: { alpha, gamma }, q: Array.from({ length: states }, () => Array(actions).fill(0)) };
     const visits = [];
-    let at_last = [0];
+    const ends = []; // the value after each of the last steps
     walk.forEach((kind, t) => {
       const [s, a, r, s_next, terminated] = kinds[kind], before = m.q[s][a];
       const target = before + kernels.update(m, s, a, r, s_next, null, terminated);
-      if (s === shown && a === acted) visits.push({ t, target, value: m.q[s][a] });
-      if (t === walk.length - LAST - 1) at_last = [m.q[shown][acted]];
-      if (t >= walk.length - LAST) at_last.push(m.q[shown][acted]);
+      if (s === shown && a === acted) visits.push({ target, value: m.q[s][a] });
+      if (t >= walk.length - LAST) ends.push(m.q[shown][acted]);
     });
-    at_last = at_last.slice(1);
-    const low = Math.min(...at_last), high = Math.max(...at_last);
-    return { visits, low, high, mean: at_last.reduce((sum, x) => sum + x, 0) / at_last.length };
+    const low = Math.min(...ends), high = Math.max(...ends);
+    return { visits, low, high, mean: ends.reduce((sum, x) => sum + x, 0) / ends.length };
   },
 
   draw({ visits, low, high, mean }, width, { s, a, true: right, most }, { alpha }) {
@@ -33,13 +31,14 @@ const handle = {
     marks.push(line(left, y(right), end, y(right), "ink", { "stroke-dasharray": "3 4", "stroke-width": 2 }));
     const corners = [[x(0), y(0)]];
     visits.forEach(({ value }, i) => corners.push([x(i + 1), corners.at(-1)[1]], [x(i + 1), y(value)]));
-    marks.push(way(corners, "blue", { "stroke-width": 2.5 }), letters(left + 4, y(right) - 7, `true value ${right.toFixed(1)}`));
+    marks.push(way(corners, "blue", { "stroke-width": 2.5 }), letters(left + 4, y(right) - 7, `true value ${right.toFixed(1)}`, "start", "ink",
+        { style: `fill:${ink("ink")};stroke:${ink("paper")};stroke-width:5;paint-order:stroke` }));
     for (const i of [0, 50, 100]) if (i < visits.length) marks.push(letters(x(i), height - 10, i, "middle", "faint"));
     marks.push(letters(end, height - 10, "visits", "end", "faint"));
     const leap = high - low, gap = mean - right;
-    const finding = leap > ROUGH ? `With α = ${alpha} ${name} never rests: at the end it leaps between ${low.toFixed(0)} and ${high.toFixed(0)}`
-      : Math.abs(gap) > NEAR ? `With α = ${alpha} ${name} is smooth, and ends ${Math.abs(gap).toFixed(0)} ${gap < 0 ? "below" : "above"} its true value`
-        : `With α = ${alpha} ${name} is smooth, and ends near its true value`;
+    const finding = leap > ROUGH ? `With α = ${alpha}, ${name} never rests: at the end it leaps between ${low.toFixed(0)} and ${high.toFixed(0)}`
+      : Math.abs(gap) > NEAR ? `With α = ${alpha}, ${name} is smooth, and ends ${Math.abs(gap).toFixed(0)} ${gap < 0 ? "below" : "above"} its true value`
+        : `With α = ${alpha}, ${name} is smooth, and ends near its true value`;
     const said = `Blue: ${name} after each of ${visits.length} visits. Orange dots: their targets, which move as the table learns. ` +
       `Mean of its last ${LAST} steps: ${mean.toFixed(1)}.`;
     return { finding, height, picture: marks.join(""), said };

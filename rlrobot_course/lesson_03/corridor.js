@@ -39,9 +39,9 @@ const handle = {
     marks.push(letters(left, height - 12, "cell", "start", "faint"), letters(right, height - 12, `goal: ${reward} →`, "end", "green"));
     const times = drive === 1 ? "1 drive" : `${drive} drives`;
     const cell = known === 1 ? "only the last cell knows" : `${known} of ${cells} cells know`;
-    const finding = gamma === 0 ? `With γ = 0 ${drive ? "only the last cell ever learns" : "no cell but the last will ever learn"} of the reward`
-      : drive === 0 ? "Before the first drive no cell knows of the reward"
-        : known < cells ? `After ${times} ${cell} of the reward` : `After ${times} the value has run back to cell 0`;
+    const finding = gamma === 0 ? `With γ = 0, ${drive ? "only the last cell ever learns" : "no cell but the last will ever learn"} of the reward`
+      : drive === 0 ? "Before the first drive, no cell knows of the reward"
+        : known < cells ? `After ${times}, ${cell} of the reward` : `After ${times}, the value has run back to cell 0`;
     const reached = half < 0 ? `not within ${drives} drives` : `after ${half} drives`;
     const said = "Blue: Q of going on, in each cell. Dashed: what it comes to. " +
       (first < 0 ? "Cell 0 never knows of the reward." : `Cell 0 first knows of the reward after ${first} drives; it has half of its value ${reached}.`);

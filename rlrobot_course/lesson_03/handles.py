@@ -12,7 +12,7 @@ from rlrobot_edu.learning.algorithms.q_learning import update
 GAMMA = 0.9
 ALPHAS = (0.02, 0.1, 1.0)  # of the still; the middle one is what the handle opens with
 STEPS = 6000
-MOST = 60  # the highest value that is drawn
+MOST = 45  # the highest value that is drawn
 
 CELLS, REWARD = 10, 10.0  # of the corridor, as in lesson 07
 DRIVES, OPENS = 60, 4
