@@ -1,7 +1,6 @@
 """The figures of lesson 02: what counts of each reward, and how values spread from a goal through a grid."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,10 +13,7 @@ from rlrobot_course.figures.plots import (
     Picture,
     centred,
     draw_arrow,
-    film_of,
 )
-from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.images import image_of
 from rlrobot_edu.show.palette import BLACK, LIGHT
 from rlrobot_edu.show.style import DARK_FROM, SHADES_OF_WORTH
 
@@ -29,33 +25,26 @@ ARROWS = {
 }  # FrozenLake's actions: (columns to the right, rows down)
 
 
-@dataclass(frozen=True, eq=False)
-class Sweeps(Displayed):
-    """The values of a grid world after each sweep, as a moving picture.
+def plot_sweep(values: Sequence[np.ndarray], sweep: int, desc: np.ndarray) -> Picture:
+    """The map of a grid world with its values after one of the sweeps.
 
     values: arrays (n_states,), the value of each state after 0, 1, 2 … sweeps, states row by row, at most 1
     desc: array (rows, columns) of bytes, FrozenLake's map: S start, F free, H hole, G goal
     """
-
-    values: Sequence[np.ndarray]
-    desc: np.ndarray
-
-    def __repr__(self) -> str:
-        known = ", ".join(str(np.count_nonzero(v)) for v in self.values)
-        return f"<Values of {self.desc.size} squares that spread from the goal. After 0, 1, 2 … sweeps not 0: {known}>"
-
-    def picture(self, sweep: int) -> Picture:
-        """The map after one of the sweeps."""
-        figure = Picture((4.4, 4.7))
-        ax = figure.subplots()
-        draw_values(ax, self.values[sweep], self.desc)
-        figure.headline(f"After sweep {sweep}: value V(s)")
-        return figure
-
-    def still(self) -> Still:
-        """All of them, about a second each."""
-        shots = [image_of(self.picture(k).png()) for k in range(len(self.values))]
-        return film_of(repr(self), shots, 128, 900)
+    v = values[sweep]
+    known = np.count_nonzero(v)
+    figure = Picture((4.4, 4.9))
+    figure.headline(
+        f"After sweep {sweep}, {known} of {v.size} squares have a value",
+        "colour and numbers: value V(s); hatched: holes",
+    )
+    draw_values(figure.subplots(), v, desc)
+    counts = ", ".join(str(np.count_nonzero(each)) for each in values)
+    figure.alt = (
+        f"Map of {v.size} squares. After sweep {sweep}, {known} have a value, all near the goal. "
+        f"After 0, 1, 2 … sweeps: {counts}."
+    )
+    return figure
 
 
 def plot_returns(
@@ -112,7 +101,7 @@ def how_far_apart(returns: Mapping[float, Mapping[str, float]]) -> str:
 def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
     """Map of a grid world with an arrow for every best action; where two are equally good, both are drawn.
 
-    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `Sweeps`
+    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `plot_sweep`
     """
     figure = Picture(figsize=(5.4, 5.4))
     best = {

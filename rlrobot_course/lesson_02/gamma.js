@@ -26,10 +26,10 @@ const handle = {
     const height = 34 + names.length * (row + 34) + 8, reach = left + Math.min(horizon, SHOWN) * wide;
     marks.push(line(reach, 44, reach, height - 26, "red", { "stroke-dasharray": "5 4", "stroke-width": 2 }));
     for (const k of [0, 10, 20]) marks.push(letters(left + (k + 0.5) * wide, height - 8, k, "middle", "faint"));
-    marks.push(letters(right, height - 8, "steps ahead", "end", "faint"));
+    marks.push(letters(right, height - 8, width > 400 ? "steps ahead, k" : "k", "end", "faint"));
     const finding = apart < 0.1
-      ? `With γ = ${gamma} nothing tells the two apart: their returns differ by ${tidy(apart.toFixed(2))}`
-      : `With γ = ${gamma} ${names[returns[0] > returns[1] ? 0 : 1]} is worth ${tidy(apart.toFixed(apart < 10 ? 2 : 0))} more`;
+      ? `With γ = ${gamma}, nothing tells the two apart: their returns differ by ${tidy(apart.toFixed(2))}`
+      : `With γ = ${gamma}, “${names[returns[0] > returns[1] ? 0 : 1]}” is worth ${tidy(apart.toFixed(apart < 10 ? 2 : 0))} more`;
     const said = "Grey: the rewards. Blue: what counts of each in the return G. " +
       `Dashed: about 1 / (1 − γ) = ${Math.round(horizon)} steps ahead, as far as a robot with this γ looks.`;
     return { finding, height, picture: marks.join(""), said };

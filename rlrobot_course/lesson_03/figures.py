@@ -64,6 +64,29 @@ def plot_towards(
     return figure
 
 
+def plot_run_back(values: np.ndarray) -> Picture:
+    """Bars of what the cells of a corridor are worth; the reward lies behind the last. values: array (cells,)"""
+    known = int(np.count_nonzero(values))
+    figure, ax = chart(
+        (6.5, 3.4),
+        "cell",
+        "",
+        f"{known} of {len(values)} cells know of the reward",
+        grid="y",
+        note=f"Q of going on in each cell, after {known} drives",
+    )
+    ax.bar(np.arange(len(values)), values, color=BLUE)
+    for s, value in enumerate(values):
+        if value:
+            ax.text(s, value, f"{value:.1f}", ha="center", va="bottom")
+    ax.set(xticks=range(len(values)), ylim=(0, 10.5))
+    figure.alt = (
+        f"Bars of {len(values)} cells; only the last {known} have a value: "
+        f"{', '.join(f'{value:.1f}' for value in values[-known:])}."
+    )
+    return figure
+
+
 def plot_one_value(
     task: Task,
     s: int,

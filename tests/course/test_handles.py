@@ -4,14 +4,19 @@ import json
 import re
 from functools import cache
 
+import gymnasium
 import numpy as np
 import pytest
 from in_node import run
 
 import rlrobot_edu as rl
 from rlrobot_course.handles.handle import Handle
+from rlrobot_course.lesson_01.exercises import bin_of
+from rlrobot_course.lesson_01.handles import cuts_under
 from rlrobot_course.lesson_02.exercises import discounted_return
-from rlrobot_course.lesson_02.handles import gamma_over
+from rlrobot_course.lesson_02.handles import gamma_over, sweeps_over
+from rlrobot_course.lesson_03.exercises import update
+from rlrobot_course.lesson_03.handles import corridor_values, one_value, run_back
 from rlrobot_course.lesson_04.exercises import draw, epsilon_greedy, softmax
 from rlrobot_course.lesson_04.handles import TEMPERATURES, draw_on_bar, rules_on_bar
 from rlrobot_course.lesson_07.handles import traces_on_a_path
@@ -35,6 +40,37 @@ def rewards_of(policy, steps=200):
 def gamma() -> Handle:
     policies = {"turns away": [2, 2, 1, 3], "always forward": [3, 3, 3, 3]}
     return gamma_over({name: rewards_of(p) for name, p in policies.items()})
+
+
+def cuts() -> Handle:
+    inputs = rl.load_task("wander_1k").inputs
+    lasers = zip(inputs, (0.33, 0.51, 2.78, 2.78, 2.17), strict=True)
+    return cuts_under(inputs, {laser.name: reading for laser, reading in lasers})
+
+
+LAKE = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False).unwrapped
+
+
+def values_of_sweeps(n=15):
+    values = [np.zeros(64)]
+    for _ in range(n):
+        before, v = values[-1], np.zeros(64)
+        for s, actions in LAKE.P.items():
+            sums = []
+            for outcomes in actions.values():
+                _, s_next, r, terminated = outcomes[0]
+                sums.append(r + (0 if terminated else 0.9 * before[s_next]))
+            v[s] = max(sums)
+        values.append(v)
+    return values
+
+
+def sweeps() -> Handle:
+    return sweeps_over(values_of_sweeps(), LAKE)
+
+
+def alpha() -> Handle:
+    return one_value(rl.load_task("worked_example"), 0, 0, 29.4)
 
 
 def draws() -> Handle:
@@ -66,7 +102,11 @@ def loops() -> Handle:
 
 
 HANDLES = {
+    "01 cuts": cuts,
     "02 gamma": gamma,
+    "02 sweeps": sweeps,
+    "03 alpha": alpha,
+    "03 corridor": run_back,
     "04 draws": draws,
     "04 rules": rules,
     "07 traces": traces_on_a_path,
@@ -147,6 +187,72 @@ def test_what_gamma_leaves_adds_up_to_the_return():
         right = [discounted_return(r, change["gamma"]) for r in shown.feed["rewards"]]
         np.testing.assert_allclose(found["returns"], right, rtol=1e-12)
     assert "differ by 0.0" in asked(shown, {"gamma": 0.5})[1]["finding"]
+
+
+def test_readings_fall_into_the_bins_of_the_lesson():
+    shown = cuts()
+    for moved in ([0.27, 0.53, 0.8], [0.4, 0.53, 0.51], [0.51, 0.33, 0.51]):
+        change = {f"cut{i}": cut for i, cut in enumerate(moved)}
+        told = asked(shown, change)[1]
+        right = [bin_of(x, sorted(moved)) for x in shown.feed["readings"]]
+        assert told["found"]["bins"] == right
+        apart = bin_of(0.3, sorted(moved)) != bin_of(0.5, sorted(moved))
+        assert ("can tell them apart" in told["finding"]) == apart
+
+
+def test_two_cuts_at_one_place_waste_a_bin():
+    opened, twice, thrice = asked(cuts(), {"cut0": 0.53}, {"cut2": 0.53})
+    assert "4⁵ = 1024 states" in opened["said"] and opened["found"]["used"] == 1024
+    assert "1 bin has no width" in twice["said"] and "243 states" in twice["said"]
+    assert "2 bins" in asked(cuts(), {"cut0": 0, "cut1": 0})[1]["said"]
+    assert thrice["found"]["wasted"] == 2
+
+
+def test_the_sums_of_a_square_make_its_value():
+    shown, values = sweeps(), values_of_sweeps()
+    for k in (1, 2, 6, 15):
+        for square in (62, 55, 0, 19):
+            told = asked(shown, {"sweep": k, "square": square})[1]
+            assert max(told["found"]["sums"]) == pytest.approx(
+                values[k][square], abs=1e-5
+            )
+    (told,) = asked(shown, {"sweep": 1, "square": 62})[1:]
+    assert told["finding"].startswith("After sweep 1, 2 of 64 squares")
+    assert "V(62) = max [0, 0, 1, 0] = 1" in told["picture"]
+    assert "reached S: 0.25" in asked(shown, {"sweep": 14})[1]["finding"]
+    assert "changes nothing" in asked(shown, {"sweep": 15})[1]["finding"]
+
+
+@pytest.mark.parametrize("rate", [0.02, 0.1, 1.0])
+def test_one_value_goes_the_lessons_way(rate):
+    """Oracle: the lesson's right `update`, over the steps of an agent that does not look at its values."""
+    shown, values, q = alpha(), [], np.zeros((24, 3))
+    agent = rl.Agent("worked_example", "Q+RANDOM", seed=0)
+    for x in rl.steps(agent, rl.make_env("worked_example", seed=0), 6000):
+        update(q, x.s, x.a, x.r, x.s_next, x.terminated, rate, 0.9)
+        if (x.s, x.a) == (0, 0):
+            values.append(q[0, 0])
+    told = asked(shown, {"alpha": rate})[1]
+    found = told["found"]
+    np.testing.assert_allclose([visit["value"] for visit in found["visits"]], values)
+    assert ("never rests" in told["finding"]) == (rate == 1.0)
+    targets = [visit["target"] for visit in found["visits"]]
+    assert max(targets) < shown.feed["most"]
+
+
+def test_a_value_runs_back_one_cell_a_drive():
+    """Oracle: the lesson's right `update`."""
+    q = np.zeros((11, 1))
+    for k in range(1, 13):
+        for s in range(10):
+            last = s == 9
+            update(q, s, 0, 10.0 if last else 0.0, s + 1, last, 0.3, 0.8)
+        told = asked(run_back(), {"drive": k, "alpha": 0.3, "gamma": 0.8})[1]
+        np.testing.assert_allclose(told["found"]["values"], q[:10, 0])
+        np.testing.assert_allclose(corridor_values(k, 0.3, 0.8), q[:10, 0])
+        assert told["found"]["known"] == min(k, 10) and told["found"]["first"] == 10
+    assert "4 of 10 cells know" in asked(run_back())[0]["finding"]
+    assert "only the last" in asked(run_back(), {"gamma": 0})[1]["finding"]
 
 
 def test_the_bar_has_the_probabilities_of_the_lessons_rules():

@@ -3,7 +3,12 @@
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03.figures import plot_one_value, plot_towards, who_rests
+from rlrobot_course.lesson_03.figures import (
+    plot_one_value,
+    plot_run_back,
+    plot_towards,
+    who_rests,
+)
 
 
 def test_every_curve_is_q_learning_over_the_same_steps():
@@ -45,3 +50,10 @@ def test_the_finding_names_the_wildest_and_the_calmest_curve():
 
 def test_the_finding_says_which_share_of_the_gap_a_step_closes():
     assert "closes 25 % of the gap" in plot_towards(8.0, 0.25).finding
+
+
+def test_the_finding_counts_the_cells_that_know_of_the_reward():
+    figure = plot_run_back(np.array([0.0, 0.0, 2.5, 5.0]))
+    assert figure.finding == "2 of 4 cells know of the reward"
+    assert [bar.get_height() for bar in figure.axes[0].patches] == [0, 0, 2.5, 5]
+    assert "2.5, 5.0" in figure.alt
