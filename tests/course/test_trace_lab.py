@@ -217,7 +217,11 @@ def test_the_still_says_what_the_handle_says_at_its_opening():
 def test_true_online_says_that_it_is_the_ideal_wherever_it_is():
     ways = [
         {"path": random_path(seed), "step": step, "alpha": alpha, "lam": lam}
-        for seed, step, alpha, lam in [(1, 25, 1, 1), (2, 9, 0.05, 0.3), (3, 20, 0.6, 0)]
+        for seed, step, alpha, lam in [
+            (1, 25, 1, 1),
+            (2, 9, 0.05, 0.3),
+            (3, 20, 0.6, 0),
+        ]
     ]
     for told in asked(with_and_without_q_old(), *ways):
         assert told["finding"] == "True online is the ideal, in every cell"
