@@ -78,6 +78,8 @@ BELOW = {
         "docs/howto/release",
         "studies/benchmarks/README",
         "CHANGELOG",
+        "SECURITY",
+        "CODE_OF_CONDUCT",
     ],
 }
 MADE_OF = {

@@ -1,4 +1,4 @@
-"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or list all in README.md."""
+"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or list all in docs/lessons.md."""
 
 import subprocess
 import sys

@@ -12,6 +12,9 @@ from imports import imports_of
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import rlrobot_edu as rl
+from rlrobot_edu.installing import to_install
+
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROJECT = PYPROJECT["project"]
@@ -124,7 +127,7 @@ def test_a_plain_install_does_without_jupyter_and_says_what_would_bring_a_widget
     lines = done.stdout.splitlines()
     assert len(lines) == 3
     for line in lines:
-        assert "pip install 'rlrobot-edu[notebook]'" in line
+        assert to_install("notebook") in line
 
 
 def test_jupyters_own_server_is_in_no_extra_for_other_jupyters():
@@ -157,3 +160,4 @@ def test_the_readmes_line_uses_the_tested_versions():
     assert lines
     for line in lines:
         assert "--constraints constraints.txt" in line
+        assert f"rlrobot_edu-{rl.__version__}-" in line  # the wheel of this version

@@ -295,7 +295,7 @@ def lab(request, released, wheel, tmp_path):
             pytest.skip("needs uv")
         shutil.copy(ROOT / "constraints.txt", tmp_path)
         command, folder = (
-            [*shlex.split(line.replace("rlrobot-edu[lab]", f"{wheel}[lab]")), *options],
+            [*shlex.split(line.replace(f"dist/{wheel.name}", str(wheel))), *options],
             tmp_path,
         )
     else:
