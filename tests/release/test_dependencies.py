@@ -100,8 +100,10 @@ def test_all_that_a_package_imports_is_declared(package):
     "folder", ["studies", "tests", "docs", "datasets", "notebooks"]
 )
 def test_all_that_developers_import_is_declared(folder):
-    groups = PYPROJECT["dependency-groups"].values()
-    known = declared() | names([line for group in groups for line in group])
+    groups = dict(PYPROJECT["dependency-groups"])
+    assert groups.pop("dev") == [{"include-group": "test"}]
+    lines = [line for group in groups.values() for line in group]
+    known = declared() | names(lines)
     unknown = {
         name: files
         for name, files in distributions_of(folder).items()
