@@ -101,3 +101,14 @@ def test_the_ten_lines_of_the_readme_find_what_it_says_of_them():
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
     _, same, _ = rl.compare(model, methods, 100, progress=False).tukey().pairs
     assert f"(p = {same.p:.2f})" in readme
+
+
+def test_the_paper_cites_what_its_list_has_and_marks_what_only_people_know():
+    paper = (ROOT / "paper.md").read_text("utf-8")
+    cited = set(re.findall(r"(?<=[\[ @;\n])@(\w+)", paper))
+    assert cited == set(
+        re.findall(r"^@\w+{(\w+),", (ROOT / "paper.bib").read_text("utf-8"), re.M)
+    )
+    words = len(paper.split("---\n", 2)[2].split())
+    assert 900 < words < 1100
+    assert paper.count("To be filled in by people") == 6
