@@ -67,7 +67,7 @@ BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stage", "docs/stepper"],
     "docs/method": ["docs/notation", "docs/when_similarity_helps"],
-    "docs/grading": ["notebooks/homework/*"],
+    "docs/grading": ["docs/ai_assistants", "notebooks/homework/*"],
     "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],
     "docs/studies/index": ["docs/studies/*"],
