@@ -76,6 +76,7 @@ BELOW = {
         "docs/howto/architecture",
         "docs/howto/size",
         "docs/howto/release",
+        "docs/howto/mistakes",
         "studies/benchmarks/README",
         "CHANGELOG",
         "SECURITY",

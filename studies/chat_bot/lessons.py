@@ -1,6 +1,7 @@
 """Answers to the exercises of the lessons."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -312,7 +313,7 @@ l20_two_targets = (10 + 0.9 * 40, 10 + 0.9 * 5)
 
 
 def l21_overlaps(left, right, edges):
-    pairs = zip(edges[:-1], edges[1:], strict=True)
+    pairs = pairwise(edges)
     return [
         max(0, min(right, high) - max(left, low)) / (right - left)
         for low, high in pairs
