@@ -67,7 +67,11 @@ BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stage", "docs/stepper"],
     "docs/method": ["docs/notation", "docs/when_similarity_helps"],
-    "docs/grading": ["docs/ai_assistants", "notebooks/homework/*"],
+    "docs/grading": [
+        "docs/ai_assistants",
+        "docs/howto/checks_for_your_course",
+        "notebooks/homework/*",
+    ],
     "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],
     "docs/studies/index": ["docs/studies/*"],
