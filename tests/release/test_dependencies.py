@@ -76,7 +76,12 @@ def declared() -> set[str]:
 def distributions_of(folder: str) -> dict[str, set[str]]:
     """The distributions from which a folder's files import, each with the files."""
     providers = metadata.packages_distributions()
-    here = {path.stem for path in ROOT.rglob("*.py")} | {*PACKAGES, "paper", "fuzz", "chat_bot"}
+    here = {path.stem for path in ROOT.rglob("*.py")} | {
+        *PACKAGES,
+        "paper",
+        "fuzz",
+        "chat_bot",
+    }
     found: dict[str, set[str]] = {}
     for module, files in imports_of(folder).items():
         if module in here and module not in providers:
