@@ -67,7 +67,11 @@ BELOW = {
     "docs/howto/install": ["docs/howto/browser"],
     "docs/playground": ["docs/stage", "docs/stepper"],
     "docs/method": ["docs/notation", "docs/when_similarity_helps"],
-    "docs/grading": ["notebooks/homework/*"],
+    "docs/grading": [
+        "docs/ai_assistants",
+        "docs/howto/checks_for_your_course",
+        "notebooks/homework/*",
+    ],
     "docs/real_robot": ["docs/bags"],
     "docs/results": ["docs/reproduction/README"],
     "docs/studies/index": ["docs/studies/*"],
@@ -76,8 +80,11 @@ BELOW = {
         "docs/howto/architecture",
         "docs/howto/size",
         "docs/howto/release",
+        "docs/howto/mistakes",
         "studies/benchmarks/README",
         "CHANGELOG",
+        "SECURITY",
+        "CODE_OF_CONDUCT",
     ],
 }
 MADE_OF = {

@@ -113,6 +113,6 @@ def add_commands(commands: Commands) -> None:
     add("course", write_lessons, "check 04").add_argument(
         "words",
         nargs="+",
-        help='check 04, new 23 "Title", or table',
+        help='check 04, new 23 "Title", table, or mistakes',
     )
     add("compile", compile_kernels)

@@ -15,7 +15,7 @@ experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above; in3d/
 
 Below it, for all: checks.py (arguments and error messages), keywords.py (misspelt ones), files.py (written whole or not
-at all), seeds.py, and jit/ (the compiler of the kernels).
+at all), installing.py (what brings a missing package), seeds.py, and jit/ (the compiler of the kernels).
 
 On top of this core:
 

@@ -71,7 +71,9 @@ def write_cards(source: Path, extra: Path) -> None:
         return f'{hidden}\n\n<div class="cards">\n{its}\n</div>'
 
     page = source / "docs/lessons.md"
-    text, n = LISTS.subn(with_cards, page.read_text(encoding="utf-8"))
+    text = page.read_text(encoding="utf-8")
+    text = re.sub(r"^\|.*\n", "", text, flags=re.M)  # cards say what the table says
+    text, n = LISTS.subn(with_cards, text)
     if n != len(cards):
         raise ValueError(f"{page}: it has {n} lists of lessons, and not {len(cards)}")
     page.write_text(text, encoding="utf-8")

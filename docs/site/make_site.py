@@ -28,7 +28,8 @@ LITE = (
     ROOT / "docs/lite/_build/site"
 )  # the course in the browser, if `make lite` has built it
 SHOWN = [
-    "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt", "tosl.py",
+    "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md", "CITATION.cff", "LICENSE*",
+    "constraints.txt", "tosl.py",
     "studies/benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "notebooks/homework/*.ipynb",
     "docs/*.md", "docs/howto/*.md", "docs/studies/*.md", "docs/pictures/*", "docs/reproduction/*",
     "studies/**/*", "tasks/*", "datasets/**/*", "rlrobot_*/**/*.py", "tests/**/*.py", "docs/lite/*.toml",

@@ -1,4 +1,4 @@
-"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or list all in README.md."""
+"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, list all in docs/lessons.md, or all mistakes."""
 
 import subprocess
 import sys
@@ -15,6 +15,12 @@ from rlrobot_course.authoring.lists import (
 
 def run(words: Sequence[str]) -> int:
     """Run the command in these words; returns the exit code. Raises ValueError if the command is unknown."""
+    if list(words) == ["mistakes"]:  # the one that needs no checkout
+        from rlrobot_course.authoring.catalogue import lines
+
+        for line in lines():
+            print(line)
+        return 0
     root = checkout()  # first: elsewhere the rest may not even be installed
     match words:
         case ["check", number]:
@@ -30,7 +36,7 @@ def run(words: Sequence[str]) -> int:
     command = " ".join(words)
     raise ValueError(
         f"'course {command}' is not known: write course check 04, course new 23 \"Title of the lesson\","
-        " or course table"
+        " course table or course mistakes"
     )
 
 

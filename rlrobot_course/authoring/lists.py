@@ -8,7 +8,7 @@ from typing import NamedTuple
 import rlrobot_course
 from rlrobot_edu.files import write_whole
 
-TABLE = "| lesson | what you write | minutes |\n|---|---|---|\n"  # how README's begins
+TABLE = "| lesson | what you write | minutes |\n|---|---|---|\n"  # how that of docs/lessons.md begins
 
 
 class Lesson(NamedTuple):
@@ -63,9 +63,9 @@ def facts(root: Path) -> dict[str, Lesson]:
 
 
 def table(root: Path) -> str:
-    """The rows of README's table of the course."""
+    """The rows of the table of the course in docs/lessons.md."""
     rows = [
-        f"| [{number} {one.title}]({one.path.relative_to(root).as_posix()}){', optional' * one.is_optional}"
+        f"| [{number} {one.title}](../{one.path.relative_to(root).as_posix()}){', optional' * one.is_optional}"
         f" | {one.writes} | {one.minutes} |\n"
         for number, one in facts(root).items()
     ]
@@ -73,10 +73,10 @@ def table(root: Path) -> str:
 
 
 def write_table(root: Path) -> None:
-    """Write the table of the course into README.md anew."""
-    readme = root / "README.md"
-    before, head, after = readme.read_text(encoding="utf-8").partition(TABLE)
-    write_whole(readme, before + head + table(root) + re.sub(r"^(\|.*\n)*", "", after))
+    """Write the table of the course into docs/lessons.md anew."""
+    page = root / "docs/lessons.md"
+    before, head, after = page.read_text(encoding="utf-8").partition(TABLE)
+    write_whole(page, before + head + table(root) + re.sub(r"^(\|.*\n)*", "", after))
 
 
 def notebook_of(root: Path, number: str) -> Path:

@@ -16,7 +16,7 @@ LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try
   rlrobot_course/lesson_{number}/: its exercise and figure; questions.toml beside it has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
 Left to you: in the notebook's metadata, what the learner writes, the minutes, and the lessons that it needs; course
-table writes them into README.md. Let the last cell of notebooks/{before} lead on to it; write new symbols into
+table writes them into docs/lessons.md. Let the last cell of notebooks/{before} lead on to it; write new symbols into
 docs/notation.md, and into docs/lite/lessons.toml the numbers that are too large for a browser."""
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 from rlrobot_course.learner.saving import ASKED_FOR
 from rlrobot_edu.files import shipped, write_whole
+from rlrobot_edu.installing import to_install
 from rlrobot_grading.answers.values import safely
 
 NOTEBOOKS = shipped("notebooks")
@@ -44,9 +45,7 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
     more: further arguments for JupyterLab. Raises ImportError if it is not installed.
     """
     if find_spec("jupyterlab") is None:
-        raise ImportError(
-            "JupyterLab is not installed: run pip install 'rlrobot-edu[lab]'"
-        )
+        raise ImportError(f"JupyterLab is not installed: run {to_install('lab')}")
     print(*copy_missing(source, folder), sep="\n")
     settings = folder / ".jupyterlab"
     write_whole(settings / "overrides.json", json.dumps(PREFERENCES) + "\n")

@@ -21,9 +21,9 @@ from packaging.utils import canonicalize_name
 
 import rlrobot_edu
 from rlrobot_edu.files import shipped
+from rlrobot_edu.installing import NAME, to_install
 from rlrobot_edu.jit import dispatcher
 
-NAME = "rlrobot-edu"
 WIDTH = 100  # of a line
 INDENT = 15  # of the text beside a name
 # uv makes environments without pip.
@@ -270,7 +270,7 @@ def _extra(name: str) -> Finding:
     )
     return Finding(
         name,
-        f'{missing}.\nWithout it {WITHOUT[name]}.\nTo install it: {PIP} install "{NAME}[{name}]"',
+        f"{missing}.\nWithout it {WITHOUT[name]}.\nTo install it: {to_install(name, PIP)}",
     )
 
 

@@ -91,7 +91,7 @@ class Kernel:
             import jupyter_client  # noqa: F401
         except ImportError:
             raise ImportError(
-                "jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it"
+                "grading needs Jupyter: run pip install ipykernel jupyter_client psutil"
             ) from None
         self._memory = memory
         self._file = home / "kernel.json"

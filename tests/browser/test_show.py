@@ -25,6 +25,7 @@ from PIL import Image, ImageColor
 from waiting import until
 
 import rlrobot_edu as rl
+from rlrobot_edu.installing import to_install
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -453,7 +454,7 @@ def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
     )
     assert run.returncode == 0, run.stderr
     assert run.stdout.splitlines() == 3 * [
-        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'; everything else works without it"
+        f"3D views need meshcat: run {to_install('notebook')}; everything else works without it"
     ]
 
 

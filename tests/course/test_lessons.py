@@ -18,7 +18,7 @@ from rlrobot_course.authoring.new_lesson import new_lesson, slug
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
 NOTEBOOKS = [path.stem for path in lists.lessons(ROOT).values()]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/lessons.md").read_text(encoding="utf-8")
 FOLDERS = sorted(
     path.name.removeprefix("lesson_")
     for path in (ROOT / "rlrobot_course").glob("lesson_*")
@@ -48,7 +48,7 @@ def test_every_lesson_has_a_folder_and_every_folder_a_lesson():
 
 
 def test_the_table_of_the_course_is_what_the_notebooks_say_of_themselves():
-    assert lists.TABLE + lists.table(ROOT) + "\n" in README, (
+    assert lists.TABLE + lists.table(ROOT) + "\n" in PAGE, (
         "rlrobot-edu course table writes it anew"
     )
 

@@ -237,7 +237,7 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
 def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(name):
     minutes = int(re.search(r"In about (\d+) minutes", read(name).cells[0].source)[1])
     page = (
-        ROOT / ("docs/grading.md" if name in ASSIGNMENTS else "README.md")
+        ROOT / f"docs/{'grading' if name in ASSIGNMENTS else 'lessons'}.md"
     ).read_text("utf-8")
     rows = [line for line in page.splitlines() if f"{name})" in line]
     assert (

@@ -5,6 +5,7 @@ import re
 import socket
 import sys
 import tomllib
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 import rlrobot_edu as rl
+from rlrobot_edu.installing import to_install
 from rlrobot_edu.jit import dispatcher
 from rlrobot_edu.tools import doctor
 from rlrobot_edu.tools.commands import main
@@ -21,7 +23,7 @@ PROJECT = tomllib.loads(
     (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
 )["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-COMMAND = f'{doctor.PIP} install "rlrobot-edu[{{}}]"'.format
+COMMAND = partial(to_install, pip=doctor.PIP)
 
 
 def said(name: str) -> doctor.Finding:

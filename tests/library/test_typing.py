@@ -12,6 +12,7 @@ import pytest
 from mypy import api
 
 import rlrobot_edu as rl
+from rlrobot_edu.installing import to_install
 from rlrobot_edu.missing_names import ELSEWHERE
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 
@@ -132,9 +133,7 @@ def test_all_names_can_be_walked_where_an_extra_is_missing():
         [sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
-    assert (
-        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'" in done.stdout
-    )
+    assert f"3D views need meshcat: run {to_install('notebook')}" in done.stdout
 
 
 def test_the_engines_have_the_names_that_the_robots_cards_have():

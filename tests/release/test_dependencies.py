@@ -12,6 +12,9 @@ from imports import imports_of
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import rlrobot_edu as rl
+from rlrobot_edu.installing import to_install
+
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROJECT = PYPROJECT["project"]
@@ -73,7 +76,12 @@ def declared() -> set[str]:
 def distributions_of(folder: str) -> dict[str, set[str]]:
     """The distributions from which a folder's files import, each with the files."""
     providers = metadata.packages_distributions()
-    here = {path.stem for path in ROOT.rglob("*.py")} | {*PACKAGES, "paper", "fuzz"}
+    here = {path.stem for path in ROOT.rglob("*.py")} | {
+        *PACKAGES,
+        "paper",
+        "fuzz",
+        "chat_bot",
+    }
     found: dict[str, set[str]] = {}
     for module, files in imports_of(folder).items():
         if module in here and module not in providers:
@@ -97,8 +105,10 @@ def test_all_that_a_package_imports_is_declared(package):
     "folder", ["studies", "tests", "docs", "datasets", "notebooks"]
 )
 def test_all_that_developers_import_is_declared(folder):
-    groups = PYPROJECT["dependency-groups"].values()
-    known = declared() | names([line for group in groups for line in group])
+    groups = dict(PYPROJECT["dependency-groups"])
+    assert groups.pop("dev") == [{"include-group": "test"}]
+    lines = [line for group in groups.values() for line in group]
+    known = declared() | names(lines)
     unknown = {
         name: files
         for name, files in distributions_of(folder).items()
@@ -124,7 +134,7 @@ def test_a_plain_install_does_without_jupyter_and_says_what_would_bring_a_widget
     lines = done.stdout.splitlines()
     assert len(lines) == 3
     for line in lines:
-        assert "pip install 'rlrobot-edu[notebook]'" in line
+        assert to_install("notebook") in line
 
 
 def test_jupyters_own_server_is_in_no_extra_for_other_jupyters():
@@ -157,3 +167,4 @@ def test_the_readmes_line_uses_the_tested_versions():
     assert lines
     for line in lines:
         assert "--constraints constraints.txt" in line
+        assert f"rlrobot_edu-{rl.__version__}-" in line  # the wheel of this version

@@ -128,7 +128,8 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
         "rlrobot_edu/constraints.txt",
         f"rlrobot_edu-{rl.__version__}.data/data/{JUPYTER}",
     }
-    assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/LICENSE" in about
+    for licence in ("LICENSE", "LICENSE-CONTENT", "LICENSE-DATA"):
+        assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/{licence}" in about
     for name in [
         "py.typed",
         "tasks/wander_1k.py",
@@ -297,7 +298,7 @@ def lab(request, released, wheel, tmp_path):
             pytest.skip("needs uv")
         shutil.copy(ROOT / "constraints.txt", tmp_path)
         command, folder = (
-            [*shlex.split(line.replace("rlrobot-edu[lab]", f"{wheel}[lab]")), *options],
+            [*shlex.split(line.replace(f"dist/{wheel.name}", str(wheel))), *options],
             tmp_path,
         )
     else:

@@ -681,7 +681,7 @@ def test_the_first_hour_tells_the_minutes_of_the_table_of_lessons():
     table = dict(
         re.findall(
             r"notebooks/(\w+)\.ipynb\).*\| (\d+) \|",
-            (ROOT / "README.md").read_text(encoding="utf-8"),
+            (ROOT / "docs/lessons.md").read_text(encoding="utf-8"),
         )
     )
     told = re.findall(

@@ -1,4 +1,4 @@
-"""Scenes in three dimensions, in meshcat: the extra ``lab``.
+"""Scenes in three dimensions, in meshcat: the extra ``notebook``.
 
 visualizer.py   `meshcat` and `show_scene`: begin here
 looks.py        what the parts of a scene look like in meshcat
@@ -15,10 +15,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 
+from rlrobot_edu.installing import to_install
+
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
     raise ImportError(
-        "3D views need meshcat: run pip install 'rlrobot-edu[notebook]'; everything else works without it"
+        f"3D views need meshcat: run {to_install('notebook')}; everything else works without it"
     )
 MESHCAT = Path(_spec.origin).parent
 # In a browser there is no place for meshcat's server, which it imports; we never start it.

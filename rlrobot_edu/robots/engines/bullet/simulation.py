@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.installing import to_install
 from rlrobot_edu.robots.scene import Solid, pose
 
 
@@ -35,7 +36,7 @@ try:
 except ImportError:
     raise ImportError(
         "PyBullet is not installed; with Python 3.11 to 3.13 on Linux x86-64, Windows or macOS "
-        "pip install 'rlrobot-edu[arm]' brings it"
+        f"it comes with {to_install('arm')}"
     ) from None
 
 GRAVITY = 9.81  # [m/s²]
