@@ -12,7 +12,6 @@ from rlrobot_course.figures.plots import (
     centred,
     name_rows,
 )
-from rlrobot_course.thread.numbers import signed
 from rlrobot_edu import Recording, SampleModel, make_env
 from rlrobot_edu.models.diagnosis import Diagnosis
 from rlrobot_edu.models.held_back import HeldBack
@@ -20,7 +19,7 @@ from rlrobot_edu.robots.scene import Solid
 from rlrobot_edu.show.describe import robot_of
 
 
-def unknown_finding(diagnosis: Diagnosis, held: HeldBack) -> str:
+def not_known_finding(diagnosis: Diagnosis, held: HeldBack) -> str:
     """What is missing in the rows, and what the held-back ones say."""
     never = diagnosis.n_pairs - diagnosis.pairs_seen
     seen = f"never tried: {never} of {diagnosis.n_pairs} pairs"
@@ -28,18 +27,18 @@ def unknown_finding(diagnosis: Diagnosis, held: HeldBack) -> str:
         return f"Your model does not know all: {seen}; the step before tells more than the state"
     loops = len(diagnosis.loops)
     if loops:
-        word = "loop rests" if loops == 1 else "loops rest"
+        word = "suspect loop rests" if loops == 1 else "suspect loops rest"
         return f"Your model does not know all: {seen}; {loops} {word} on a few rows"
     return f"Your model does not know all: {seen}; nothing else is shown to be wrong"
 
 
-def plot_unknown(rows: Recording) -> Picture:
+def plot_not_known(rows: Recording) -> Picture:
     """A map of the robot's way, and shares that say how far a model of these rows can be believed."""
     diagnosis = SampleModel.from_recording(rows).diagnose()
     held = SampleModel.hold_back(rows)
     figure = Picture(figsize=(8.6, 3.9))
     note = f"left: where it was in {len(rows)} steps; right: shares in %, in numbers beside the bars"
-    figure.headline(unknown_finding(diagnosis, held), note)
+    figure.headline(not_known_finding(diagnosis, held), note)
     left, right = figure.subplots(1, 2, width_ratios=(2, 3))
     told = _draw_map(left, rows)
 
@@ -80,8 +79,9 @@ def _loops(diagnosis: Diagnosis) -> str:
     if not diagnosis.loops:
         return "none found, which is no proof"
     first = diagnosis.loops[0]
+    paid = f"{first.reward:.3g}".replace("-", "−")
     rows = "1 row" if first.samples == 1 else f"{first.samples} rows"
-    return f"{len(diagnosis.loops)}; the first pays {signed(first.reward)} for ever, from {rows}"
+    return f"{len(diagnosis.loops)}; the first pays {paid} for ever, from {rows}"
 
 
 def places(rows: Recording) -> list[np.ndarray]:
