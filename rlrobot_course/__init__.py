@@ -27,6 +27,7 @@ Lessons share these folders:
   (`old_questions`); both read `questions.toml`;
 - `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`) and its picture
   (`staircase`), and the numbers of the reproduction (`report`);
+- `thread`: the learner's own rows, model and robot through lessons 14, 16 and 18;
 - `figures`: what figures begin with (`plots`), ways through a room (`paths`), and curves of runs (`runs`).
 
 Exercises, verdicts and hints are `rlrobot_grading`. `commands` are those of ``rlrobot-edu``.

@@ -100,6 +100,7 @@ PAGE = Template("""<!doctype html>
 @media (prefers-color-scheme: dark) { :root { background: $dark_paper; color: $dark_ink } }
 body { max-width: 48rem; margin: 2rem auto; padding: 0 1rem; font: 1.05rem/1.5 system-ui, sans-serif }
 th, td { text-align: left; padding-right: 1.5rem }
+td:first-of-type { white-space: nowrap }
 caption { text-align: left }
 img { max-width: 100%; height: auto }
 </style>

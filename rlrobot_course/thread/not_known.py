@@ -22,14 +22,14 @@ from rlrobot_edu.show.describe import robot_of
 def not_known_finding(diagnosis: Diagnosis, held: HeldBack) -> str:
     """What is missing in the rows, and what the held-back ones say."""
     never = diagnosis.n_pairs - diagnosis.pairs_seen
-    seen = f"never tried: {never} of {diagnosis.n_pairs} pairs"
+    seen = f"{never} of {diagnosis.n_pairs} pairs were never tried"
     if held.guessed_from_two - held.guessed > held.gained_by_chance:
-        return f"Your model does not know all: {seen}; the step before tells more than the state"
+        return f"{seen}; the step before tells more than the state"
     loops = len(diagnosis.loops)
     if loops:
         word = "suspect loop rests" if loops == 1 else "suspect loops rest"
-        return f"Your model does not know all: {seen}; {loops} {word} on a few rows"
-    return f"Your model does not know all: {seen}; nothing else is shown to be wrong"
+        return f"{seen}; {loops} {word} on a few rows"
+    return f"{seen}; nothing else is shown to be wrong"
 
 
 def plot_not_known(rows: Recording) -> Picture:

@@ -154,7 +154,7 @@ def test_the_page_of_what_is_not_known_says_what_the_model_says_of_itself(robot)
     held = rl.SampleModel.hold_back(rows)
     picture = plot_not_known(rows)
     never = diagnosis.n_pairs - diagnosis.pairs_seen
-    assert f"never tried: {never} of {diagnosis.n_pairs} pairs" in picture.finding
+    assert f"{never} of {diagnosis.n_pairs} pairs were never tried" in picture.finding
     assert held.verdict in picture.alt and "A map" in picture.alt
     sure = held._replace(gained_by_chance=1.0)
     loop = Loop(states=(5,), pairs=((5, 0),), reward=1.0, samples=1)
