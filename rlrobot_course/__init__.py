@@ -9,6 +9,7 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
   ``check.update(update)``;
 - `fixtures.py`, if exercises share something: a world, a table;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
+- `handles.py`, in eight: what the reader moves, each with its program in JavaScript beside it;
 - `challenge.py`, in six: what counts in the open challenge, and how one robot or agent fares with an answer.
 
 The folders `assignment_1` to `assignment_5`, for the notebooks in `notebooks/homework/`, are built in the same way;
@@ -27,7 +28,9 @@ Lessons share these folders:
   (`old_questions`); both read `questions.toml`;
 - `play`: an answer gets a score (`challenge`), the course's robot lesson by lesson (`scoreboard`) and its picture
   (`staircase`), and the numbers of the reproduction (`report`);
+- `handles`: pictures that the reader moves, by sliders, a scrubber, switches and clicks;
 - `trace_lab`: what lessons 07 and 08 let the reader move: a path over a grid, its traces and its values;
+- `thread`: the learner's own rows, model and robot through lessons 14, 16 and 18;
 - `figures`: what figures begin with (`plots`), ways through a room (`paths`), and curves of runs (`runs`).
 
 Exercises, verdicts and hints are `rlrobot_grading`. `commands` are those of ``rlrobot-edu``.

@@ -608,11 +608,6 @@ def test_lessons_count_the_robots_that_were_counted():
     assert tells("notebooks/13_robot_arm.ipynb", many, 3, 0.9, some, 0.7, few, 0)
 
 
-def test_lesson_18_tells_what_each_robot_lost_over_the_link():
-    lost = [round(value, 1) for value, _ in computed("18, over a link").values()]
-    assert tells("notebooks/18_real_robot.ipynb", *lost)
-
-
 def test_lessons_quote_the_report(outcomes):
     wander = "notebooks/11_wandering_robot.ipynb"
     for world in ("robot", "cause_walls"):
@@ -628,17 +623,6 @@ def test_lessons_quote_the_report(outcomes):
         for part in ("friction", "lag")
     ]
     assert tells(wander, round(gains[0], 2), -round(gains[1], 2))
-
-    o = outcomes["preliminary_temperature_robot"]
-    means = {label: round(o.means()[label], 2) for label in ("T = 1", "T = 0.3")}
-    assert tells(
-        "notebooks/14_sample_models.ipynb",
-        1,
-        means["T = 1"],
-        0.3,
-        means["T = 0.3"],
-        round(o.pair(*means)[1], 3),
-    )
 
     simple = outcomes["robot_wander_simple"].tested(SR, QBIASSR)
     paper_again = "notebooks/15_reproduce_the_paper.ipynb"
