@@ -43,15 +43,14 @@ function marksHtml({ inputs }, input) {
 const question = (row) => (row.some(Boolean) ? "What do similar states advise it here?" : "It has learned nothing here. Who can advise it?");
 
 // What the similar states bring into the bias of action a, without the state's own value, which is in every set.
-const adviceOn = (a, q, { sets, bias }, s) => bias[a] - (q[s][a] * mean(sets.map((set) => 1 / set.length)));
-const mean = (x) => x.reduce((sum, each) => sum + each, 0) / x.length;
+const fromOthers = (a, q, { sets, bias }, s) => bias[a] - (q[s][a] * sets.reduce((sum, set) => sum + 1 / set.length, 0)) / sets.length;
 
 // In large type: the action whose probability the bias changes most, and why, if it is the similar states' doing.
 function findingHtml({ actions }, q, s, found) {
   const { sr, qbiassr, bias, members } = found, changes = qbiassr.map((p, a) => Math.abs(p - sr[a]));
   const a = changes.indexOf(Math.max(...changes)), whole = (p) => (100 * p).toFixed(0), rises = qbiassr[a] > sr[a];
   const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
-  const advice = adviceOn(a, q, found, s), isTheirs = changes[a] > 0 && Math.abs(advice) >= Math.abs(bias[a] - advice);
+  const advice = fromOthers(a, q, found, s), isTheirs = changes[a] > 0 && Math.abs(advice) >= Math.abs(bias[a] - advice);
   const cause = isTheirs && advice > 0 && rises ? "Similar states gained by" : isTheirs && advice < 0 && !rises ? "Similar states lost by" : "Similar states advise on";
   return `<b>${cause} “${escaped(actions[a])}”: <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
     `how likely the robot is to choose it, without and with what ${members.length - 1} similar states learned`;
