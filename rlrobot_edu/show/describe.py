@@ -101,6 +101,21 @@ def task_of(env: Env) -> str:
     return first.strip()
 
 
+def rules_of(env: Env) -> str:
+    """What earns which reward, as the docstring of the task's file says after ``Rewards:``; empty if it does not."""
+    task = getattr(env.unwrapped, "task", None)
+    description = task.description if task is not None else ""
+    found = re.search(r"^Rewards:\s*(.*?)\.(?=\s|$)", description, re.S | re.M)
+    return " ".join(found[1].split()) if found else ""
+
+
+def rules_met(rules: str, rewards: Sequence[float]) -> str:
+    """Those of the rules, parted by semicolons, that end with a reward which was paid; empty if there are none."""
+    paid = {f"{r:g}".replace("-", "−") for r in rewards}
+    met = [rule for rule in rules.split("; ") if rule.split(" ")[-1] in paid]
+    return f"Rewards: {'; '.join(met)}." if met else ""
+
+
 def finding(scenes: Sequence[Scene], rewards: Sequence[float], task: str = "") -> str:
     """What became of these steps in one sentence.
 
@@ -149,6 +164,19 @@ def sought(scene: Scene) -> str:
     if "object" in roles and _has_arm(scene):
         return "It reaches for the yellow object."
     return ""
+
+
+def key_words(scene: Scene, rules: str, rewards: Sequence[float]) -> str:
+    """What a picture's marks and rewards mean, beside the colours of the way; rules: what earns which reward."""
+    words = [sought(scene)]
+    if any(solid.name == "field" for solid in scene.solids):
+        words.append("The pale field is only painted on the table.")
+    if len(scene.beams):
+        words.append(
+            f"An orange line is a laser that finds something within {NEAR:g} m."
+        )
+    words.append(rules_met(rules, rewards))
+    return " ".join(filter(None, words))
 
 
 def _has_arm(scene: Scene) -> bool:

@@ -18,11 +18,18 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import in_a_notebook, watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import describe, finding, robot_of, sought, task_of
+from rlrobot_edu.show.describe import (
+    describe,
+    finding,
+    key_words,
+    robot_of,
+    rules_of,
+    task_of,
+)
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
 from rlrobot_edu.show.painting.frames import frames, key_steps
-from rlrobot_edu.show.palette import WHITE
+from rlrobot_edu.show.palette import LIGHT, WHITE
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
@@ -31,8 +38,24 @@ WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
 IN_A_ROW = 3  # steps
 COLOURS = 32  # of a film
-LETTERS = f"font: 16px/1.4 system-ui, sans-serif; max-width: {WIDTH + 12}px"
-KEY = "The way is green where a step earned, red where it lost much, grey in between."
+# A light card, also on a dark page: the picture in it is light
+CARD = (
+    f"box-sizing: border-box; max-width: {WIDTH + 28}px; padding: 8px 10px; border: 1px solid {LIGHT['line']}; "
+    f"border-radius: 12px; background: {WHITE}; color: {LIGHT['ink']}; font: 16px/1.4 system-ui, sans-serif"
+)
+TITLE = "font: 600 19px/1.3 Georgia, serif; margin: 0 6px"
+SMALL = f"margin: 2px 6px 0; font-size: 14px; color: {LIGHT['faint']}"
+
+
+def _swatch(name: str) -> str:
+    """A mark in this colour of the palette, to stand before its meaning."""
+    return f'<span style="color: {LIGHT[name]}">■</span>&nbsp;'
+
+
+KEY = (
+    f"Its way, step by step: {_swatch('green')}earned, {_swatch('red')}lost much, "
+    f"{_swatch('grey')}earned nothing or lost little."
+)
 
 
 @suggests_keywords
@@ -55,6 +78,9 @@ class Film(Displayed):
         A note for the caption of each frame, such as ``T = 0.5``; none if empty.
     task : str
         What the robot is to do, such as ``Wander in a maze``, for the title; none if empty.
+    rules : str
+        What earns which reward, parted by semicolons, such as ``moved more than 0.07 m: 10; else −0.02``; the key tells
+        those that were met. None if empty.
 
     Raises
     ------
@@ -68,6 +94,7 @@ class Film(Displayed):
     seconds_per_frame: float = 0.15
     notes: Sequence[str] = ()
     task: str = ""
+    rules: str = ""
 
     def __post_init__(self) -> None:
         self._check_list("frames", self.frames, Scene, "scenes")
@@ -97,7 +124,9 @@ class Film(Displayed):
             )
 
     @classmethod
-    def of(cls, shots: Iterable[tuple[Scene, float]], task: str = "") -> "Film":
+    def of(
+        cls, shots: Iterable[tuple[Scene, float]], task: str = "", rules: str = ""
+    ) -> "Film":
         """The film of some scenes, each with its reward.
 
         Parameters
@@ -106,6 +135,8 @@ class Film(Displayed):
             The scene after each step, and the step's reward.
         task : str
             What the robot is to do, for the title.
+        rules : str
+            What earns which reward, for the key.
 
         Returns
         -------
@@ -121,7 +152,7 @@ class Film(Displayed):
         for scene, reward in shots:
             scenes.append(scene)
             rewards.append(reward)
-        return cls(scenes, rewards, task=task)
+        return cls(scenes, rewards, task=task, rules=rules)
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
@@ -218,7 +249,12 @@ class Film(Displayed):
         from rlrobot_edu.show.in3d.visualizer import show_scene
 
         return show_scene(
-            self.frames, self.rewards, self.seconds_per_frame, self.notes, self.task
+            self.frames,
+            self.rewards,
+            self.seconds_per_frame,
+            self.notes,
+            self.task,
+            self.rules,
         )
 
     @cached_property
@@ -245,12 +281,12 @@ class Film(Displayed):
 
     def _as_html(self) -> str:
         """What became of it, the moving picture, and, to unfold, the steps that tell most; it needs no script."""
-        key = f"{KEY} {sought(self.frames[-1])}"
-        finding = escape(self.finding)
-        title = f'<p style="{LETTERS}"><strong>{finding}</strong><br><small>{key}</small></p>'
+        words = key_words(self.frames[-1], self.rules, self.rewards)
+        title = f'<p style="{TITLE}">{escape(self.finding)}</p>'
+        key = f'<p style="{SMALL}">{KEY} {escape(words)}</p>'
         steps = f"<summary>Step by step</summary>{self.steps().html}"
-        folded = f'<details style="{LETTERS}">{steps}</details>'
-        return title + self.still().html + folded
+        folded = f'<details style="margin: 0 6px">{steps}</details>'
+        return f'<div style="{CARD}">{title}{key}{self.still().html}{folded}</div>'
 
 
 @suggests_keywords
@@ -282,4 +318,4 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     shots = []
     for step in loop.steps(agent, env, steps=steps):
         shots.append((robot_of(env).scene(), step.r))
-    return Film.of(shots, task_of(env))
+    return Film.of(shots, task_of(env), rules_of(env))

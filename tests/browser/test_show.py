@@ -34,8 +34,11 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import WIDTH, Film, film
 from rlrobot_edu.show.in3d import looks
+from rlrobot_edu.show.in3d.camera import ASPECT, MARGIN
 from rlrobot_edu.show.in3d.page_widget import PAUSE
+from rlrobot_edu.show.in3d.replay import telling
 from rlrobot_edu.show.in3d.visualizer import show_scene
+from rlrobot_edu.show.painting.lens import FIELD_OF_VIEW, stand_for
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.style import SMALLEST
@@ -536,6 +539,43 @@ INSIDE = """node(["meshcat", "robot"]).children.every(part => {
   const box = new MeshCat.THREE.Box3().setFromObject(part);
   return [box.min, box.max].every(p => { p.project(viewer.camera); return Math.abs(p.x) < 1 && Math.abs(p.y) < 1; });
 })"""
+
+
+def test_a_film_comes_near_to_a_short_way_and_holds_all_of_it():
+    """So much nearer than to the whole room, and no point of the way is outside the picture."""
+    one = rl.make_env("wander_1k", seed=0).unwrapped.robot.scene()
+    way = np.array([[0.0, 0.0, 0.0], [1.0, 0.3, 0.0], [0.4, 1.1, 0.0]])
+    whole, near = stand_for(one, ASPECT, MARGIN), stand_for(one, ASPECT, MARGIN, way)
+    assert near.distance < 0.8 * whole.distance
+    half_height = math.tan(math.radians(FIELD_OF_VIEW / 2))
+    right, up, back = ((way - near.target) @ near.axes.T).T
+    ahead = near.distance - back
+    assert np.all(np.abs(right / ahead) < ASPECT * half_height)
+    assert np.all(np.abs(up / ahead) < half_height)
+
+
+def test_without_motion_a_film_opens_at_the_last_step_that_earned_most(opened):
+    assert telling([5, 10, -1, 10, -1]) == 3
+    assert telling([-1, 0, -2]) == telling([]) == -1
+    rewards = [0.0] * 20
+    rewards[11] = 4.0
+    view = show_scene(SCENES, rewards)
+    page = opened(view)
+    page.emulate_media(reduced_motion="reduce")
+    page.reload()
+    until(page, "last === 19 && caption.textContent.startsWith('step 12 of 20')")
+
+
+def test_the_way_is_seen_through_walls_as_a_pale_ghost(opened):
+    page = opened(show_scene(SCENES, FILM.rewards))
+    until(page, "last === 19")
+    band = "node(['meshcat', 'trail', '1', '<object>'])"
+    until(page, f"{band}.children.length === 1")
+    ghost = f"{band}.children[0]"
+    assert page.evaluate(f"{ghost}.geometry === {band}.geometry")
+    assert page.evaluate(f"{ghost}.material.opacity < 0.6")
+    hidden = "MeshCat.THREE.GreaterDepth"
+    assert page.evaluate(f"{ghost}.material.depthFunc === {hidden}")
 
 
 @pytest.mark.parametrize(

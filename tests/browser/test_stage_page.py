@@ -57,7 +57,7 @@ def calm(opened, request):
 
 def test_without_motion_it_opens_at_the_arrow_and_tells_what_came(calm):
     said = calm.locator("#said").inner_text()
-    assert "memories of similar places say: " in said and "It drew" in said
+    assert "memories of similar places say: " in said and "t did " in said
     assert "itself, earlier" in calm.locator("#lead").inner_text()
     assert calm.evaluate("stepPart(seconds())") == 0
     assert calm.locator("#motions [aria-pressed=true]").count() == 1
@@ -325,7 +325,7 @@ def test_with_motion_they_race_first_and_a_key_leads_to_the_question(opened):
     page.keyboard.press("Escape")
     until(page, "phase === 'ask' && isNear && stepPart(seconds()) === 1")
     first = page.evaluate("moment.t")
-    assert "It drew" in page.locator("#said").inner_text()
+    assert "t did " in page.locator("#said").inner_text()
     page.keyboard.press("ArrowRight")
     assert page.evaluate("moment.t") > first
     page.get_by_role("button", name="When it was wrong").click()

@@ -39,7 +39,7 @@ def view(stepper: rl.Stepper) -> str:
 def explored(explorer: BiasExplorer) -> list[dict]:
     """Of each state what the explorer's page computes of the table shown.
 
-    ``said`` tells what it says, by action and stage; ``html`` all that it writes at some time.
+    ``said`` tells what it says, by action and stage; ``finding`` its title; ``html`` all that it writes at some time.
     """
     widget = explorer.widget
     told = json.dumps([widget.about, widget.tables[widget.table], widget.table])
@@ -50,7 +50,7 @@ def explored(explorer: BiasExplorer) -> list[dict]:
         "  const said = about.actions.map((_, a) => stages.map((stage) => saidHtml(about, q, s, a, stage, found)));\n"
         "  for (const name of ['bias', 'sr', 'qbiassr']) found[name] = [...found[name]];\n"
         "  found.means = found.means.map((mean) => [...mean]);\n"
-        "  const html = [explorerHtml(about), ...said.flat(), legendHtml(about, scale, s, 4)].join('');\n"
-        "  return { ...found, said, html };\n"
+        "  const html = [explorerHtml(about), ...said.flat(), legendHtml(about, s, 4), barsHtml(about, scale)].join('');\n"
+        "  return { ...found, said, html, finding: findingHtml(about, q, s, found) };\n"
         "})));"
     )

@@ -70,6 +70,25 @@ def test_every_number_shown_is_a_mean_along_an_axis_or_a_softmax():
             )
 
 
+def test_the_title_blames_similar_states_only_where_their_values_made_the_change():
+    """Their part of the bias is what is left of it when the state's own value is 0."""
+    told = set()
+    for s, found in enumerate(explored(explorer())):
+        title = plain(found["finding"])
+        change = softmax(Q[s] + axis_means(Q, s).mean(axis=0)) - softmax(Q[s])
+        a = int(np.abs(change).argmax())
+        without = Q.copy()
+        without[s] = 0
+        theirs = axis_means(without, s).mean(axis=0)[a]
+        own = axis_means(Q, s).mean(axis=0)[a] - theirs
+        cause = "Similar states advise on"
+        if abs(theirs) >= abs(own) and theirs * change[a] > 0:
+            cause = f"Similar states {'gained' if theirs > 0 else 'lost'} by"
+        assert title.startswith(f"{cause} “{TASK.actions.label(a)}”: ")
+        told.add(cause)
+    assert len(told) == 3
+
+
 def test_the_sums_are_those_of_the_papers_example():
     q = (
         np.arange(72.0).reshape(24, 3) - 40

@@ -466,6 +466,56 @@ def test_the_saved_output_is_a_picture_with_words_and_always_the_same():
     assert "Step 12 (episode 1" in data["text/html"] and "δ = " in data["text/html"]
 
 
+@pytest.mark.parametrize("method", [f"{name}+SR" for name in SYMBOLS])
+def test_the_page_says_why_a_value_rose_or_fell_at_every_step(method):
+    """What a step paid, with what comes next, is above or below what was expected; and TOSL carries a change on."""
+    stepper = stepper_of(method=method, at=200)
+    told = on_its_page(
+        stepper,
+        "[...Array(200).keys()].map((t) => (stepper.tape.go(t + 1), [simply, why].map((say) => "
+        "say(stepper.about, stepper.tape.frame))))",
+    )
+    kinds = set()
+    for t, (what, reason) in enumerate(told):
+        stepper.jump(t + 1)
+        frame = stepper._tape.frame
+        change = frame.q_sa_new - frame.q_sa
+        word = "rises" if change > 0 else "falls"
+        if change:
+            news = "yet" if change * frame.step.r < 0 else "and"
+            assert f", {news} its value {word}: " in what
+        else:
+            assert what.endswith(". Its value here stays as it was.")
+        paid = re.match(r"Why: the step paid (\S+) and ", reason)[1]
+        assert paid == given(frame.step.r)
+        than = "just"
+        if frame.step.delta:
+            than = "more than" if frame.step.delta > 0 else "less than"
+        assert f", {than} the " in reason
+        against = bool(change) and change * frame.step.delta <= 0
+        assert (f"The value {word} all the same" in reason) == against
+        if against:
+            assert method == "TOSL+SR" and change * (frame.q_sa - frame.q_old) > 0
+        kinds.add(than)
+    assert {"more than", "less than"} <= kinds
+
+
+def test_the_page_says_the_chance_of_what_was_drawn_and_whether_another_had_more():
+    stepper = stepper_of(at=100)
+    told = on_its_page(
+        stepper,
+        "[...Array(100).keys()].map((t) => (stepper.tape.go(t + 1), chosen(stepper.about, stepper.tape.frame)))",
+    )
+    for t, text in enumerate(told):
+        stepper.jump(t + 1)
+        step = stepper._tape.frame.step
+        p = np.round(step.probabilities, 6)
+        shares = [float(x) for x in re.findall(r"([\d.e-]+) %", text)]
+        assert shares[0] == pytest.approx(100 * p[step.a], rel=0.01)
+        assert ("no action had more" in text) == (p[step.a] == p.max())
+        assert len(shares) == 1 or shares[1] == pytest.approx(100 * p.max(), rel=0.01)
+
+
 @pytest.mark.parametrize("method", ["Q+SR", "SL+SR", "TOSL+QBIASSR", "ESARSA+EG"])
 def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
     stepper = stepper_of(method=method, at=40)

@@ -306,5 +306,5 @@ def test_a_selection_that_no_page_can_run_is_shown_and_its_page_says_why_nothing
     assert (
         f"test_stepper_why.py:{line}: “m.visits[s].sum()” has no translation" in reason
     )
-    assert "The update, with the numbers of this step" in panes
+    assert "The update with this step’s numbers" in panes
     assert on_its_page(stepper, "Object.keys(updates.kernels).length") == len(SYMBOLS)

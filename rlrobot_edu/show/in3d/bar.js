@@ -3,7 +3,7 @@ const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, ch
   ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "lit", "strip", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
-let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens;
+let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens, opensAt;
 let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
 if (self === top) document.documentElement.classList.add(location.hash === "#still" ? "still" : "alone");
 
@@ -57,7 +57,7 @@ function begin() {
     viewer.animator.playing = false;  // the time is this bar's
     last = Math.round(viewer.animator.duration * rate);
     if (opens === "at its end") playing = false;
-    at = playing ? 0 : last;  // without motion it opens with the whole way
+    at = playing ? 0 : Math.min(opensAt, last);
     followLink();
   };
   new ResizeObserver(() => { viewer.set_3d_pane_size(); shown = undefined; }).observe(view);
@@ -82,13 +82,14 @@ function replayed(command) {
     return;
   }
   ({notes, opens} = command);
+  opensAt = opens === "at its end" || command.telling < 0 ? Infinity : command.telling;  // where nothing moves
   tell(command.finding, command.sought);
   layOut(command);
   viewer.handle_command({type: "set_animation", animations: animationsOf(command), options: {}});
 }
 
 // The room is light or dark as the page is: what has a colour of the light palette gets its twin.
-const TWINS = ["floor", "wall", "line", "blue", "ink"], TRAIL_IN_THE_DARK = 2;  // times as bright
+const TWINS = ["floor", "wall", "line", "blue", "ink"], TRAIL_IN_THE_DARK = 1.4;  // times as bright
 function repaint() {
   const {Color} = MeshCat.THREE, light = coloursOf(lit), now = coloursOf(view.firstChild), isDark = light.floor !== now.floor;
   const twins = new Map(TWINS.map(name => [new Color(light[name]).getHex(), now[name]]));
@@ -152,7 +153,10 @@ function show() {
     [time.min, time.max, time.value] = [before() + 1, end, step];
   }
   for (const [first, {children}] of Object.entries(branch(["meshcat", "trail"])?.children ?? {})) {  // it grows with the way
-    children["<object>"]?.object.geometry.setDrawRange(0, last ? 6 * Math.max(0, step - first) : Infinity);
+    const band = children["<object>"]?.object;
+    if (!band) continue;
+    if (!band.children.length) seeThrough(band);
+    band.geometry.setDrawRange(0, last ? 6 * Math.max(0, step - first) : Infinity);
   }
   shown = at;
   const words = [];
@@ -165,6 +169,16 @@ function show() {
   if (!chart.hidden) plot(i);
   if (!plan.hidden) drawMap();
   viewer.set_dirty();
+}
+
+// Where a wall hides the way, a pale ghost of it is seen.
+function seeThrough(band) {
+  const {Mesh, MeshBasicMaterial, GreaterDepth} = MeshCat.THREE;
+  const {vertexColors, color, side} = band.material;
+  const pale = new MeshBasicMaterial({vertexColors, color, side, transparent: true, opacity: 0.45, depthFunc: GreaterDepth, depthWrite: false});
+  const ghost = new Mesh(band.geometry, pale);
+  ghost.renderOrder = 1;
+  band.add(ghost);
 }
 
 function go(step) {

@@ -23,12 +23,16 @@ HIDDEN_PATHS = (  # meshcat's own background and lights
 )
 
 
-def camera(scene: Scene) -> tuple[g.PerspectiveCamera, np.ndarray, np.ndarray]:
+def camera(
+    scene: Scene, way: np.ndarray | None = None
+) -> tuple[g.PerspectiveCamera, np.ndarray, np.ndarray]:
     """A camera that sees the floor, the walls and, in the middle of the room, what is high.
+
+    way: if given, array (n, 3) [m], it sees the part of a room around it.
 
     Returns the lens, the point at which it looks, and its position from there, arrays (3,) [m].
     """
-    stand = stand_for(scene, ASPECT, MARGIN)
+    stand = stand_for(scene, ASPECT, MARGIN, way)
     distance = stand.distance
     lens = g.PerspectiveCamera(FIELD_OF_VIEW, ASPECT, distance / 100, 10 * distance)
     return lens, stand.target, distance * stand.axes[2]

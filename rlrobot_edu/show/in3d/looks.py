@@ -8,6 +8,7 @@ import meshcat.geometry as g
 import numpy as np
 
 from rlrobot_edu.robots.scene import ON_ITS_SIDE
+from rlrobot_edu.show.describe import CLEAR
 from rlrobot_edu.show.painting.parts import Part
 from rlrobot_edu.show.palette import LIGHT, SHINE
 
@@ -111,17 +112,16 @@ def beam(start: np.ndarray, end: np.ndarray) -> np.ndarray:
 def trail(
     points: np.ndarray, rewards: np.ndarray, most: float, width: float
 ) -> g.Geometry:
-    """A band along points, array (n + 1, 3) [m]: green for reward, red and wider for punishment.
+    """A band along points, array (n + 1, 3) [m]: green for reward, red and wider for a loss, else grey.
 
     rewards: array (n,), of the step to each point but the first; NaN where the robot was put there, which leaves a gap
-    most: the reward that has the full colour; a punishment has it from a fifth of this on
+    most: what is paid or lost at most; a loss is at least a part of this, see `loss_of`
     width: of the band where nothing is paid [m]
     """
     was_put = np.isnan(rewards)[:, None]
     rewards = np.nan_to_num(rewards)[:, None]
-    is_bad = rewards < 0
-    weight = np.where(is_bad, 5, 1)
-    strength = np.sqrt(weight * np.abs(rewards) / (most or 1.0)).clip(0, 1)
+    is_bad = (rewards < 0) & (CLEAR * -rewards >= most)
+    strength = np.where(is_bad | (rewards > 0), 1.0, 0.0)
     full = np.where(is_bad, _rgb(LIGHT["red"]), _rgb(LIGHT["green"]))
     unpaid = _rgb(UNPAID)
     tint = unpaid + strength * (full - unpaid)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import NEAR, finding, jumps, loss_of, sought
+from rlrobot_edu.show.describe import NEAR, finding, jumps, key_words, loss_of
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.room.scene_data import scene_data
 
@@ -27,6 +27,17 @@ def places(scene: Scene) -> dict[str, np.ndarray]:
     return found
 
 
+def telling(rewards: Sequence[float]) -> int:
+    """The scene at which a film opens that does not move: the last that earned most, so that nearly all of it was done.
+
+    Counted from 0; −1 where nothing was earned: it opens at its end.
+    """
+    most = max(rewards, default=0.0)
+    if most <= 0:
+        return -1
+    return max(i for i, r in enumerate(rewards) if r == most)
+
+
 def replay(
     scenes: Sequence[Scene],
     rewards: Sequence[float],
@@ -34,11 +45,12 @@ def replay(
     notes: Sequence[str],
     opens: str,
     task: str,
+    rules: str = "",
 ) -> dict[str, Any]:
     """The command that gives a page its replay.
 
     rewards, notes: one for each scene, or none; opens: ``playing``, or ``at its end``
-    task: what the robot is to do, or empty
+    task: what the robot is to do, or empty; rules: what earns which reward, or empty
 
     The places are 32-bit numbers in the order (thing, number, scene), which packs well; a thing has 12 of them, the
     first three rows of its transform. What a scene does not hold is NaN there.
@@ -61,6 +73,7 @@ def replay(
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
         "finding": finding(scenes, rewards, task) if len(rewards) else "",
-        "sought": sought(scenes[-1]),
+        "sought": key_words(scenes[-1], rules, rewards),
         "opens": opens,
+        "telling": telling(rewards),
     }

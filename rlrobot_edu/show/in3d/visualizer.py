@@ -118,18 +118,22 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         seconds_per_frame: float,
         notes: Sequence[str] = (),
         task: str = "",
+        rules: str = "",
     ) -> None:
         """Replay scenes, from the first to the last.
 
-        rewards, notes: one for each scene, or none at all; task: what the robot is to do
+        rewards, notes: one for each scene, or none at all; task: what the robot is to do; rules: what earns a reward
         """
-        film = replay(scenes, rewards, seconds_per_frame, notes, "playing", task)
+        film = replay(scenes, rewards, seconds_per_frame, notes, "playing", task, rules)
         self.window.take(film)
         self._is_replay = True
         self._way = list(scenes)
         self._rewards = list(rewards or np.zeros(len(scenes)))[1:]
         self.window.rewards = list(rewards)
         self._band("trail/1", self._way, self._rewards)
+        way = path_of(scenes)
+        if len(way):
+            self._aim(scenes[-1], way)
         end = describe(scenes[-1])
         self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
@@ -203,7 +207,11 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
             _cast_no_shadow(view)
         for path, key, value in surroundings(scene):
             self[path].set_property(key, value)
-        lens, target, (x, y, z) = camera(scene)
+        self._aim(scene)
+
+    def _aim(self, scene: Scene, way: np.ndarray | None = None) -> None:
+        """Place the camera; way: where a robot was, array (n, 3) [m], to see the part of its room around it."""
+        lens, target, (x, y, z) = camera(scene, way)
         self["/Cameras/default"].set_property("position", target.tolist())
         rotated = self["/Cameras/default/rotated"]
         rotated.set_object(lens)
@@ -289,6 +297,7 @@ def show_scene(
     seconds_per_frame: float = 0.15,
     notes: Sequence[str] = (),
     task: str = "",
+    rules: str = "",
 ) -> Visualizer:
     """One scene as a 3D picture, or several as a replay that starts at once.
 
@@ -304,6 +313,8 @@ def show_scene(
         A note for each scene, such as ``T = 0.5``, shown with its reward; none if empty.
     task : str
         What the robot is to do, for the title of a replay; none if empty.
+    rules : str
+        What earns which reward, parted by semicolons, for the key of a replay; none if empty.
 
     Returns
     -------
@@ -329,5 +340,5 @@ def show_scene(
     view = Visualizer(scenes[-1])
     if len(scenes) > 1:
         paid = [] if rewards is None else rewards
-        view.play(scenes, paid, seconds_per_frame, notes, task)
+        view.play(scenes, paid, seconds_per_frame, notes, task, rules)
     return view

@@ -15,7 +15,7 @@ from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.style import font_file
 
 EDGE = 8  # pixels at both ends of the bar
-LETTERS = 17  # [pixels]
+LETTERS = 21  # [pixels]; on a phone a picture has two thirds of its width
 FEW_LETTERS = 14  # in a narrow picture [pixels]
 NARROW = 400  # pixels; in a narrower picture only what is needed stands in the bar
 TINY = 300  # pixels; in a narrower picture the letters are smaller
@@ -109,10 +109,9 @@ class Bar:
         pen.text((end, y), signed(total), LIGHT["ink"], strong, "rm")
         end -= strong.getlength(signed(total)) + 0.4 * self._size
         pen.text((end, y), "so far", LIGHT["faint"], plain, "rm")
-        if not self._is_narrow:
-            pen.text(
-                (self._width / 2 + 40, y), self._squares, LIGHT["faint"], plain, "mm"
-            )
+        end -= plain.getlength("so far") + self._size
+        if not self._is_narrow and end - plain.getlength(self._squares) > x:
+            pen.text((end, y), self._squares, LIGHT["faint"], plain, "rm")
         if note:
             pen.text((EDGE, 1.45 * self._row), note, LIGHT["faint"], plain, "lm")
         self._done.append(colour_of(reward, loses))

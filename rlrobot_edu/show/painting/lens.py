@@ -16,6 +16,7 @@ OVER_WALLS = (0.0, 1.0)
 FROM_THE_SIDE = (0.35, 0.55)
 WALL_SHOWN = 0.4  # height up to which walls are in the picture [m]
 INNER = 0.6  # part of the floor's width in which high things are in the picture
+AROUND = 0.7  # how much of a room is seen at least on each side of a robot's way [m]
 
 
 class Lens(Protocol):
@@ -91,14 +92,23 @@ def eye(scene: Scene, width: int, height: int) -> Eye:
     return Eye(position, stand.axes, focal, width, height)
 
 
-def stand_for(scene: Scene, aspect: float, margin: float) -> Stand:
-    """Where a camera stands. aspect: width over height; margin: its distance, in parts of the least one"""
-    points = _points_to_see(scene)
+def stand_for(
+    scene: Scene, aspect: float, margin: float, way: np.ndarray | None = None
+) -> Stand:
+    """Where a camera stands.
+
+    aspect: width over height; margin: its distance, in parts of the least one
+    way: if given, array (n, 3) [m], the camera of a room sees the part around it alone
+    """
+    corners = _corners(scene)
+    if way is not None and has_walls(scene):
+        corners = _corners_around(way[:, :2], corners)
+    points = _points_to_see(scene, corners)
     turn, rise = OVER_WALLS if has_walls(scene) else FROM_THE_SIDE
     axes = _axes(turn, rise)
     half_height = math.tan(math.radians(FIELD_OF_VIEW / 2))  # at a distance of 1
     half_picture = np.array([aspect * half_height, half_height])
-    target = np.append(_corners(scene).mean(axis=0), 0.0)
+    target = np.append(corners.mean(axis=0), 0.0)
     # Each round comes as near as all points allow, then moves their middle to that of the picture.
     for _ in range(ROUNDS):
         seen = (points - target) @ axes.T  # to the right, up, towards the camera
@@ -117,11 +127,21 @@ def _corners(scene: Scene) -> np.ndarray:
     return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
 
 
-def _points_to_see(scene: Scene) -> np.ndarray:
-    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (n, 3) [m]."""
+def _corners_around(way: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """The corners of the part of a floor around a way, arrays (4, 2), (n, 2) and (4, 2) [m]."""
+    low = np.maximum(way.min(axis=0) - AROUND, corners.min(axis=0))
+    high = np.minimum(way.max(axis=0) + AROUND, corners.max(axis=0))
+    (x_min, y_min), (x_max, y_max) = low, high
+    return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
+
+
+def _points_to_see(scene: Scene, corners: np.ndarray) -> np.ndarray:
+    """What must be in the picture: the corners of the floor and of the walls, and what is high; array (n, 3) [m].
+
+    corners: array (4, 2), of the floor, or of the part of it that is to be seen [m]
+    """
     tops = [solid.pose[2, 3] + solid.size[-1] / 2 for solid in scene.solids]
     high = max(tops)
-    corners = _corners(scene)
     middle = corners.mean(axis=0)
     inner = middle + INNER * (corners - middle)
     floor = np.insert(corners, 2, 0.0, axis=1)

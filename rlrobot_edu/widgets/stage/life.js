@@ -101,12 +101,12 @@ function motionsOf({ twists, actions, stepTime }) {
   return found.sort((a, b) => rank(a) - rank(b) || b.v - a.v || b.omega - a.omega);
 }
 
-// Where the arrow of a motion runs, in the robot's own frame [m]: from its rim on, and twice as far as a step leads.
+// Where the arrow of a motion runs, in the robot's own frame [m]: from its rim on, straight ahead as far as a step leads.
 function pathOf(v, omega, seconds) {
   const parts = Array.from({ length: 25 }, (_, i) => i / 24);
   if (!v && !omega) return [];
   if (!v) return parts.map((p) => 0.5 + p * 2.2).map((turn) => [0.42 * Math.cos(turn), Math.sign(omega) * 0.42 * Math.sin(turn)]);
-  if (!omega) return parts.map((p) => [0.24 + p * (0.36 + 2 * v * seconds), 0]);
+  if (!omega) return parts.map((p) => [0.24 + p * v * seconds, 0]);
   const radius = 0.62;
   return parts.map((p) => p * 1.1).map((turn) =>
     [0.24 + radius * Math.sin(turn), Math.sign(omega) * radius * (1 - Math.cos(turn))]);

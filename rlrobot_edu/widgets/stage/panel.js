@@ -67,7 +67,7 @@ function fillPanel() {
     return element("li", {}, button);
   });
   find("ghosts").replaceChildren(...all);
-  find("lead").textContent = all.length ? "Pale discs: itself, earlier. All readings but one were the same."
+  find("lead").textContent = all.length ? "Pale discs: itself, earlier, where all its lasers but one read the same."
     : "No similar state is known.";
   fillSlider();
   const advisers = moment.known.length;
@@ -150,9 +150,9 @@ function drawn() {
     return `Its next ten steps <span class="red">earned ${earned}</span>; ten of its hour earn ${usual}.`;
   }
   const isWrong = isAdvised && moment.pays[favourite.actions[0]] <= BUMP, told = `<span class="${SIDE[kind]}">${paid}.</span>`;
-  if (isWrong && taken === favourite) return `It drew that: ${told} Its memories misled it.`;
-  if (isWrong) return `That would bump. It drew “${taken.called}”: ${told}`;
-  return `It drew ${taken === motions[chosen] ? "that" : `“${taken.called}”`}: ${told}`;
+  if (isWrong && taken === favourite) return `It did that: ${told} Its memories misled it.`;
+  if (isWrong) return `That would bump. By chance it did “${taken.called}”: ${told}`;
+  return `${taken === motions[chosen] ? "It did that" : `By chance it did “${taken.called}”`}: ${told}`;
 }
 
 // The link holds the moment, the motion, the ghost, what it is to remember, and the walls.

@@ -10,7 +10,7 @@ import numpy as np
 from rlrobot_edu.show.palette import BLUE, ORANGE, RED
 
 # Opacities. Black letters on a white page, and white ones on a black page, can be read on all of them.
-FAINTEST = 0.10
+FAINTEST = 0.18
 STRONGEST = 0.68
 STRONGEST_TRACE = 0.5  # light letters can be read on it, too
 

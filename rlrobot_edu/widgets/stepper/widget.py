@@ -233,7 +233,8 @@ class Stepper(Displayed):
                 columns[name] = [frame[name] for frame in frames]
         data["frames"] = columns
         world = f" in {self._names.task.name}" if self._names.task else ""
-        title = f"{self._tape.agent.method.name}{world}, step by step"
+        method = self._tape.agent.method.name
+        title = f"How an agent learns, step by step (method {method}{world})"
         description = (
             f"Each step of a robot that learns by {self._tape.agent.method.name}: its world, its choice, the update "
             "with the numbers of the step, and its tables."

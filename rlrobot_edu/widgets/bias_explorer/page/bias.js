@@ -42,12 +42,18 @@ function marksHtml({ inputs }, input) {
 // The page's title, by the state's own row of Q.
 const question = (row) => (row.some(Boolean) ? "What do similar states advise it here?" : "It has learned nothing here. Who can advise it?");
 
-// In large type: the action whose probability the bias changes most.
-function findingHtml({ actions }, { sr, qbiassr, members }) {
-  const changes = qbiassr.map((p, a) => Math.abs(p - sr[a])), a = changes.indexOf(Math.max(...changes)), whole = (p) => (100 * p).toFixed(0);
+// What the similar states bring into the bias of action a, without the state's own value, which is in every set.
+const fromOthers = (a, q, { sets, bias }, s) => bias[a] - (q[s][a] * sets.reduce((sum, set) => sum + 1 / set.length, 0)) / sets.length;
+
+// In large type: the action whose probability the bias changes most, and why, if it is the similar states' doing.
+function findingHtml({ actions }, q, s, found) {
+  const { sr, qbiassr, bias, members } = found, changes = qbiassr.map((p, a) => Math.abs(p - sr[a]));
+  const a = changes.indexOf(Math.max(...changes)), whole = (p) => (100 * p).toFixed(0), rises = qbiassr[a] > sr[a];
   const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
-  return `<b>${escaped(actions[a])} <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
-    `how likely the robot is to choose this, without and with the advice of its ${members.length - 1} similar states`;
+  const advice = fromOthers(a, q, found, s), isTheirs = changes[a] > 0 && Math.abs(advice) >= Math.abs(bias[a] - advice);
+  const cause = isTheirs && advice > 0 && rises ? "Similar states gained by" : isTheirs && advice < 0 && !rises ? "Similar states lost by" : "Similar states advise on";
+  return `<b>${cause} “${escaped(actions[a])}”: <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
+    `how likely the robot is to choose it, without and with what ${members.length - 1} similar states learned`;
 }
 
 // What the reader sees, in words: stage is the number of columns, and a the action of the first three.
@@ -70,13 +76,19 @@ function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
   return `State ${s} (${escaped(states[s].words)}): ${text[stage]()}`;
 }
 
-// What the marks mean, and in the last stage the bars.
-function legendHtml({ inputs, temperature }, scale, s, stage) {
-  const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
-  const names = inputs.map(({ name }, i) => `${marksHtml({ inputs }, i)}&nbsp;${escaped(name)}`).join(", ");
+// What the marks and the lines mean.
+function legendHtml(about, s, stage) {
+  const meanings = isRoom(about) ? [" place", " place", " heading", " something ahead"] : [];
+  const names = about.inputs.map(({ name }, i) => `${marksHtml(about, i)}&nbsp;${escaped(name)}${meanings[i] ?? ""}`).join(", ");
   return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}, which is in every set and has every mark. ` +
-    (stage < 2 ? "" : "A line is as wide as what it brings; dashed, that is below 0.") + (stage < 4 ? "" :
-    `<br>${bar("rl-sr")}probability without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
-    `${bar("rl-qbiassr")}with it: softmax of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>). Both first multiply by ` +
-    `100⁄<i>Q</i><sub>max</sub>&nbsp;= ${given(scale)}; temperature <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`);
+    (stage < 2 ? "" : "A line is as wide as what it brings; dashed, that is below 0.");
+}
+
+// What the bars mean, below the columns.
+function barsHtml({ temperature }, scale) {
+  const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
+  return `${bar("rl-sr")}chance without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
+    `${bar("rl-qbiassr")}with it: softmax of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>). ` +
+    "So that one temperature suits every task, values are scaled to at most 100 first: times " +
+    `100⁄<i>Q</i><sub>max</sub>&nbsp;=&nbsp;${given(scale)}; <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
 }

@@ -12,7 +12,7 @@ function explorerHtml(about) {
   const choices = inputs.map(({ name, words }, i) =>
     `<label>${marksHtml(about, i)} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
   const where = isRoom(about) ? "in the room. A bar: something is right ahead" : "in the tables";
-  return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><div class="rl-top"><div class="rl-chooser">' +
+  return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><p class="rl-finding" data-from="4"></p><div class="rl-top"><div class="rl-chooser">' +
     `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
     `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>, or type one: the choice changes.</p>` +
     '<p class="rl-legend" data-from="1"></p>' +
@@ -21,12 +21,12 @@ function explorerHtml(about) {
     '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div>' +
     '<div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> <button name="next" title="Next (key →)"></button> ' +
     `<button name="all">All columns</button> <label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
-    '<p class="said" role="status"></p></div><div class="rl-shown"><p class="rl-finding" data-from="4"></p>' +
+    '<p class="said" role="status"></p></div><div class="rl-shown">' +
     '<div class="rl-picture" role="region" aria-label="Four columns">' +
     '<div class="rl-columns rl-heads"><b><i>Q</i><span> of the state and of similar ones</span></b>' +
     '<b data-from="2">mean<span> of each set</span></b><b data-from="3">bias<span>: mean of means</span></b>' +
     '<b data-from="4">chance</b></div>' +
-    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}</div></div></div></div>`;
+    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}</div><p class="rl-bars" data-from="4"></p></div></div></div>`;
 }
 
 // The columns of one action, and between them lines; which row belongs to which set is the same in all states.
@@ -178,13 +178,14 @@ class Explorer {
     for (const each of this.later) each.style.visibility = stage < each.dataset.from ? "hidden" : "";
     named.next.textContent = NEXT[stage];
     this.root.querySelector(".rl-asks").textContent = question(q[s]);
-    this.root.querySelector(".rl-finding").innerHTML = findingHtml(about, found);
+    this.root.querySelector(".rl-finding").innerHTML = findingHtml(about, q, s, found);
     named.back.disabled = !stage;
     named.action.value = action;
     for (const each of [named.all, named.action.parentNode]) each.hidden = stage === 4;
     named.table.value = model.get("table");
     this.root.querySelector(".said").innerHTML = saidHtml(about, q, s, action, stage, found);
-    this.root.querySelector(".rl-legend").innerHTML = legendHtml(about, this.scale, s, stage);
+    this.root.querySelector(".rl-legend").innerHTML = legendHtml(about, s, stage);
+    this.root.querySelector(".rl-bars").innerHTML = barsHtml(about, this.scale);
   }
 
   // The numbers of one action, into the block of its columns.

@@ -34,7 +34,7 @@ function short(x) { // six signs at most: 12.3, 0.90, −0.021, 4e−5; a plain 
   return x === 0 ? "0" : tidy(x.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 3));
 }
 
-const FAINTEST = 0.10, STRONGEST = 0.68, STRONGEST_TRACE = 0.5; // opacities; black on white and white on black stand out on all of them
+const FAINTEST = 0.18, STRONGEST = 0.68, STRONGEST_TRACE = 0.5; // opacities; black on white and white on black stand out on all of them
 
 // The value of the strongest colour: 1, 2 or 5 times a power of ten, no less than any |Q| and than rMax.
 function largest(q, rMax) {

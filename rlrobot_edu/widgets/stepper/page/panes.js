@@ -22,24 +22,50 @@ function stepInWords(about, frame) {
     ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
 }
 
-// The same for a beginner: what the robot did, and what came of it.
+// The same for a beginner: what the robot did, what that paid, and what became of its value.
 function simply({ names, view, nActions }, frame) {
   if (!frame) return "";
   const { a, r } = frame, paid = r < 0 ? `cost ${given(-r)}` : r > 0 ? `earned ${given(r)}` : "brought nothing";
-  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}. ${learned(nActions, frame)}`;
+  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}${learned(nActions, frame)}`;
 }
 
-// How the update has changed the value of what it did.
-function learned(nActions, { s, a, q, old }) {
+// The value of what it did before and after the update.
+function valuesOf(nActions, { s, a, q, old, qsa }) {
   const at = q[0].indexOf(s * nActions + a);
-  if (at < 0) return "Its value here stays as it was.";
-  const was = old[at], now = q[1][at], written = writerFor(was, now);
-  return `Its value here: ${written(was)} → ${written(now)}.`;
+  return at < 0 ? [qsa, qsa] : [old[at], q[1][at]];
+}
+
+// How the update has changed the value of what it did; a value that goes against the reward is news.
+function learned(nActions, frame) {
+  const [was, now] = valuesOf(nActions, frame), written = writerFor(was, now);
+  if (was === now) return ". Its value here stays as it was.";
+  return `${frame.r * (now - was) < 0 ? ", yet" : ", and"} its value ${now > was ? "rises" : "falls"}: ${written(was)} → ${written(now)}.`;
+}
+
+// Why: what the step was worth, beside what was expected of it; empty for an update whose target is not known.
+function why({ equation, parameters, nActions }, frame) {
+  if (!frame || !equation.join("").includes("s′")) return "";
+  const { r, qsa, qNext, delta, terminated } = frame, next = terminated ? 0 : parameters.gamma * qNext, worth = r + next;
+  const [was, now] = valuesOf(nActions, frame), written = writerFor(worth, qsa), product = `${given(parameters.gamma)}·${number(qNext)}`;
+  const comes = terminated ? "nothing comes next" : `what comes next is worth ${next ? `${number(next)} (${product})` : "0"}`;
+  const than = delta > 0 ? "more than" : delta < 0 ? "less than" : "just";
+  const told = `Why: the step paid ${given(r)} and ${comes}. Together that is ${written(worth)}, ${than} the ${written(qsa)} expected.`;
+  if (was === now || delta * (now - was) > 0) return told;
+  return `${told} The value ${now > was ? "rises" : "falls"} all the same: the update also carries on what the step before changed.`;
+}
+
+// The choice as a sentence: the chance of the action, and whether another had more.
+function chosen({ names }, { a, p }) {
+  const best = p.indexOf(Math.max(...p)), percent = (x) => `${general(100 * x, 3)} %`, likelier = p.filter((x) => x > p[a]).length;
+  const name = (b) => `“${escaped(names.actions[b])}”`;
+  if (!likelier) return `${name(a)} had a chance of ${percent(p[a])}; no action had more`;
+  return `${name(a)} had a chance of ${percent(p[a])}; ${name(best)} had more, ${percent(p[best])}`;
 }
 
 function viewHtml(always, tape) {
   const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
   const plainly = frame ? `<b class="simply">${escaped(simply(about, frame))}</b>` : "";
+  const reason = why(about, frame), because = reason && `<b class="why">${escaped(reason)}</b>`;
   const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
   const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
@@ -48,18 +74,18 @@ function viewHtml(always, tape) {
   const world = pane("world", about.view.heading, worldHtml(about, tape, most) + rewards(tape, most));
   const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` +
     (frame.temperature > about.parameters.temperature ? " (loop evasion)" : "") : "";
-  const heading = frame ? `Choice in state ${frame.s}${heat}` : "How the action is chosen";
+  const heading = frame ? `Choice in state ${frame.s}${heat}: ${chosen(about, frame)}` : "How the action is chosen";
   const choice = pane("choice", heading, choiceHtml(about, frame, shown));
-  const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));
+  const update = pane("update", "The update with this step’s numbers", updateHtml(about, frame, most));
   const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, follows(about, tape)),
     `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new, or by how much where both look the same; double frame: (s, a).`);
   const traces = about.hasTraces
-    ? pane("traces", "Traces e, as this update used them", tracesHtml(about, tape, shown),
-      "How much each pair shares in what is learned in this step.")
+    ? `<details class="traces" data-kept${about.open ? " open" : ""}><summary>Traces e, as this update used them: how much each pair ` +
+      `shares in what is learned in this step</summary><section class="traces">${tracesHtml(about, tape, shown)}</section></details>`
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
   // three beats: world, equation, table
   const left = world + choice, right = update + q + traces;
-  return `<div class="said">${plainly}${said} ${badge}</div><div class="panes">` +
+  return `<div class="said">${plainly}${because}${said} ${badge}</div><div class="panes">` +
     `<div class="left">${left}</div><div class="right">${right}</div></div>`;
 }
 

@@ -69,6 +69,7 @@ class Stepper {
       this.whyOf(target);
       if (!target.closest("summary")) this.find("keys").focus({ preventScroll: true });
     };
+    this.find("view").addEventListener("toggle", ({ target }) => { this.about.open = target.open; }, true); // the next step keeps it
     this.root.onkeydown = (event) => this.key(event);
     this.show();
     const repaint = () => paintRooms(this.root, this.about.rooms);
