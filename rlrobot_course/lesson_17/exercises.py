@@ -1,5 +1,6 @@
 """Right answers and tapes of lesson 17; the pages of this folder have the tasks, hints and mistakes."""
 
+import inspect
 from typing import Any
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
@@ -26,6 +27,11 @@ class Picker:
 
     def __init__(self, n: int) -> None:
         self.n = n
+
+    @property
+    def __signature__(self) -> inspect.Signature:
+        """The names of its arguments, as Python tells them."""
+        return inspect.signature(self._pairs)
 
     def __call__(self, *arguments: Any, **by_name: Any) -> list[tuple[int, int]]:
         """Pairs (s, a), the last by number first. Raises TypeError for anything but a dict with pairs for its keys."""

@@ -34,6 +34,7 @@ from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.hints.detectors import find_hint
 from rlrobot_grading.hints.errors import error_hint
 from rlrobot_grading.hints.evidence import Evidence, Half, Hint, Known, Pair
+from rlrobot_grading.hints.first_event import first_event
 
 # of the mistakes, the frequent ones first, that are also tried two at a time
 MOST_PAIRED = 20
@@ -153,6 +154,8 @@ class Exercise:
 
     @property
     def _unit(self) -> str:
+        if "env" in self.parameters:
+            return "run"
         return "step" if self.memory else "case"
 
     @cached_property
@@ -260,6 +263,10 @@ class Exercise:
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
+        event = first_event(self.evidence(answer, got))
+        if event:
+            rows = event
+            where += " This is the first call in it that differs:"
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
         id, told = self.hint_on(answer, got)
