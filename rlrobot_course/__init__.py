@@ -9,7 +9,7 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
   ``check.update(update)``;
 - `fixtures.py`, if exercises share something: a world, a table;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
-- `handles.py`, in eight: what the reader moves, each with its program in JavaScript beside it;
+- `handles.py`, in seven: what the reader moves, each with its program in JavaScript beside it;
 - `challenge.py`, in six: what counts in the open challenge, and how one robot or agent fares with an answer.
 
 The folders `assignment_1` to `assignment_5`, for the notebooks in `notebooks/homework/`, are built in the same way;
