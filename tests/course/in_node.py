@@ -50,8 +50,8 @@ def explored(explorer: BiasExplorer) -> list[dict]:
         "  const said = about.actions.map((_, a) => stages.map((stage) => saidHtml(about, q, s, a, stage, found)));\n"
         "  for (const name of ['bias', 'sr', 'qbiassr']) found[name] = [...found[name]];\n"
         "  found.means = found.means.map((mean) => [...mean]);\n"
-        "  const parts = [explorerHtml(about), ...said.flat(), legendHtml(about, s, 4), barsHtml(about, scale)];\n"
-        "  const html = parts.join('');\n"
+        "  const keys = [legendHtml(about, s, 4), barsHtml(about, scale)];\n"
+        "  const html = [explorerHtml(about), ...said.flat(), ...keys].join('');\n"
         "  return { ...found, said, html, finding: findingHtml(about, q, s, found) };\n"
         "})));"
     )
