@@ -7,6 +7,7 @@ from typing import Any
 
 from rlrobot_course.exercises.design import Design as Design
 from rlrobot_course.learner.my_functions import keep
+from rlrobot_edu.learning.progress import watched
 from rlrobot_grading.answers.replay import Case as Case
 from rlrobot_grading.answers.values import safely
 from rlrobot_grading.exercises import page
@@ -22,9 +23,11 @@ def with_pages(
 ) -> SimpleNamespace:
     """The exercises of a lesson, each with its page; right answers are kept in the learner's file.
 
+    Below the card of a wrong one stands a button where the lesson's `drive.py` has the robot drive by it.
+
     names: the ``globals()`` of the lesson's `exercises.py`. See `rlrobot_grading.exercises.page.with_pages`
     """
-    return page.with_pages(names, keep=_kept, **exercises)
+    return page.with_pages(names, keep=_kept, offer=_offered, **exercises)
 
 
 def _kept(exercise: Exercise, answer: Callable[..., Any]) -> str:
@@ -35,3 +38,18 @@ def _kept(exercise: Exercise, answer: Callable[..., Any]) -> str:
     told = "(Not kept for later lessons.)"
     name = exercise.right.__name__
     return safely(told, keep, answer, lesson[1], name, exercise.judge)
+
+
+def _offered(exercise: Exercise, answer: Callable[..., Any]) -> Any:
+    """A button that shows what the robot does by a wrong answer; None where no robot drives by it, or nobody looks.
+
+    Raises ImportError where the packages of a notebook are missing.
+    """
+    # Imported here: lessons can be checked without those packages.
+    from rlrobot_course.drives.button import DriveButton
+    from rlrobot_course.drives.by_your_code import drive_of
+
+    drive = drive_of(exercise)
+    if drive is None or not watched():
+        return None
+    return DriveButton(drive, exercise.right, answer)

@@ -137,24 +137,30 @@ def legend_below(figure: Picture, columns: int, **more: Any) -> None:
 class SideBySide(Displayed):
     """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
 
-    Films run side by side, step by step; one that has ended waits for the others.
+    Films run side by side, step by step; one that has ended waits for the others. A running notebook shows them in 3D
+    if that is asked for: then each runs by itself, and can be turned and paused.
     """
 
-    def __init__(self, views: Mapping[str, Displayed]) -> None:
+    def __init__(self, views: Mapping[str, Displayed], in3d: bool = False) -> None:
         self.views = views
+        self.in3d = in3d
 
     def __repr__(self) -> str:
         return "; ".join(f"{name}: {view!r}" for name, view in self.views.items())
 
     @cached_property
     def widget(self) -> ipywidgets.HBox | None:
-        """The views of a running notebook; None for films, which need no kernel."""
-        if self._films():
+        """The views of a running notebook; None for films but in 3D, for pictures need no kernel."""
+        films = self._films()
+        if films and not (self.in3d and self._can_turn()):
             return None
+        names = [ipywidgets.Label(name) for name in self.views]
+        if films:
+            names = [ipywidgets.HTML(_caption(film)) for film in films]
         wide = {"flex": "1 1 300px"}
         columns = [
-            ipywidgets.VBox([ipywidgets.Label(k), v.widget], layout=wide)
-            for k, v in self.views.items()
+            ipywidgets.VBox([name, view.widget], layout=wide)
+            for name, view in zip(names, self.views.values(), strict=True)
         ]
         return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
 
@@ -180,12 +186,13 @@ class SideBySide(Displayed):
         films = self._films()
         if not films:
             return super()._as_html()
-        cells = (
-            f'<td style="{CAPTION}"><strong>{escape(film.notes[0])}</strong><br>{escape(film.finding)}</td>'
-            for film in films
-        )
+        cells = (f'<td style="{CAPTION}">{_caption(film)}</td>' for film in films)
         captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'
         return f"{captions}{self.still().html}<br><small>{KEY}</small>"
+
+    def _can_turn(self) -> bool:
+        """Whether all views can be shown in 3D here."""
+        return all(view.widget is not None for view in self.views.values())
 
     def _films(self) -> list[Film]:
         """The films, each with its name in its captions; none if a view is something else."""
@@ -196,6 +203,11 @@ class SideBySide(Displayed):
             if isinstance(view, Film)
         ]
         return films if len(films) == len(named) else []
+
+
+def _caption(film: Film) -> str:
+    """The name of a film and what became of it."""
+    return f"<strong>{escape(film.notes[0])}</strong><br>{escape(film.finding)}"
 
 
 def side_by_side(films: Sequence[Film]) -> bytes:

@@ -4,12 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from rlrobot_course.exercises.design import Pay, paid_by
+from rlrobot_course.drives.by_your_code import Reel, number
+from rlrobot_course.exercises.design import Pay, Readings, paid_by
 from rlrobot_course.lesson_01.design import PAIRS
 from rlrobot_edu import Agent, learn, load_task, make_env, steps
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.task.rewards import distance_moved
+from rlrobot_grading.answers.values import Function
 
 
 @dataclass(frozen=True)
@@ -45,3 +47,19 @@ def drive_by(reward: Pay, seed: int = 0) -> Drive:
         readings.append(env.robot.readings)
         rewards.append(step.r)
     return Drive(scenes, readings, rewards)
+
+
+def by_reward(reward: Function, reel: Reel) -> None:
+    """The robot of `drive_by`; the film tells what the task's own reward would pay."""
+
+    def pays(before: Readings, after: Readings) -> float:
+        return number(reward(before, after))
+
+    drive = drive_by(pays)
+    own = load_task("wander_simple").reward_for
+    readings = zip(drive.scenes[1:], pairwise(drive.readings), strict=True)
+    for scene, (before, after) in readings:
+        reel.take(scene, own(before, after))
+
+
+drives = {"reward": by_reward}

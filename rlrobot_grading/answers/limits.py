@@ -47,6 +47,16 @@ class Failure:
     inside: bool = True
     told: str = ""
 
+    @property
+    def ends(self) -> str:
+        """How the function ends, as the end of a sentence about it."""
+        text = self.text
+        if self.kind != TooLong.__name__:
+            text = f"stops with {text}"
+        if self.line:
+            text = f"{text}, in the line “{self.line}”"
+        return text
+
 
 class TooLong(BaseException):
     """An answer does not end; it says how. No Exception: ``except Exception`` in the answer must not hold it up."""
@@ -72,11 +82,16 @@ class Elsewhere:
 
 
 def attempt(
-    answer: Function, *arguments: Any, endless: bool = False
+    answer: Function,
+    *arguments: Any,
+    endless: bool = False,
+    seconds: float = SECONDS,
+    patience: float = PATIENCE,
 ) -> tuple[Any, Failure | None, str]:
     """What a learner's function returns, what it raises, and what it prints.
 
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
+    seconds, patience: otherwise, how long it may compute, and wait
     SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
     # isinstance would ask the answer, which may be anything
@@ -85,7 +100,11 @@ def attempt(
     printed, answer = io.StringIO(), safely(answer, uncompiled, answer)
     try:
         with quietly(printed), exits_raised():
-            value = answer(*arguments) if endless else ended_in_time(answer, *arguments)
+            if endless:
+                value = answer(*arguments)
+            else:
+                limits = {"seconds": seconds, "patience": patience}
+                value = ended_in_time(answer, *arguments, **limits)
             return value, None, printed.getvalue()
     except KeyboardInterrupt:
         raise
@@ -98,8 +117,13 @@ def attempt(
         )
 
 
-def ended_in_time(answer: Function, *arguments: Any) -> Any:
-    """What `answer` returns. Raises TooLong in it when it has computed for SECONDS.
+def ended_in_time(
+    answer: Function,
+    *arguments: Any,
+    seconds: float = SECONDS,
+    patience: float = PATIENCE,
+) -> Any:
+    """What `answer` returns. Raises TooLong in it when it has computed, or waited, for longer than that.
 
     Python itself calls `look` at every line, so this works where there are neither signals nor threads; where it would
     tell of no line, since a loop stays on one, `look` asks for each step of the machine. After it has raised, Python
@@ -124,11 +148,11 @@ def ended_in_time(answer: Function, *arguments: Any) -> Any:
         countdown -= 1
         # at other events the learner's line would get lost
         if countdown <= 0 and event in ("line", "opcode"):
-            has_computed = time.process_time() - computed > SECONDS
-            if has_computed or time.perf_counter() - waited > PATIENCE:
+            has_computed = time.process_time() - computed > seconds
+            if has_computed or time.perf_counter() - waited > patience:
                 sys.setprofile(again)
                 raise TooLong(
-                    COMPUTES.format(SECONDS) if has_computed else WAITS.format(PATIENCE)
+                    COMPUTES.format(seconds) if has_computed else WAITS.format(patience)
                 )
             countdown = EVENTS
         if event == "call" and _loops_within_a_line(frame.f_code):
@@ -154,7 +178,7 @@ def ended_in_time(answer: Function, *arguments: Any) -> Any:
         sys.settrace(look)
 
     # nothing is looked at in what stands around the answer
-    with told_of_compiling(begin_to_compile, end_compiling), _woken():
+    with told_of_compiling(begin_to_compile, end_compiling), _woken(patience):
         sys.settrace(look)
         try:
             return answer(*arguments)
@@ -183,8 +207,8 @@ def _set_again(set_it: Callable[[Any], None], before: Any) -> None:
 
 
 @contextmanager
-def _woken() -> Iterator[None]:
-    """Have what waits within one call, as time.sleep does, end when PATIENCE is over, where the system has alarms."""
+def _woken(patience: float) -> Iterator[None]:
+    """Have what waits within one call, as time.sleep does, end when that is over, where the system has alarms."""
     if threading.current_thread() is not threading.main_thread() or not hasattr(
         signal, "setitimer"
     ):
@@ -192,10 +216,10 @@ def _woken() -> Iterator[None]:
         return
 
     def wake(*_: Any) -> None:
-        raise TooLong(WAITS.format(PATIENCE))
+        raise TooLong(WAITS.format(patience))
 
     before = signal.signal(signal.SIGALRM, wake)
-    signal.setitimer(signal.ITIMER_REAL, PATIENCE)
+    signal.setitimer(signal.ITIMER_REAL, patience)
     try:
         yield
     finally:

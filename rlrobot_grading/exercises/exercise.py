@@ -43,6 +43,7 @@ NEW_ARRAY = "or write x = x - y, a new array, where x -= y changes the old one."
 CHANGEABLE = (np.ndarray, list, dict, set)
 
 Keep = Callable[["Exercise", Function], str]
+Offer = Callable[["Exercise", Function], Any]
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,7 @@ class Exercise:
         fraction change
     witnesses: by id, wrong answers as learners write them that must be recognised so
     keep: called in a notebook with this exercise and a right answer; returns a sentence for the verdict
+    offer: called in a notebook with this exercise and a wrong answer; returns what is shown below the verdict, or None
     name: as a notebook calls it, in ``check.NAME``
     """
 
@@ -84,6 +86,7 @@ class Exercise:
     another: Callable[[np.random.Generator, Case], Case] | None = None
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
     keep: Keep | None = None
+    offer: Offer | None = None
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -102,7 +105,10 @@ class Exercise:
         ):
             verdict = self.judge(answer)
         if not verdict:
-            return offering_hints(verdict, self.name, self.hints)
+            verdict = offering_hints(verdict, self.name, self.hints)
+            if verdict.status != "wrong" or self.offer is None or not callable(answer):
+                return verdict
+            return replace(verdict, below=safely(None, self.offer, self, answer))
         if self.keep is None:
             return verdict
         told = self.keep(self, answer)
@@ -245,12 +251,7 @@ class Exercise:
         called = self._called(self.cases[first])
         here = f"{self._unit} {first + 1} of {n}"
         if mine.failure:
-            ends = mine.failure.text
-            if mine.failure.kind != TooLong.__name__:
-                ends = f"stops with {ends}"
-            if mine.failure.line:
-                ends = f"{ends}, in the line “{mine.failure.line}”"
-            text = one_line(f"In {here} your function {ends}.", 400)
+            text = one_line(f"In {here} your function {mine.failure.ends}.", 400)
             hint = error_hint(mine.failure, answer, self.right, self.lenders)
             return Verdict("wrong", text, called, hint=hint, id="exception")
         rows = differences(right.values, mine.values)

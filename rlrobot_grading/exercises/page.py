@@ -36,7 +36,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_grading.exercises.exercise import Exercise, Keep
+from rlrobot_grading.exercises.exercise import Exercise, Keep, Offer
 from rlrobot_grading.exercises.mistake import Mistake
 from rlrobot_grading.exercises.question import Question
 
@@ -60,6 +60,7 @@ class Entry(NamedTuple):
 def with_pages(
     names: dict[str, Any],
     keep: Keep | None = None,
+    offer: Offer | None = None,
     **exercises: Exercise | Question,
 ) -> SimpleNamespace:
     """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
@@ -67,6 +68,7 @@ def with_pages(
     names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them. The
         right values of questions are added to them
     keep: of each `Exercise`, what is done with a right answer in a notebook
+    offer: and what is shown below the verdict on a wrong one
     Raises ValueError for a page that cannot be understood, OSError if one is missing.
     """
     names.update(
@@ -81,14 +83,18 @@ def with_pages(
     }
     return SimpleNamespace(
         **{
-            name: _with_page(exercises[name], page, names, keep)
+            name: _with_page(exercises[name], page, names, keep, offer)
             for name, page in pages.items()
         }
     )
 
 
 def _with_page(
-    exercise: Any, page: Path, names: Mapping[str, Any], keep: Keep | None
+    exercise: Any,
+    page: Path,
+    names: Mapping[str, Any],
+    keep: Keep | None,
+    offer: Offer | None,
 ) -> Any:
     sections, entries = read_page(page, names)
     text = {heading: " ".join(lines) for heading, lines in sections.items()}
@@ -96,7 +102,7 @@ def _with_page(
     if not isinstance(exercise, Question):
         found = [NAME.fullmatch(line) for line in sections["Names"]]
         lenders = {name[1]: name[2] for name in found if name}
-        more = {"lenders": lenders, "keep": keep}
+        more = {"lenders": lenders, "keep": keep, "offer": offer}
     mistakes = [
         Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint
     ]

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
+from typing import Any
 
 WIDTH = 100  # characters of a line, so that no output of a notebook must be scrolled sideways
 
@@ -50,6 +51,7 @@ class Verdict:
     hint: the likely cause, where one is known
     gained: of a right answer, what has been gained and where it will be used
     id: of the mistake that was recognised, or the name of the detector that has found the hint; never shown
+    below: what a notebook shows below the card, if anything
     """
 
     status: str
@@ -59,6 +61,7 @@ class Verdict:
     hint: str = ""
     gained: str = ""
     id: str = ""
+    below: Any = field(default=None, compare=False)
 
     def __bool__(self) -> bool:
         return self.status == "right"
@@ -80,6 +83,14 @@ class Verdict:
     def _ipython_display_(self) -> None:
         """Show nothing of a check that waits, and has no more to say, in a notebook that is run to be saved."""
         is_saved = os.environ.get("RLROBOT_EDU_PROGRESS") == "0"
+        if self.below is not None:
+            # IPython calls this, so it is there
+            from IPython.display import display
+
+            card = {"text/plain": repr(self), "text/html": self._repr_html_()}
+            display(card, raw=True)  # type: ignore[no-untyped-call]
+            display(self.below)  # type: ignore[no-untyped-call]
+            return
         if self.status != "waiting" or self.gained or not is_saved:
             raise NotImplementedError  # IPython shows it as usual
 
