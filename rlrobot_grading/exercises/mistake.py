@@ -11,7 +11,7 @@ from typing import Any
 from rlrobot_grading.answers.notebook import is_notebook
 from rlrobot_grading.exercises.verdict import Verdict
 
-_offered: set[str] = set()  # exercises whose hints have been pointed at: once is enough
+FIRST_STEP = "first_step"  # the id of a hint that fits every wrong answer
 
 
 @dataclass(frozen=True)
@@ -55,16 +55,21 @@ def wrong_choices(
     return {"as_shown": shown, **told}
 
 
+def hints_are_off() -> bool:
+    """Whether no hint is told on request, as in a homework that has none."""
+    return os.environ.get("RLROBOT_EDU_HINTS") == "0"
+
+
 def offering_hints(verdict: Verdict, name: str, hints: Sequence[str]) -> Verdict:
-    """The verdict; in a notebook the first on a wrong answer whose cause is not known says where there are hints.
+    """The verdict; in a notebook that on a wrong answer whose cause is not known says where there are hints.
 
     name: of the exercise, as in ``check.NAME``; hints: what `hinted` is given
     """
-    is_bare = verdict.status == "wrong" and not verdict.hint
-    is_told = name in _offered or os.environ.get("RLROBOT_EDU_HINTS") == "0"
-    if not is_bare or is_told or not (name and hints and is_notebook()):
+    is_known = verdict.hint and verdict.id != FIRST_STEP
+    if verdict.status != "wrong" or is_known or hints_are_off():
         return verdict
-    _offered.add(name)
+    if not (name and hints and is_notebook()):
+        return verdict
     told = f"If you are stuck, write check.{name}.hint() in a new cell."
     return replace(verdict, text=f"{verdict.text} {told}")
 

@@ -19,7 +19,9 @@ place (``nothing`` for none; ⏎ is the end of a line). Without an edit, the fir
 function. All other blocks are its *witnesses*, wrong answers that must be recognised so. The mistake of a question has
 its wrong value, and below maybe witnesses. An id without a hint has witnesses alone: a detector finds their hint.
 The line ``- those of `learn` `` adds the mistakes of another page of the lesson, if they are edits.
-A question has a section ``Because``: why its answer is right.
+A question has a section ``Because``: why its answer is right. One whose answer is a number, or several, has a section
+``First step``: a sentence or two that are always true, the first step of the way in words and the size or the sign that
+the result must have, but no number of it. It is the hint for a wrong answer for which there is no other.
 """
 
 from __future__ import annotations
@@ -98,7 +100,10 @@ def _with_page(
 ) -> Any:
     sections, entries = read_page(page, names)
     text = {heading: " ".join(lines) for heading, lines in sections.items()}
-    more: dict[str, Any] = {"because": text.get("Because", "")}
+    more: dict[str, Any] = {
+        "because": text.get("Because", ""),
+        "first_step": text.get("First step", ""),
+    }
     if not isinstance(exercise, Question):
         found = [NAME.fullmatch(line) for line in sections["Names"]]
         lenders = {name[1]: name[2] for name in found if name}

@@ -18,7 +18,14 @@ from rlrobot_grading.answers.values import (
     same,
     show,
 )
-from rlrobot_grading.exercises.mistake import Mistake, hinted, offering_hints, with_ids
+from rlrobot_grading.exercises.mistake import (
+    FIRST_STEP,
+    Mistake,
+    hinted,
+    hints_are_off,
+    offering_hints,
+    with_ids,
+)
 from rlrobot_grading.exercises.verdict import Verdict
 from rlrobot_grading.hints.evidence import Hint
 from rlrobot_grading.hints.formula import Formula
@@ -36,6 +43,7 @@ class Question:
 
     right: the value; task: what is asked, for the message of a check that still waits; mistakes: typical wrong ones
     because: why it is right, told to those who gave it
+    first_step: of the way to a number, in words: the hint for a wrong one for which there is no other
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
     witnesses: by id, wrong answers that must be recognised so
@@ -49,6 +57,7 @@ class Question:
     task: str = ""
     mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
     because: str = ""
+    first_step: str = ""
     hints: Sequence[str] = ()
     gained: str = ""
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
@@ -111,17 +120,18 @@ class Question:
         told = safely("", self._looked_at, answer)
         if told:
             return Hint("form", told)
-        if (
+        is_number = not (
             safely(True, is_large, answer)
             or isinstance(answer, str | bool)
             or isinstance(self.right, str)
-        ):
-            # what follows looks at numbers, as often as there are changes
-            return Hint("", "")
-        if self.formula:
+        )
+        if self.formula and is_number:
+            # it is computed as often as there are changes
             told = safely("", self.formula.told, answer, ROUNDED)
             if told:
                 return Hint("formula", told)
+        if self.first_step and not hints_are_off():
+            return Hint(FIRST_STEP, self.first_step)
         return Hint("", "")
 
     def hint(self, number: int = 1) -> Verdict:

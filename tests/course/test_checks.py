@@ -163,6 +163,7 @@ def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
         "spoilt",
         "form",
         "formula",
+        "first_step",
         "no_number",
         "remembers",
         "rule",

@@ -472,23 +472,51 @@ UNKNOWN = {
 
 
 @pytest.mark.parametrize("which", UNKNOWN)
-def test_a_wrong_answer_without_a_known_cause_is_shown_the_way_to_hints_once(
+def test_each_wrong_answer_without_a_known_cause_is_shown_the_way_to_hints(
     which, monkeypatch
 ):
     lesson, name, answer = UNKNOWN[which]
     if isinstance(answer, str):
         answer = learner(answer)
-    monkeypatch.setattr(mistakes, "_offered", set())
     monkeypatch.setattr(mistakes, "is_notebook", lambda: True)
     check = exercises(lesson)[name]
     monkeypatch.setattr("rlrobot_grading.exercises.exercise.is_notebook", lambda: True)
     monkeypatch.setattr(type(check), "hint_on", lambda *_: Hint("", ""), raising=False)
-    first, second = check(answer), check(answer)
-    assert f"write check.{name}.hint()" in first.text and not first.hint
-    assert "hint()" not in second.text
-    monkeypatch.setattr(mistakes, "_offered", set())
+    for _ in range(2):
+        verdict = check(answer)
+        assert f"write check.{name}.hint()" in verdict.text
+        assert verdict.id in ("", mistakes.FIRST_STEP)
     monkeypatch.setenv("RLROBOT_EDU_HINTS", "0")
     assert "hint()" not in check(answer).text, "homework may have none"
+    assert not check(answer).hint
+
+
+def test_a_recognised_mistake_needs_no_further_way(monkeypatch):
+    monkeypatch.setattr(mistakes, "is_notebook", lambda: True)
+    verdict = exercises("lesson_06")["fall"](0.975**11)
+    assert verdict.hint and "hint()" not in verdict.text
+
+
+IN_NUMBERS = [
+    one for one in QUESTIONS if not isinstance(exercises(one[0])[one[1]].right, str)
+]
+
+
+@pytest.mark.parametrize(("lesson", "name"), IN_NUMBERS)
+def test_a_question_in_numbers_has_a_first_step_that_tells_no_number_of_the_answer(
+    lesson, name
+):
+    question = exercises(lesson)[name]
+    absurd = -987654.321 * np.ones(np.shape(question.right))
+    verdict = question(absurd.tolist())
+    assert verdict.hint == question.first_step != ""
+    assert verdict.id == mistakes.FIRST_STEP
+    numbers = [float(n) for n in re.findall(r"\d+(?:\.\d+)?", question.first_step)]
+    whole = np.ndim(question.right) and all(type(n) is int for n in question.right)
+    for right in np.ravel(question.right):
+        # of whole numbers the range is told, in which they lie
+        assert whole or not np.isclose(numbers, right, rtol=0.02).any()
+    assert not question.equals(numbers, question.right)
 
 
 def test_the_letters_of_an_answer_are_not_told_one_by_one():
@@ -501,7 +529,8 @@ def test_the_letters_of_an_answer_are_not_told_one_by_one():
 
 def test_of_several_numbers_it_is_not_told_how_many_are_right():
     question = exercises("lesson_11")["bins"]
-    assert question((1, 2, 0, 3, 3)).hint == question((0, 1, 1, 0, 0)).hint == ""
+    hints = {question(five).hint for five in ((1, 2, 0, 3, 3), (0, 1, 1, 0, 0))}
+    assert hints == {question.first_step}
 
 
 @pytest.mark.parametrize("divided", ["", " / temperature"])
