@@ -12,7 +12,9 @@ from rlrobot_edu.show.numerals import with_minus
 from rlrobot_grading.answers.values import Function
 
 NOTHING = "No step of it was driven."
-ALIKE = "Here both drive alike; the check also tries cases that this drive does not meet."
+ALIKE = (
+    "Here both drive alike; the check also tries cases that this drive does not meet."
+)
 
 
 class Beside(NamedTuple):

@@ -76,7 +76,9 @@ class Guarded:
         if failure and failure.kind != TooLong.__name__:
             raise Stopped(f"{failure.ends}{self._when()}")
         if failure or self._left <= 0:
-            where = f", in the line “{failure.line}”" if failure and failure.line else ""
+            where = (
+                f", in the line “{failure.line}”" if failure and failure.line else ""
+            )
             raise Stopped(f"takes too long, and was stopped{where}{self._when()}")
         return value
 

@@ -16,8 +16,8 @@ TOO_FAR = "Your loop goes on after its {} steps; here it was stopped there."
 class FilmedWorld(ShortWorld):
     """A task's robot behind the short interface of the course, filmed, for so many steps.
 
-    task: its name; seed: of all that is random; reel: takes the film; most: the steps that it takes; held: whether walls
-    hold the robot, and it obeys late
+    task: its name; seed: of all that is random; reel: takes the film; most: the steps that it takes
+    held: whether walls hold the robot, and it obeys late
     """
 
     def __init__(
