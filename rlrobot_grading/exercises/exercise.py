@@ -267,7 +267,7 @@ class Exercise:
         event = first_event(self.evidence(answer, got))
         if event:
             rows = event
-            where += " This is the first call in it that differs:"
+            where += " The table has the first call in it that differs."
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
         id, told = self.hint_on(answer, got)

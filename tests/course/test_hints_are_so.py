@@ -48,6 +48,7 @@ SAME_THING = {
     ("lesson_06", "sarsa_learn", "updates_twice"),
     ("lesson_07", "sarsa_lambda_update", "no_trace"),
     ("lesson_07", "sarsa_lambda_update", "trace_squared"),
+    ("lesson_15", "f_ratio", "upside_down"),
     ("lesson_17", "dyna", "never_moves_on"),
     ("lesson_17", "dyna", "no_memory"),
     ("lesson_17", "dyna", "one_pair"),
