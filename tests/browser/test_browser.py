@@ -241,9 +241,13 @@ def has_run_all(page, n_cells, dialogs, errors):
     """
     new, seen = page.evaluate(ANSWER), page.evaluate(SEEN)
     dialogs.extend(new)
-    have_run = [bool(re.search("[0-9]", prompt)) for prompt in seen["prompts"]]
-    if new and not any(
-        have_run
+    # a folded cell has no number; one that is not folded comes after it
+    have_run = [
+        not prompt or bool(re.search("[0-9]", prompt)) for prompt in seen["prompts"]
+    ]
+    has_begun = any(re.search("[0-9]", prompt) for prompt in seen["prompts"])
+    if (
+        new and not has_begun
     ):  # one dialog may follow another, and widgets miss a kernel that comes after them
         page.reload()
         errors.clear()  # JupyterLab's own, about what it has just said in words
