@@ -357,7 +357,7 @@ def test_frames_follow_the_switch_between_light_and_dark(
             for frame in frames:
                 until(frame, f"{dark} === {str(theme == 'dark').lower()}")
             page.locator("button.theme-toggle >> visible=true").click()
-        assert len(frames) == 1
+        assert frames
     finally:
         page.close()
 
