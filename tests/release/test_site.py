@@ -410,8 +410,8 @@ def test_a_formula_is_set_and_a_stepper_steps(address, browser):
     try:
         page.goto(f"{address}/notebooks/03_q_learning.html")
         page.wait_for_selector("math")
-        page.locator("iframe").first.scroll_into_view_if_needed()
-        page.frame_locator("iframe").first.get_by_text(
+        page.locator("iframe.steppers").first.scroll_into_view_if_needed()
+        page.frame_locator("iframe.steppers").first.get_by_text(
             "Step 31 (episode"
         ).first.wait_for()
         page.goto(f"{address}/")  # leads to docs/index.html
