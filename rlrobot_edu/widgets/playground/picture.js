@@ -83,7 +83,8 @@ function arrow(context, view, x, y, heading, [v, omega]) {
 function drawRobot(canvas, run, place, { isChosen, isSlow }, colours) {
   const { world, trail, bumps } = run, room = new Room(canvas, world.bounds, colours);
   const { beams, place: middle, outline } = sceneOf(world, place), isBump = isSlow && run.isBump;
-  room.context.drawImage(run.ground, 0, 0, room.width, room.height);
+  const { ground } = run;
+  if (ground.width && ground.height) room.context.drawImage(ground, 0, 0, room.width, room.height); // none while the page is hidden
   room.trail(trail.length ? [...trail.slice(0, -1), [place[0], place[1], trail.at(-1)[2]]] : [], null, { fades: true });
   bumps.forEach(([x, y], i) => room.cross(x, y, (i + 1) / bumps.length));
   room.rays(beams, nearOf(world));
