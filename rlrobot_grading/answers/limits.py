@@ -85,13 +85,13 @@ def attempt(
     answer: Function,
     *arguments: Any,
     endless: bool = False,
-    seconds: float = SECONDS,
-    patience: float = PATIENCE,
+    seconds: float | None = None,
+    patience: float | None = None,
 ) -> tuple[Any, Failure | None, str]:
     """What a learner's function returns, what it raises, and what it prints.
 
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
-    seconds, patience: otherwise, how long it may compute, and wait
+    seconds, patience: otherwise, how long it may compute, and wait; without them SECONDS and PATIENCE
     SystemExit counts as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
     # isinstance would ask the answer, which may be anything
@@ -120,8 +120,8 @@ def attempt(
 def ended_in_time(
     answer: Function,
     *arguments: Any,
-    seconds: float = SECONDS,
-    patience: float = PATIENCE,
+    seconds: float | None = None,
+    patience: float | None = None,
 ) -> Any:
     """What `answer` returns. Raises TooLong in it when it has computed, or waited, for longer than that.
 
@@ -135,6 +135,8 @@ def ended_in_time(
     """
     if _is_debugged():
         return answer(*arguments)
+    seconds = SECONDS if seconds is None else seconds
+    patience = PATIENCE if patience is None else patience
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
     computed, waited, countdown, swallowed = (
         time.process_time(),
