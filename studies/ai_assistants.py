@@ -3,12 +3,12 @@
 ``python studies/ai_assistants.py`` takes half a minute.
 """
 
-import re
 from collections import Counter
 from importlib import import_module
 from pathlib import Path
 
 from chat_bot import assignments, lessons
+from made_blocks import filled
 
 from rlrobot_edu.files import write_whole
 
@@ -56,10 +56,7 @@ def table(found: dict[str, str]) -> str:
 
 def written(page: str, found: dict[str, str]) -> str:
     """The page with the table in its place."""
-    begin, end = "<!-- table -->\n", "<!-- end -->"
-    return re.sub(
-        f"{begin}.*?{end}", f"{begin}{table(found)}{end}", page, flags=re.DOTALL
-    )
+    return filled(page, {"table": table(found).strip()})
 
 
 if __name__ == "__main__":

@@ -4,10 +4,11 @@
 our words what a program, or a question about one, was reported to do.
 """
 
-import re
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
+
+from made_blocks import filled
 
 from rlrobot_edu.files import write_whole
 from rlrobot_grading.answers.values import Function
@@ -124,10 +125,7 @@ def table() -> str:
 
 def written(page: str) -> str:
     """The page with the table in its place."""
-    begin, end = "<!-- table -->\n", "<!-- end -->"
-    return re.sub(
-        f"{begin}.*?{end}", lambda _: f"{begin}{table()}{end}", page, flags=re.DOTALL
-    )
+    return filled(page, {"table": table().strip()})
 
 
 if __name__ == "__main__":

@@ -6,11 +6,10 @@
 import json
 from collections.abc import Iterator
 from importlib import import_module
-from pathlib import Path
 from types import FunctionType
 from typing import Any
 
-import rlrobot_course
+from rlrobot_course.learner.my_functions import LESSONS
 from rlrobot_grading.answers.source import head_and_body
 from rlrobot_grading.answers.values import Function, differences, show
 from rlrobot_grading.exercises.exercise import Exercise
@@ -21,11 +20,8 @@ Entry = dict[str, Any]
 
 def entries() -> Iterator[Entry]:
     """The mistakes of all lessons, in their order."""
-    for folder in sorted(Path(rlrobot_course.__file__).parent.glob("lesson_*")):
-        lesson = folder.name.removeprefix("lesson_")
-        if not (folder / "exercises.py").is_file():
-            continue
-        check = import_module(f"rlrobot_course.{folder.name}.exercises").check
+    for lesson in LESSONS:
+        check = import_module(f"rlrobot_course.lesson_{lesson}.exercises").check
         for exercise in vars(check).values():
             yield from of(exercise, lesson)
 

@@ -6,12 +6,13 @@ import math
 import re
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from numbers import Real
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_course.exercises.design import Pay, Readings
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_grading.answers.limits import TooLong, attempt
 from rlrobot_grading.answers.values import Function, one_line, show
@@ -43,6 +44,18 @@ class Reel:
     def take(self, scene: Scene, reward: float) -> None:
         """Film a step."""
         self.shots.append((scene, float(reward)))
+
+    def follow(
+        self, walk: Iterable[object], robot: Any, reward: Pay, before: Readings
+    ) -> None:
+        """Film each step of a walk, with what a reward pays for it.
+
+        robot: that goes; reward: of the readings before and after a step; before: the readings at the beginning
+        """
+        for _ in walk:
+            after = robot.readings
+            self.take(robot.scene(), reward(before, after))
+            before = after
 
 
 Drive = Callable[[Function, Reel], None]

@@ -13,7 +13,7 @@ from rlrobot_grading.answers.limits import attempt
 from rlrobot_grading.answers.replay import Case, Outcome
 from rlrobot_grading.answers.values import Function, as_data, kept, safely, show
 from rlrobot_grading.exercises.exercise import Exercise
-from rlrobot_grading.hints.evidence import Hint
+from rlrobot_grading.hints.evidence import Evidence, Hint
 
 Readings = dict[str, float]
 Pay = Callable[[Readings, Readings], float]
@@ -119,14 +119,14 @@ class Design(Exercise):
             {self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed
         )
 
-    def hint_on(self, answer: Function, got: Sequence[Outcome]) -> Hint:
-        told = [outcome.values.get(self.returns) for outcome in got]
+    def hint_on(self, seen: Evidence) -> Hint:
+        told = [outcome.values.get(self.returns) for outcome in seen.got]
         if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
             return Hint(
                 "no_number",
                 "a reward is one finite number, without quotation marks or brackets.",
             )
-        hint = super().hint_on(answer, got)
+        hint = super().hint_on(seen)
         if ANOTHER in told and hint.id != "chance":
             return Hint(
                 "remembers",

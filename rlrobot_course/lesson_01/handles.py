@@ -37,7 +37,7 @@ def cuts_under(
     }
     return Handle(
         "Cut points under the readings of lasers",
-        "rlrobot_course.lesson_01",
+        __package__,
         ["cuts.js"],
         feed,
         picture,

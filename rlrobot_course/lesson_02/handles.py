@@ -28,7 +28,7 @@ def gamma_over(gathered: Mapping[str, Sequence[float]]) -> Handle:
     rounded = [[float(r) for r in rewards] for rewards in gathered.values()]
     return Handle(
         "What γ leaves of each reward",
-        "rlrobot_course.lesson_02",
+        __package__,
         ["gamma.js"],
         {"names": list(gathered), "rewards": rounded, "gamma": GAMMA},
         plot_returns(gathered, [GAMMA]),
@@ -62,7 +62,7 @@ def sweeps_over(values: Sequence[np.ndarray], lake: Any) -> Handle:
     }
     return Handle(
         "Values that spread over a frozen lake",
-        "rlrobot_course.lesson_02",
+        __package__,
         ["sweeps.js"],
         feed,
         plot_sweep(values, SWEEP, lake.desc),

@@ -46,7 +46,7 @@ def one_value(task: Task, s: int, a: int, true: float) -> Handle:
     settings = {f"α = {alpha}": {"alpha": alpha} for alpha in ALPHAS}
     return Handle(
         f"Q({s}, {a}) and the learning rate",
-        "rlrobot_course.lesson_03",
+        __package__,
         ["alpha.js"],
         feed,
         plot_one_value(task, s, a, settings, steps=STEPS, true=true),
@@ -66,7 +66,7 @@ def run_back() -> Handle:
     }
     return Handle(
         "A value that runs back along a corridor",
-        "rlrobot_course.lesson_03",
+        __package__,
         ["corridor.js"],
         feed,
         plot_run_back(corridor_values(OPENS, HALF, GAMMA)),

@@ -48,7 +48,7 @@ def _bar(name: str, feed: dict[str, Any], picture: Picture) -> Handle:
     numbers = np.random.default_rng(3).random((HUNDREDS, 100)).round(4).tolist()
     return Handle(
         name,
-        "rlrobot_course.lesson_04",
+        __package__,
         ["chances.js"],
         {**feed, "numbers": numbers},
         picture,

@@ -47,7 +47,7 @@ def watch_robots(robots: Mapping[str, Sequence[Step]], default: float) -> Handle
     }
     return Handle(
         "What the rule of loop evasion sees",
-        "rlrobot_course.lesson_09",
+        __package__,
         ["loops.js"],
         feed,
         plot_watched(walks, default),

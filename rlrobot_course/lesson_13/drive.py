@@ -1,6 +1,7 @@
 """The arm of geometry learns by the learner's reward."""
 
 from rlrobot_course.drives.by_your_code import Reel, Stopped, number
+from rlrobot_course.exercises.design import Readings
 from rlrobot_course.lesson_13.exercises import arm_reward
 from rlrobot_course.worlds.arm_world import ArmWorld, with_reward
 from rlrobot_edu.learning.agent import Agent
@@ -28,11 +29,13 @@ def by_reward(reward: Function, reel: Reel) -> None:
     world = ArmWorld(task)
     agent = Agent(world, METHOD, seed=SEED)
     learn(agent, world, steps=LEARNED, progress=False)
-    before = gripper_to_object(world.places.readings[0])
-    for _ in steps(agent, world, FILMED):
-        after = gripper_to_object(world.robot.readings)
-        reel.take(world.robot.scene(), arm_reward(before, after))
-        before = after
+    walk = steps(agent, world, FILMED)
+    reel.follow(walk, world.robot, rightly_paid, world.places.readings[0])
+
+
+def rightly_paid(before: Readings, after: Readings) -> float:
+    """What the right reward pays."""
+    return arm_reward(gripper_to_object(before), gripper_to_object(after))
 
 
 drives = {"arm_reward": by_reward}

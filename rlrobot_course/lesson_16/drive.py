@@ -41,11 +41,8 @@ def by_reward(reward: Function, reel: Reel) -> None:
     agent = Agent(env.unwrapped.task, METHOD, seed=SEED)  # type: ignore[attr-defined]
     learn(agent, env, steps=LEARNED, progress=False)
     robot = env.unwrapped.robot  # type: ignore[attr-defined]
-    before = robot.readings
-    for _ in steps(agent, env, FILMED, resume=True):
-        after = robot.readings
-        reel.take(robot.scene(), follow_reward(before, after))
-        before = after
+    walk = steps(agent, env, FILMED, resume=True)
+    reel.follow(walk, robot, follow_reward, robot.readings)
 
 
 drives = {"follow_reward": by_reward}

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rlrobot_course.thread.rows import pressed_again
 from rlrobot_edu import Recording, make_env
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
@@ -64,17 +65,6 @@ def drive(driver: Driver, steps: int = 300, seed: int = 0) -> Pad:
     return pad
 
 
-def drive_again(lesson: Recording) -> Pad:
-    """A pad on which the buttons of `lesson`, one of wander_1k, have been pressed once more."""
-    with make_env("wander_1k", seed=0) as env:
-        pad = Pad(env)
-        for a, truncated in zip(lesson.a, lesson.truncated, strict=True):
-            pad.press(int(a))
-            if truncated:
-                pad.start_again()
-    return pad
-
-
 def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recording, Pad]:
     """Whose lesson it is, the lesson, and the pad to film: what `pad` has, what `folder` has kept, or the stand-in's.
 
@@ -88,6 +78,6 @@ def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recordin
     )
     if Path(folder, "datapackage.json").exists():
         kept = Recording.load(folder, task="wander_1k")
-        return f"you, before{too_few}", kept, drive_again(kept)
+        return f"you, before{too_few}", kept, pressed_again(kept, "wander_1k")
     stand_in = drive(careful)
     return f"our stand-in{too_few}", stand_in.recording, stand_in

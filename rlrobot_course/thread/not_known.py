@@ -15,8 +15,8 @@ from rlrobot_course.figures.plots import (
 from rlrobot_edu import Recording, SampleModel, make_env
 from rlrobot_edu.models.diagnosis import Diagnosis
 from rlrobot_edu.models.held_back import HeldBack
-from rlrobot_edu.robots.scene import Solid
 from rlrobot_edu.show.describe import robot_of
+from rlrobot_edu.show.top_down import footprint
 
 
 def not_known_finding(diagnosis: Diagnosis, held: HeldBack) -> str:
@@ -120,7 +120,7 @@ def _draw_map(ax: Axes, rows: Recording) -> str:
         solids = robot_of(env).scene().solids
     for solid in solids:
         if solid.role == "wall":
-            ax.add_patch(Polygon(_corners(solid), color=ROLE["wall"]))
+            ax.add_patch(Polygon(footprint(solid), color=ROLE["wall"]))
     for way in ways:
         ax.plot(*way.T, color=BLUE, linewidth=1, alpha=0.6)
     ax.plot(*ways[0][0], "o", color=BLUE, markersize=8)
@@ -130,12 +130,3 @@ def _draw_map(ax: Axes, rows: Recording) -> str:
     there = np.concatenate(ways)
     width, height = np.ptp(there, axis=0)
     return f"A map: the robot was in a part of {width:.1f} by {height:.1f} metres."
-
-
-def _corners(wall: Solid) -> np.ndarray:
-    """The corners of a wall from above, array (4, 2) [m]."""
-    length, width, _ = wall.size
-    signs = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
-    middle, turn = wall.pose[:2, 3], wall.pose[:2, :2]
-    corners: np.ndarray = middle + signs * (length / 2, width / 2) @ turn.T
-    return corners

@@ -4,6 +4,7 @@ import numpy as np
 
 from rlrobot_edu import Agent, Recording, SampleModel, learn, make_env
 from rlrobot_edu.learning.size import Env
+from rlrobot_edu.show.numerals import with_minus
 
 LESSON = 50_000  # steps in the model
 STRETCHES = 10
@@ -28,4 +29,4 @@ def measured(agent: Agent, env: Env) -> np.ndarray:
 
 def signed(number: float) -> str:
     """A number with one digit after the point and a proper minus; no minus before 0.0."""
-    return f"{round(number, 1) + 0.0:.1f}".replace("-", "−")
+    return with_minus(round(number, 1) + 0.0, 1)

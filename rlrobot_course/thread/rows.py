@@ -66,8 +66,8 @@ def whose(rows: Recording) -> str:
     return f"{len(rows)} rows that you gave"
 
 
-def pressed_again(rows: Recording, task: Task) -> Recording:
-    """The same buttons pressed once more in the simulator, where nothing is left to chance.
+def pressed_again(rows: Recording, task: str | Task) -> Pad:
+    """A pad on which the same buttons were pressed once more, in the simulator, where nothing is left to chance.
 
     So rows driven by hand stay of use if the learner changes what the task senses or pays.
     """
@@ -77,7 +77,7 @@ def pressed_again(rows: Recording, task: Task) -> Recording:
             pad.press(a)
             if truncated:
                 pad.start_again()
-    return pad.recording
+    return pad
 
 
 def _recording(given: Any, task: Task) -> Recording:
@@ -102,4 +102,4 @@ def _kept(place: Path, task: Task) -> Recording | None:
     if rows.source.actions != Source.of_task(task).actions:
         print("Your rows are left aside: your task has other actions now. Drive again.")
         return None
-    return pressed_again(rows, task)
+    return pressed_again(rows, task).recording

@@ -60,10 +60,11 @@ const handle = {
   },
 
   compute(feed, values) {
-    const { path, step, alpha, gamma, lam } = values, run = learned(feed, values, feed.kinds[values.kind]);
+    const { path, step, alpha, gamma, lam } = values;
+    const runs = feed.kinds.map((kind) => learned(feed, values, kind)), run = runs[values.kind];
     const visits = feed.cells.split("").map((_, cell) => path.slice(0, step).filter((left) => left === cell).length);
-    const all = feed.kinds.map((kind) => learned(feed, values, kind).e.flat());
-    const found = { ...run, visits, watched: watched(path), largestTrace: Math.max(1, ...all.flat()), ideal: null, gap: null };
+    const traces = runs.flatMap(({ e }) => e.flat());
+    const found = { ...run, visits, watched: watched(path), largestTrace: Math.max(1, ...traces), ideal: null, gap: null };
     if (feed.againstIdeal) {
       found.ideal = tableFor(path, feed.cells);
       kernels.online_lambda_return(found.ideal, path, path.slice(1).map((cell) => feed.pays[cell]), alpha, gamma, lam);

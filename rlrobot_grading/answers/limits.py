@@ -103,8 +103,12 @@ def attempt(
             if endless:
                 value = answer(*arguments)
             else:
-                limits = {"seconds": seconds, "patience": patience}
-                value = ended_in_time(answer, *arguments, **limits)
+                value = ended_in_time(
+                    answer,
+                    *arguments,
+                    seconds=SECONDS if seconds is None else seconds,
+                    patience=PATIENCE if patience is None else patience,
+                )
             return value, None, printed.getvalue()
     except KeyboardInterrupt:
         raise
@@ -118,10 +122,7 @@ def attempt(
 
 
 def ended_in_time(
-    answer: Function,
-    *arguments: Any,
-    seconds: float | None = None,
-    patience: float | None = None,
+    answer: Function, *arguments: Any, seconds: float, patience: float
 ) -> Any:
     """What `answer` returns. Raises TooLong in it when it has computed, or waited, for longer than that.
 
@@ -135,8 +136,6 @@ def ended_in_time(
     """
     if _is_debugged():
         return answer(*arguments)
-    seconds = SECONDS if seconds is None else seconds
-    patience = PATIENCE if patience is None else patience
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
     computed, waited, countdown, swallowed = (
         time.process_time(),

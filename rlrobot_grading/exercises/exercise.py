@@ -264,13 +264,14 @@ class Exercise:
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
-        event = first_event(self.evidence(answer, got))
+        seen = self.evidence(answer, got)
+        event = first_event(seen)
         if event:
             rows = event
             where += " The table has the first call in it that differs."
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
-        id, told = self.hint_on(answer, got)
+        id, told = self.hint_on(seen)
         if mine.spoilt and not told:
             name = mine.spoilt[0]
             copied = _copied(name, self.cases[first].get(name))
@@ -290,9 +291,9 @@ class Exercise:
         ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
-    def hint_on(self, answer: Function, got: Sequence[Outcome]) -> Hint:
-        """The hint for a wrong answer that has done this in the cases; empty where no detector knows one."""
-        return find_hint(self.evidence(answer, got))
+    def hint_on(self, seen: Evidence) -> Hint:
+        """The hint for a wrong answer; empty where no detector knows one."""
+        return find_hint(seen)
 
     def evidence(self, answer: Function, got: Sequence[Outcome]) -> Evidence:
         """What the detectors are given of a wrong answer."""

@@ -1,32 +1,17 @@
 """The page of the reproduction: people write its prose, and here its tables and figures are put into their blocks."""
 
 import json
-import re
 from collections.abc import Mapping
 from pathlib import Path
 
 from in_markdown import in_markdown
+from made_blocks import block, filled
 
 from paper.experiments import EXPERIMENTS
 from paper.figures import write_figures
 from paper.outcome import read_outcomes
 from paper.tables import cost_table, tables
 from rlrobot_edu.files import write_whole
-
-BLOCK = re.compile(r"<!-- made: (.+?) -->\n.*?<!-- end -->", re.S)
-
-
-def block(name: str, content: str) -> str:
-    """A block of a page; what stands between its marks is written anew each time."""
-    return f"<!-- made: {name} -->\n\n{content}\n\n<!-- end -->"
-
-
-def filled(page: str, made: Mapping[str, str]) -> str:
-    """The page with what was made in its blocks; a block of which nothing was made stays as it is."""
-    return BLOCK.sub(
-        lambda found: block(found[1], made[found[1]]) if found[1] in made else found[0],
-        page,
-    )
 
 
 def write_page(folder: Path, pictures: Mapping[str, str], *, has_prose: bool) -> Path:

@@ -3,7 +3,6 @@
 import functools
 import gc
 import math
-import os
 import time
 
 import numpy as np
@@ -129,13 +128,16 @@ def test_learning_with_an_arm_of_geometry_beats_a_random_policy(name, steps):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(("name", "steps"), ARM_STEPS.items())
+@pytest.mark.parametrize(
+    ("name", "steps"),
+    [
+        # the physics of the others takes minutes
+        pytest.param(*each, marks=[] if each[0] == "arm_1k" else pytest.mark.nightly)
+        for each in ARM_STEPS.items()
+    ],
+)
 def test_learning_with_an_arm_in_pybullet_beats_a_random_policy(name, steps):
     pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
-    if name != "arm_1k" and not os.environ.get("RLROBOT_EDU_LONG"):
-        pytest.skip(
-            "the physics of this robot takes minutes; make test-all LONG=1 does them"
-        )
     assert_learned(name, steps, 6 if name == "mobile_arm_2k" else 10)
 
 

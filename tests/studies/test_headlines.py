@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from in_markdown import in_markdown
+from made_blocks import BLOCK
 from paper import paper, tables, tally, verdicts
 from paper.experiments import EXPERIMENTS, PRELIMINARIES, Length
 from paper.outcome import Outcome, detectable, read_outcomes, shuttles
-from paper.report import BLOCK
 from paper.verdicts import AGREES, LEVEL, REVERSED, UNDECIDED
 
 import rlrobot_edu as rl

@@ -123,15 +123,18 @@ def stand_for(
 
 def _corners(scene: Scene) -> np.ndarray:
     """The corners of the floor, array (4, 2) [m]."""
-    x_min, y_min, x_max, y_max = ground(scene)
-    return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
+    return _rectangle(*ground(scene))
 
 
 def _corners_around(way: np.ndarray, corners: np.ndarray) -> np.ndarray:
     """The corners of the part of a floor around a way, arrays (4, 2), (n, 2) and (4, 2) [m]."""
     low = np.maximum(way.min(axis=0) - AROUND, corners.min(axis=0))
     high = np.minimum(way.max(axis=0) + AROUND, corners.max(axis=0))
-    (x_min, y_min), (x_max, y_max) = low, high
+    return _rectangle(*low, *high)
+
+
+def _rectangle(x_min: float, y_min: float, x_max: float, y_max: float) -> np.ndarray:
+    """Its corners, array (4, 2)."""
     return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
 
 
