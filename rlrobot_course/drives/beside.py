@@ -11,14 +11,16 @@ from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.numerals import with_minus
 from rlrobot_grading.answers.values import Function
 
-NOTHING = "No step of it was driven."
+FEWEST = 5  # steps of which a film is made
+NOTHING = "That is too early for a film."
+SO_FAR = "The film shows its last {} steps until then."
 ALIKE = (
     "Here both drive alike; the check also tries cases that this drive does not meet."
 )
 
 
 class Beside(NamedTuple):
-    """Both drives. films: by the names "yours" and "right", empty where yours has no step; said: in words"""
+    """Both drives. films: by the names "yours" and "right", empty where yours has hardly a step; said: in words"""
 
     films: dict[str, Film]
     said: str
@@ -27,11 +29,14 @@ class Beside(NamedTuple):
 def beside(drive: Drive, right: Function, answer: Function) -> Beside:
     """Let a robot drive by the learner's function, and one by the right function, with the same luck."""
     yours = driven(drive, answer)
-    if not yours.shots:
+    if len(yours.shots) < FEWEST:
         return Beside({}, f"{yours.note} {NOTHING}".strip())
     rights = by_right(drive, right)
     films = {"yours": Film.of(yours.shots), "right": Film.of(rights.shots)}
-    return Beside(films, f"{yours.note} {what_differs(**films)}".strip())
+    said = SO_FAR.format(len(yours.shots))
+    if yours.is_whole:
+        said = what_differs(**films)
+    return Beside(films, f"{yours.note} {said}".strip())
 
 
 @cache
@@ -39,7 +44,7 @@ def by_right(drive: Drive, right: Function) -> Driven:
     """The drive by the right function."""
     reel = Reel()
     drive(right, reel)
-    return Driven(list(reel.shots), reel.note)
+    return Driven(list(reel.shots), reel.note, True)
 
 
 def what_differs(yours: Film, right: Film) -> str:

@@ -13,6 +13,7 @@ from rlrobot_grading.answers.values import Function, safely
 ASKS = "See what your code does"
 WORKS = "The robot drives …"
 FAILS = "What your code does cannot be shown here."
+AT_THE_CARD = {"width": "auto", "align_self": "flex-start"}
 TEXT = "max-width: 60em; line-height: 1.45"
 
 
@@ -26,7 +27,7 @@ class DriveButton(Displayed):
     def __init__(self, drive: Drive, right: Function, answer: Function) -> None:
         self._drive, self._right, self._answer = drive, right, answer
         self.button = ipywidgets.Button(
-            description=ASKS, icon="play", layout={"width": "auto"}
+            description=ASKS, icon="play", layout=AT_THE_CARD
         )
         self.button.on_click(lambda _: self.press())
         self.widget = ipywidgets.VBox([self.button])

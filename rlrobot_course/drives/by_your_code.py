@@ -15,7 +15,7 @@ import numpy as np
 from rlrobot_course.exercises.design import Pay, Readings
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_grading.answers.limits import TooLong, attempt
-from rlrobot_grading.answers.values import Function, one_line, show
+from rlrobot_grading.answers.values import Function, one_line, safely, show
 from rlrobot_grading.exercises.exercise import Exercise
 
 SECONDS = 1.5  # of computing that a learner's function may take in a whole drive
@@ -104,7 +104,8 @@ def number(value: Any) -> float:
     """What a reward has returned, if it is one finite number. Raises Stopped for anything else."""
     if isinstance(value, np.ndarray | np.generic) and value.ndim == 0:
         value = value.item()
-    if not isinstance(value, Real) or not math.isfinite(value):
+    # a whole number may be too large for a float
+    if not isinstance(value, Real) or not safely(False, math.isfinite, value):
         raise Stopped(f"returns {show(value)}, and a reward is one finite number")
     return float(value)
 
@@ -113,23 +114,26 @@ class Driven(NamedTuple):
     """A drive that is over.
 
     shots: its last steps, each with its reward; note: what became of the learner's function; empty if all went well
+    is_whole: whether it went to its end
     """
 
     shots: list[tuple[Scene, float]]
     note: str
+    is_whole: bool
 
 
 def driven(drive: Drive, function: Function) -> Driven:
     """The drive by a function of the learner's, as far as it goes; raises nothing but KeyboardInterrupt."""
-    reel = Reel()
+    reel, is_whole = Reel(), False
     try:
         drive(Guarded(function), reel)
+        is_whole = True
     except Stopped as end:
         reel.note = f"Your function {end}."
     except Exception as error:
         said = one_line(str(error), 300) or type(error).__name__
         reel.note = f"The robot cannot go on: {said}."
-    return Driven(list(reel.shots), reel.note)
+    return Driven(list(reel.shots), reel.note, is_whole)
 
 
 def drive_of(exercise: Exercise) -> Drive | None:

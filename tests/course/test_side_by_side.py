@@ -46,3 +46,15 @@ def test_above_each_film_stand_its_name_and_its_finding_in_readable_letters():
     ]
     assert all("font-size: 14px" in style for style, _, _ in captions)
     assert page.index("</table>") < page.index("<img")
+
+
+def test_a_running_notebook_shows_films_in_3d_where_that_is_asked_for(monkeypatch):
+    monkeypatch.setattr("rlrobot_edu.show.film.in_a_notebook", lambda: True)
+    monkeypatch.delenv("RLROBOT_EDU_PROGRESS", raising=False)
+    films = {"left": filmed(3), "right": filmed(2)}
+    assert SideBySide(films).widget is None
+    columns = SideBySide(films, in3d=True).widget.children
+    for column, (name, film) in zip(columns, films.items(), strict=True):
+        said, view = column.children
+        assert name in said.value and escape(film.finding) in said.value
+        assert view is film.widget
