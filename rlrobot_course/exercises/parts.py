@@ -7,6 +7,7 @@ from typing import Any
 
 from rlrobot_course.exercises.design import Design as Design
 from rlrobot_course.learner.my_functions import keep
+from rlrobot_course.learner.progress import so_far
 from rlrobot_edu.learning.progress import watched
 from rlrobot_grading.answers.replay import Case as Case
 from rlrobot_grading.answers.values import safely
@@ -37,7 +38,8 @@ def _kept(exercise: Exercise, answer: Callable[..., Any]) -> str:
         return ""
     told = "(Not kept for later lessons.)"
     name = exercise.right.__name__
-    return safely(told, keep, answer, lesson[1], name, exercise.judge)
+    told = safely(told, keep, answer, lesson[1], name, exercise.judge)
+    return f"{told} {safely('', so_far, lesson[1])}".strip()
 
 
 def _offered(exercise: Exercise, answer: Callable[..., Any]) -> Any:

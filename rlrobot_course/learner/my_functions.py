@@ -143,6 +143,11 @@ def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     return was_right or _right(known, lesson, name) is not None
 
 
+def is_written(lesson: str, name: str, folder: str | Path = ".") -> bool:
+    """Whether the learner's file has this function of a lesson, or says why it is not kept there."""
+    return (lesson, name) in _kept(beside_the_lessons(Path(folder, FILE)))
+
+
 def owner_of(*functions: Function) -> str:
     """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
     yours = [

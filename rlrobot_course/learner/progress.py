@@ -1,5 +1,6 @@
 """How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
 
+from html import escape
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,9 +11,15 @@ from rlrobot_course.learner.my_functions import (
     LESSONS,
     check_of,
     is_right,
+    is_written,
     syntax_error,
 )
+from rlrobot_edu.show import palette
 from rlrobot_grading.exercises.exercise import Exercise
+
+LAST = 18  # lesson of the road; those after it are optional
+ROAD = "display:flex;flex-wrap:wrap;gap:.3em;list-style:none;padding:0;margin:.4em 0"
+STONE = "border:1px solid {line};border-top:4px solid {top};border-radius:4px;padding:.2em .5em;width:9.5em;margin:0"
 
 
 class Lesson(NamedTuple):
@@ -24,9 +31,17 @@ class Lesson(NamedTuple):
     write: list[str]
     minutes: int
 
+    @property
+    def counts(self) -> str:
+        """How many of its functions are right, as in "2 of 3"."""
+        return f"{len(self.right)} of {len(self.right) + len(self.write)}"
+
 
 class Progress(NamedTuple):
-    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes."""
+    """All lessons in which functions are written, what is next, and how long the rest takes.
+
+    As text: a table. In a notebook: a road with a stone for each lesson.
+    """
 
     lessons: list[Lesson]
 
@@ -49,7 +64,7 @@ class Progress(NamedTuple):
             f"{', '.join(first.write)}. What is left takes about {hours:.0f} hours."
         )
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         wide = max(len(lesson.title) for lesson in self.lessons)
         rows = []
         for x in self.lessons:
@@ -58,11 +73,47 @@ class Progress(NamedTuple):
                 mark = "  ✓"
             elif not x.right:
                 mark = "  ·"
-            counts = f"{len(x.right)} of {len(x.right) + len(x.write)}"
             rows.append(
-                f"{x.number:<4}{x.title:<{wide}}  {counts}{mark}{x.minutes:5} min  {', '.join(x.write)}"
+                f"{x.number:<4}{x.title:<{wide}}  {x.counts}{mark}{x.minutes:5} min  {', '.join(x.write)}"
             )
         return "\n".join([*rows, "", self.next])
+
+    def _repr_html_(self) -> str:
+        here = next((lesson for lesson in self.lessons if lesson.write), None)
+        stones = "".join(_stone(lesson, lesson is here) for lesson in self.lessons)
+        road = f'<ol aria-label="The road" style="{ROAD}">{stones}</ol>'
+        return f'<div style="max-width:60em">{road}<p>{escape(self.next)}</p></div>'
+
+
+def _stone(lesson: Lesson, is_here: bool) -> str:
+    """A lesson on the road, in HTML: its number and title, and how many of its functions are right."""
+    top, said = palette.GREY, lesson.counts
+    if not lesson.write:
+        top, said = palette.GREEN, "✓ done"
+    elif is_here:
+        top, said = palette.BLUE, f"➤ you are here, {lesson.counts}"
+    style = STONE.format(line=palette.GREY, top=top)
+    title = escape(lesson.title)
+    return f'<li style="{style}"><b>{lesson.number}</b> {title}<br><small>{said}</small></li>'
+
+
+def so_far(lesson: str, folder: str | Path = ".") -> str:
+    """How many functions of a lesson are in the learner's file, in a sentence; after the last, what comes next."""
+    names = _functions(lesson)
+    kept = sum(is_written(lesson, name, folder) for name in names)
+    if kept < len(names):
+        return f"{kept} of {len(names)} functions of this lesson are written."
+    done = f"That was the last function of lesson {lesson}."
+    number = int(lesson[:2])
+    if number < LAST:
+        done = f"{done} Next on the road: lesson {number + 1:02}."
+    return done
+
+
+def _functions(lesson: str) -> list[str]:
+    """What a learner writes in a lesson."""
+    check = vars(check_of(lesson))
+    return [name for name, one in check.items() if isinstance(one, Exercise)]
 
 
 def progress(folder: str | Path = FOLDER) -> Progress:
@@ -72,11 +123,7 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     """
     lessons, known = [], facts(NOTEBOOKS.parent)
     for number in LESSONS:
-        names = [
-            name
-            for name, one in vars(check_of(number)).items()
-            if isinstance(one, Exercise)
-        ]
+        names = _functions(number)
         done = [name for name in names if is_right(number, name, folder)]
         if names:
             left = [name for name in names if name not in done]

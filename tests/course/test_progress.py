@@ -1,10 +1,12 @@
 """How far a learner has come: what is kept and right counts, what was spoilt since then does not."""
 
+from html import escape
+
 import pytest
 
 from rlrobot_course.learner import progress as progress_module
 from rlrobot_course.learner.my_functions import FILE, keep
-from rlrobot_course.learner.progress import progress
+from rlrobot_course.learner.progress import progress, so_far
 from rlrobot_course.lesson_03 import check, exercises
 from rlrobot_edu.tools import commands
 
@@ -56,3 +58,20 @@ def test_a_beginner_without_the_folder_is_told_the_same(tmp_path, capsys, monkey
 def test_a_folder_that_is_not_there_is_named(tmp_path):
     with pytest.raises(SystemExit, match="nowhere: there is no such folder"):
         commands.main(["progress", str(tmp_path / "nowhere")])
+
+
+def test_the_card_of_a_right_function_says_how_far_its_lesson_is(begun):
+    assert so_far("03", begun) == "2 of 3 functions of this lesson are written."
+    keep(exercises.learn, "03", "learn", check.learn.judge, begun)
+    done = "That was the last function of lesson 03. Next on the road: lesson 04."
+    assert so_far("03", begun) == done
+
+
+def test_a_notebook_shows_a_road_with_a_stone_for_each_lesson(begun):
+    keep(exercises.learn, "03", "learn", check.learn.judge, begun)
+    road = progress(begun)
+    page = road._repr_html_()
+    assert page.count("<li ") == len(road.lessons)
+    assert page.count("✓ done") == 1 and page.count("you are here") == 1
+    assert "<b>01</b> States, actions, rewards<br><small>➤ you are here" in page
+    assert escape(road.next) in page
