@@ -29,6 +29,7 @@ SECONDS = 3.0  # of computing that an answer may take; right ones take a hundred
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]
 COMPUTES = "has not ended after {:.0f} seconds of computing"
 WAITS = "has waited for {:.0f} seconds"
+SNOOZE = 1.0  # until an alarm that was swallowed comes again [s]
 EVENTS = 200  # lines and calls between two looks at the clock
 
 
@@ -179,11 +180,16 @@ def ended_in_time(
         sys.settrace(look)
 
     # nothing is looked at in what stands around the answer
-    with told_of_compiling(begin_to_compile, end_compiling), _woken(patience):
+    with (
+        told_of_compiling(begin_to_compile, end_compiling),
+        _woken(patience) as alarm,
+    ):
         sys.settrace(look)
         try:
             return answer(*arguments)
         finally:
+            # first of all: an alarm in what follows would leave the learner's process looked at for ever
+            alarm.is_over = True
             is_as_before = sys.getprofile() is before_profile
             # until both are off a call of a Python function would be looked at
             if not is_as_before:
@@ -207,22 +213,34 @@ def _set_again(set_it: Callable[[Any], None], before: Any) -> None:
         before.enable()
 
 
+@dataclass
+class Alarm:
+    """What wakes an answer that waits. is_over: whether the answer has ended, so that nothing is left to be woken"""
+
+    is_over: bool = False
+
+
 @contextmanager
-def _woken(patience: float) -> Iterator[None]:
-    """Have what waits within one call, as time.sleep does, end when that is over, where the system has alarms."""
+def _woken(patience: float) -> Iterator[Alarm]:
+    """Have what waits within one call, as time.sleep does, end when that is over, where the system has alarms.
+
+    An alarm that something swallows, as ``except:`` or a ``__del__`` does, comes again.
+    """
+    alarm = Alarm()
     if threading.current_thread() is not threading.main_thread() or not hasattr(
         signal, "setitimer"
     ):
-        yield
+        yield alarm
         return
 
     def wake(*_: Any) -> None:
-        raise TooLong(WAITS.format(patience))
+        if not alarm.is_over:
+            raise TooLong(WAITS.format(patience))
 
     before = signal.signal(signal.SIGALRM, wake)
-    signal.setitimer(signal.ITIMER_REAL, patience)
+    signal.setitimer(signal.ITIMER_REAL, patience, SNOOZE)
     try:
-        yield
+        yield alarm
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)

@@ -44,7 +44,7 @@ def differing(exercise, function):
     return [i for i, (right, got) in enumerate(pairs, 1) if not right.equals(got)]
 
 
-@pytest.mark.long
+@pytest.mark.nightly
 def test_every_right_function_is_right_and_every_wrong_one_first_differs_where_it_says(
     entries,
 ):

@@ -54,6 +54,7 @@ def wrong_answers(lesson: str) -> dict:
     return wrong
 
 
+SLOW = ("lesson_10", "assignment_4")  # a right answer takes a second
 EVERY = [(lesson, name) for lesson in LESSONS for name in exercises(lesson)]
 WRONG = [
     (lesson, name, i)
@@ -67,6 +68,14 @@ def some_long(rows: list[tuple]) -> list:
     """The rows as parameters of a test that judges answers: with those of lesson 10, which learn, it takes seconds."""
     return [
         pytest.param(*row, marks=[pytest.mark.long] * (row[0] == "lesson_10"))
+        for row in rows
+    ]
+
+
+def some_nightly(rows: list[tuple]) -> list:
+    """The rows as parameters of a test of what all exercises share; those that learn in every case wait for the night."""
+    return [
+        pytest.param(*row, marks=[pytest.mark.nightly] * (row[0] in SLOW))
         for row in rows
     ]
 

@@ -223,7 +223,10 @@ def test_the_sums_of_a_square_make_its_value():
     assert "changes nothing" in asked(shown, {"sweep": 15})[1]["finding"]
 
 
-@pytest.mark.parametrize("rate", [0.02, 0.1, 1.0])
+@pytest.mark.parametrize(
+    "rate",
+    [0.1, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (0.02, 1.0))],
+)
 def test_one_value_goes_the_lessons_way(rate):
     """Oracle: the lesson's right `update`, over the steps of an agent that does not look at its values."""
     shown, values, q = alpha(), [], np.zeros((24, 3))

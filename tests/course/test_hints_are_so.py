@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from test_checks import EVERY, exercises, learner
+from test_checks import EVERY, exercises, learner, some_nightly
 
 from rlrobot_course.exercises.parts import Design
 from rlrobot_grading.answers import notebook
@@ -158,7 +158,7 @@ def test_two_things_at_once_are_not_said_where_they_are_not(why):
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize(("lesson", "name"), EXACT)
+@pytest.mark.parametrize(("lesson", "name"), some_nightly(EXACT))
 def test_nothing_is_said_of_all_cases_if_one_stops_with_an_error(lesson, name):
     exercise = exercises(lesson)[name]
     last = max(i for i, right in enumerate(exercise.expected) if not right.failure)
@@ -218,7 +218,7 @@ def answer(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
 
 @pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize(("lesson", "name"), EXACT)
+@pytest.mark.parametrize(("lesson", "name"), some_nightly(EXACT))
 def test_no_line_of_the_solution_is_told_to_who_has_not_written_it(lesson, name):
     exercise = exercises(lesson)[name]
     mutants = [mutant for _, _, mutant in one_change_of(exercise.right)]

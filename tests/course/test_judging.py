@@ -1,5 +1,6 @@
 """Judging in this process: what the learner's own check calls right, `grade` calls right; points, parts and hints."""
 
+import contextlib
 import importlib
 import inspect
 import time
@@ -101,6 +102,22 @@ def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
             and "has waited for" in verdict.text
             and "it waits" in verdict.hint
         )
+
+
+@pytest.mark.skipif(
+    not hasattr(limits.signal, "setitimer"), reason="this system has no alarms"
+)
+def test_an_alarm_that_is_swallowed_comes_again(monkeypatch):
+    monkeypatch.setattr(limits, "PATIENCE", 0.2)
+    monkeypatch.setattr(limits, "SNOOZE", 0.1)
+
+    def sleeps_again(q, r, s_next, terminated, gamma):
+        for _ in range(3):
+            with contextlib.suppress(BaseException):
+                time.sleep(600)
+        return r
+
+    assert check_02.target.judge(sleeps_again).status == "wrong"
 
 
 def test_a_check_as_a_whole_has_a_limit_too(monkeypatch):

@@ -61,14 +61,17 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
     return agent.q
 
 
+SOME = (("wander_1k", "TOSL+QBIASSR"), ("navigation_1k", "SL+SR"), ("cliff", "Q+EG"))
+ALL = (
+    *((task, "Q+EG") for task in (*TASKS, "cliff")),
+    *(("navigation_1k", method) for method in METHODS),
+)
+
+
 @pytest.mark.long
 @needs_node
-def test_each_method_learns_to_the_last_bit_what_the_library_learns():
-    pairs = [
-        ("wander_1k", "TOSL+QBIASSR"),
-        *((task, "Q+EG") for task in (*TASKS, "cliff")),
-    ]
-    pairs += [("navigation_1k", method) for method in METHODS]
+@pytest.mark.parametrize("pairs", [SOME, pytest.param(ALL, marks=pytest.mark.nightly)])
+def test_each_method_learns_to_the_last_bit_what_the_library_learns(pairs):
     told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
     for task, method in pairs:
         np.testing.assert_array_equal(

@@ -62,18 +62,24 @@ def copy_what_is_there(source, target):
         shutil.copy2(source, target)
 
 
-@pytest.fixture(scope="module")
-def released(tmp_path_factory):
-    """A copy of the checkout, with its caches, after `make release` with this Python, and what that said.
-
-    The environment in which the wheel was tried is build/pythonX.Y.
-    """
-    copy = tmp_path_factory.mktemp("checkout")
+def copied(copy):
+    """A copy of the checkout, with its caches."""
+    copy.mkdir()
     for path in ROOT.iterdir():
         if path.is_file() and path.name != ".git":
             shutil.copy2(path, copy)
     for name in FOLDERS:
         shutil.copytree(ROOT / name, copy / name, copy_function=copy_what_is_there)
+    return copy
+
+
+@pytest.fixture(scope="module")
+def released(tmp_path_factory):
+    """A copy of the checkout after `make release` with this Python, and what that said.
+
+    The environment in which the wheel was tried is build/pythonX.Y.
+    """
+    copy = copied(tmp_path_factory.mktemp("released") / "checkout")
     tools = ["--assume-old", f"{sys.prefix}/tools.done", f"TOOLS={sys.prefix}"]
     settings = os.environ | {
         "HOME": os.environ["RLROBOT_TESTS_USERS_HOME"]
@@ -81,6 +87,16 @@ def released(tmp_path_factory):
     return copy, run(
         "make", "release", *tools, f"VERSIONS={PYTHON}", cwd=copy, env=settings
     )
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """The wheel of this checkout, not tried yet."""
+    folder = tmp_path_factory.mktemp("built")
+    copy = copied(folder / "checkout")
+    run(sys.executable, "-m", "build", "--wheel", "--no-isolation", cwd=copy)
+    (path,) = (copy / "dist").glob("*.whl")
+    return path
 
 
 @pytest.fixture(scope="module")
@@ -105,9 +121,9 @@ def files_in(folder: str) -> set[str]:
 
 
 def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_nothing_else(
-    wheel,
+    built,
 ):
-    names = set(zipfile.ZipFile(wheel).namelist())
+    names = set(zipfile.ZipFile(built).namelist())
     about = {
         name
         for name in names
@@ -138,12 +154,17 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
         assert f"rlrobot_edu/{name}" in names
 
 
-def test_the_wheel_carries_the_tested_versions_and_doctor_compares_them(wheel, alone):
-    carried = zipfile.ZipFile(wheel).read("rlrobot_edu/constraints.txt")
+def test_the_wheel_carries_the_tested_versions(built):
+    carried = zipfile.ZipFile(built).read("rlrobot_edu/constraints.txt")
     assert carried == (ROOT / "constraints.txt").read_bytes()
+
+
+@pytest.mark.nightly
+def test_doctor_compares_the_versions_with_those_that_are_tested(alone):
     assert "those with which the toolkit is tested" in alone("rlrobot-edu", "doctor")
 
 
+@pytest.mark.nightly
 def test_a_release_is_tried_and_what_is_left_to_do_is_said(released):
     _, said = released
     assert said.count("PASSED") == 2 and f"Python {PYTHON}: the wheel installs" in said
@@ -152,6 +173,7 @@ def test_a_release_is_tried_and_what_is_left_to_do_is_said(released):
     )
 
 
+@pytest.mark.nightly
 def test_the_wheel_brings_the_course_to_an_empty_folder(alone):
     tasks = alone("python", "-m", "rlrobot_edu", "tasks")
     assert "wander_1k " in tasks and alone("rlrobot-edu", "tasks") == tasks
@@ -279,7 +301,7 @@ def test_links_of_a_copy_for_colab_lead_to_colab_or_to_the_repository(tmp_path):
                 )
 
 
-@pytest.fixture(params=["uvx", pytest.param("make lab", marks=pytest.mark.nightly)])
+@pytest.fixture(params=["uvx", "make lab"])
 def lab(request, released, wheel, tmp_path):
     """What a line of the README starts, from an empty home: where it answers. The wheel's path stands for its name."""
     line = re.search(
@@ -351,6 +373,7 @@ def soon(look):
     return found
 
 
+@pytest.mark.nightly
 def test_a_line_of_the_readme_opens_lesson_00_with_its_widgets(lab, browser):
     page = browser.new_page()
     page.set_default_timeout(1000 * PATIENCE)

@@ -25,6 +25,7 @@ ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
     "docs/index", "notebooks/03_q_learning", "docs/howto/your_own_task", "docs/api/learning",
 )  # fmt: skip
+OTHERS = ("tasks/README", "docs/lessons", "docs/real_robot", "docs/stepper")
 LIVE = {
     "steppers": "<Stepper at step",
     "explorers": "<BiasExplorer of",
@@ -300,7 +301,7 @@ def address(site):
 
 @pytest.mark.parametrize(
     "name",
-    [*MAIN_PAGES, "tasks/README", "docs/lessons", "docs/real_robot", "docs/stepper"],
+    [*MAIN_PAGES, *(pytest.param(page, marks=pytest.mark.nightly) for page in OTHERS)],
 )
 def test_a_page_is_quiet_and_open_to_all(address, browser, name):
     """No request leaves the machine, the console is silent, axe-core finds nothing serious, a phone need not scroll."""

@@ -162,7 +162,9 @@ def told(agent, env, *histories):
 
 
 @pytest.mark.parametrize("task", TASKS)
-@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+EG"])
+@pytest.mark.parametrize(
+    "method", ["TOSL+QBIASSR", pytest.param("Q+EG", marks=pytest.mark.nightly)]
+)
 def test_compiled_or_not_an_agent_lives_the_same_life_and_its_robot_stands_at_the_same_place(
     task, method, compiling, plain_steps
 ):
