@@ -73,7 +73,7 @@ def some_long(rows: list[tuple]) -> list:
 
 
 def some_nightly(rows: list[tuple]) -> list:
-    """The rows as parameters of a test of what all exercises share; those that learn in every case wait for the night."""
+    """The rows as parameters of what is tried on all exercises; those that learn in every case wait for the night."""
     return [
         pytest.param(*row, marks=[pytest.mark.nightly] * (row[0] in SLOW))
         for row in rows
