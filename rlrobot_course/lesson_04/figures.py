@@ -226,26 +226,55 @@ def plot_ends(worlds: Mapping[str, Mapping[str, Sequence[History]]]) -> Picture:
         "reward a step in the last 200 steps; dot: a robot, line: the mean, box: its 95 % interval",
     )
     for ax, world, groups in in_panels(figure, earned):
-        best = max(groups, key=lambda name, of=groups: of[name].mean())
-        means = []
-        for i, (name, ends) in enumerate(groups.items()):
-            colour = BLUE if name == best else GREY
-            mean, half = mean_and_half(ends)
-            box = {"color": colour, "alpha": 0.2, "linewidth": 0}
-            ax.fill_between([i - 0.35, i + 0.35], mean - half, mean + half, **box)
-            places = i + np.linspace(-0.25, 0.25, len(ends))
-            ax.plot(places, ends, "o", color=colour, alpha=0.7, markersize=4)
-            ax.plot([i - 0.35, i + 0.35], [ends.mean()] * 2, color=colour, linewidth=3)
-            means.append(
-                f"{name} {mean:.2f} ± {half:.2f} (from {ends.min():.2f} to {ends.max():.2f})"
-            )
-        names = [f"{name}\n{ends.mean():.2f}" for name, ends in groups.items()]
-        ax.set_xticks(range(len(groups)), [plain(name) for name in names])
         ax.set_title(plain(world))
-        ax.grid(axis="y")
-        told.append(f"{world}: " + ", ".join(means))
+        told.append(f"{world}: {', '.join(_draw_dots(ax, groups))}")
     figure.alt = f"One dot for each robot, what it earns in its last 200 steps. {'; '.join(told)}."
     return figure
+
+
+def plot_earned(earned: Mapping[str, Sequence[float]]) -> Picture:
+    """What each robot earns by each of two rules. earned: name of a rule -> a number a robot"""
+    groups = {name: np.array(each) for name, each in earned.items()}
+    figure = Picture(figsize=(5.2, 3.9))
+    n_robots = max(map(len, groups.values()))
+    figure.headline(
+        how_much_more(groups),
+        f"reward a step of {n_robots} robots; dot: a robot, line: the mean, box: its 95 % interval",
+    )
+    told = _draw_dots(figure.subplots(), groups)
+    figure.alt = f"One dot for each robot, what it earns. {', '.join(told)}."
+    return figure
+
+
+def how_much_more(earned: Mapping[str, np.ndarray]) -> str:
+    """How much more the better of two rules earns, with the interval of the difference, as a sentence."""
+    means = {name: mean_and_half(each) for name, each in earned.items()}
+    less, more = sorted(means, key=means.__getitem__)
+    difference = means[more][0] - means[less][0]
+    half = np.hypot(means[more][1], means[less][1])
+    text = f"{more} earns {difference:.2f} ± {half:.2f} more than {less}"
+    return as_sentence(text if difference > half else f"{text}, which may be chance")
+
+
+def _draw_dots(ax: Axes, groups: Mapping[str, np.ndarray]) -> list[str]:
+    """A dot a robot, a line for their mean, a box for its interval; returns these numbers in words, by group."""
+    best = max(groups, key=lambda name: groups[name].mean())
+    told = []
+    for i, (name, each) in enumerate(groups.items()):
+        colour = BLUE if name == best else GREY
+        mean, half = mean_and_half(each)
+        box = {"color": colour, "alpha": 0.2, "linewidth": 0}
+        ax.fill_between([i - 0.35, i + 0.35], mean - half, mean + half, **box)
+        places = i + np.linspace(-0.25, 0.25, len(each))
+        ax.plot(places, each, "o", color=colour, alpha=0.7, markersize=4)
+        ax.plot([i - 0.35, i + 0.35], [each.mean()] * 2, color=colour, linewidth=3)
+        told.append(
+            f"{name} {mean:.2f} ± {half:.2f} (from {each.min():.2f} to {each.max():.2f})"
+        )
+    names = [f"{name}\n{each.mean():.2f}" for name, each in groups.items()]
+    ax.set_xticks(range(len(groups)), [plain(name) for name in names])
+    ax.grid(axis="y")
+    return told
 
 
 def who_earns_most(earned: Mapping[str, Mapping[str, np.ndarray]]) -> str:

@@ -1,4 +1,4 @@
-"""The figures of lesson 05: which states have a say in one state, and what their advice changes."""
+"""The figures of lesson 05: which states have a say in one state, and how often their advice is right."""
 
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
@@ -7,7 +7,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.figures.plots import BLACK, BLUE, GREY, Picture, chart
+from rlrobot_course.figures.plots import (
+    BLACK,
+    BLUE,
+    GREY,
+    RED,
+    Picture,
+    chart,
+    name_rows,
+)
 from rlrobot_edu import load_task
 from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
@@ -20,6 +28,15 @@ from rlrobot_edu.widgets.bias_explorer.words import (
     value_words,
 )
 from rlrobot_edu.widgets.kernels import bias_of
+
+# Of states that are new to a robot, in how many per cent the bias favours so, and half of the 95 % interval:
+# studies/lesson_numbers.csv
+FAVOURED = {
+    "way free:\nit is the best action": (64.5032, 4.3557),
+    "something ahead:\nit is the best action": (32.1475, 1.8779),
+    "something ahead, never\nadvanced there: it is the bump": (23.1217, 2.1715),
+    "something ahead, has\nadvanced there: it is the bump": (87.3656, 3.3413),
+}
 
 
 def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
@@ -157,39 +174,36 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], colour: str) -> None:
     ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
 
 
-def plot_draws(taken: Mapping[str, Sequence[int]], actions: Sequence[str]) -> Picture:
-    """How often each action was drawn, a bar for each of two ways to choose.
+def plot_advice(shares: Mapping[str, tuple[float, float]] = FAVOURED) -> Picture:
+    """How often the bias favours the best action, or the bump, in states that are new to a robot.
 
-    taken: by the name of what softmax looked at, the actions drawn; actions: their names
+    shares: as `FAVOURED`
     """
-    counts = {
-        name: np.bincount(drawn, minlength=len(actions))
-        for name, drawn in taken.items()
-    }
-    without, with_bias = (times[0] for times in counts.values())
-    n_draws = max(map(len, taken.values()))
     figure, ax = chart(
-        (6.5, 3.5),
+        (7.2, 3.6),
+        "share of the new states (%)",
         "",
-        "",
-        f"The same {n_draws} draws: {without} bumps without the bias, {with_bias} with it",
-        grid="y",
-        note=f"how often each action was drawn by {' and by '.join(f'softmax of {name}' for name in taken)}",
+        who_is_right(shares),
+        grid="x",
+        note="400 robots, 300 steps each; black: 95 % intervals, dotted: a guess",
     )
-    names = ("without\nthe bias\n", "with it\n")
-    for i, (times, colour) in enumerate(
-        zip(counts.values(), (GREY, BLUE), strict=True)
-    ):
-        labels = [str(n) for n in times]
-        labels[0] = names[i] + labels[0]
-        places = np.arange(len(actions)) + 0.4 * i - 0.2
-        bars = ax.bar(places, times, 0.4, color=colour, edgecolor="white")
-        ax.bar_label(bars, labels, padding=2, linespacing=1.05)
-    ax.set_xticks(range(len(actions)), actions)
-    ax.margins(y=0.15)
-    told = (
-        f"{name}: {', '.join(f'{a} {n}' for a, n in zip(actions, times, strict=True))}"
-        for name, times in counts.items()
-    )
-    figure.alt = f"How often each action was drawn. {'; '.join(told)}."
+    told = []
+    for row, (name, (share, half)) in enumerate(shares.items()):
+        ax.barh(row, share, 0.6, color=BLUE if "best" in name else RED)
+        ax.errorbar(share, row, xerr=half, color=BLACK)
+        ax.text(share + half + 1.5, row, f"{share:.0f} %", va="center", weight="bold")
+        told.append(f"{name}: {share:.1f} ± {half:.1f}".replace("\n", " "))
+    ax.axvline(100 / 3, color=BLACK, linestyle=":", linewidth=1.2)
+    ax.set_xlim(0, 100)
+    name_rows(ax, list(shares))
+    figure.alt = f"How often the bias favours an action, in per cent of the new states. {'; '.join(told)}."
     return figure
+
+
+def who_is_right(shares: Mapping[str, tuple[float, float]]) -> str:
+    """In how many of the new states the favourite is the best action, as a sentence; shares: as `FAVOURED`."""
+    free, ahead, *_ = (share for share, _ in shares.values())
+    return (
+        f"The favourite is the best action in {free:.0f} % of new states with the way free, "
+        f"and in {ahead:.0f} % with something ahead"
+    )

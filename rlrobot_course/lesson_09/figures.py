@@ -182,13 +182,13 @@ def who_gains(pairs: Mapping[str, tuple[Score, Score]]) -> str:
     for name, (without, evading) in pairs.items():
         # of the rounded means, so that a reader who subtracts finds the same
         gain = round(evading.mean, 2) - round(without.mean, 2)
-        half = np.hypot(evading.half, without.half)
+        half = np.hypot(round(evading.half, 2), round(without.half, 2))
         # without spaces round the sign, so that a line does not end there
         kind = name.replace("\n", ", ").replace(" = ", "=")
         if gain > half:
-            gains.append(f"{gain:.2f} for {kind}")
+            gains.append(f"{gain:.2f} ± {half:.2f} for {kind}")
         else:
-            others.append(kind)
+            others.append(f"{kind} ({with_minus(gain, 2)} ± {half:.2f})")
     text = "Loop evasion adds nothing that shows"
     if gains:
         text = f"Loop evasion adds {' and '.join(gains)}"

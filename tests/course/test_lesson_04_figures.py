@@ -5,12 +5,14 @@ import pytest
 from matplotlib.colors import to_hex
 
 import rlrobot_edu as rl
-from rlrobot_course.figures.runs import plot_runs
+from rlrobot_course.figures.runs import mean_and_half, plot_runs
 from rlrobot_course.figures.words import as_sentence
 from rlrobot_course.lesson_04.figures import (
     how_far_apart,
+    how_much_more,
     learn_in_units,
     plot_draw,
+    plot_earned,
     plot_ends,
     plot_rules,
     plot_side_by_side,
@@ -95,6 +97,26 @@ def test_a_dot_a_robot_and_a_bar_for_their_mean():
         [0.0, 0.0],
         [0.0, 0.0],
     ]
+
+
+def test_the_difference_of_two_rules_has_its_interval():
+    even = np.array([0.0, 1.0, 2.0])
+    halves = np.hypot(*[mean_and_half(each)[1] for each in (even, even + 9)])
+    said = how_much_more({"greedy": even, "softmax": even + 9})
+    assert said == f"Softmax earns 9.00 ± {halves:.2f} more than greedy"
+    close = how_much_more({"greedy": even + 0.5, "softmax": even})
+    assert close.startswith("Greedy earns 0.50") and close.endswith("may be chance")
+
+
+def test_what_robots_earn_by_two_rules_is_a_dot_for_each():
+    figure = plot_earned({"A": (1.0, 3.0), "B": (0.0, 8.0)})
+    assert [list(line.get_ydata()) for line in figure.axes[0].lines] == [
+        [1.0, 3.0],
+        [2.0, 2.0],
+        [0.0, 8.0],
+        [4.0, 4.0],
+    ]
+    assert "from 0.00 to 8.00" in figure.alt
 
 
 def test_the_curve_of_a_run_is_the_mean_of_its_rewards_so_far():

@@ -1,6 +1,6 @@
-"""Lesson 05's figures: similar states differ in one input, and draws are counted; and its table of biases by hand."""
+"""Lesson 05's figures: similar states differ in one input, and its bars are those of the study."""
 
-import json
+import csv
 import re
 from pathlib import Path
 
@@ -9,11 +9,13 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_05.figures import (
+    FAVOURED,
     advice,
     five_lines,
-    plot_draws,
+    plot_advice,
     plot_five_lines,
     plot_similar_states,
+    who_is_right,
 )
 from rlrobot_edu.widgets.kernels import bias_of
 
@@ -84,8 +86,6 @@ def test_the_lesson_says_what_the_robot_knows_beside_the_papers_state(new_there)
     assert new_there.visits[PAPERS_STATE].sum() == 0
     bumped = [k for k in similar if new_there.q[k, 0] < -0.5]
     assert len(bumped) == 3
-    always_a_wall = STATES.number((1, 1, 1, 0))
-    assert new_there.visits[always_a_wall].sum() == 0
 
 
 def test_the_finding_says_whether_similar_states_recommend_or_warn():
@@ -131,35 +131,18 @@ def test_a_state_that_does_not_exist_is_named():
         plot_similar_states(24)
 
 
-def test_the_bars_of_the_draws_count_each_action():
-    figure = plot_draws(
-        {"Q(s)": [0, 1, 1, 2], "Q(s) + bias(s)": [1, 1, 1, 2]},
-        ["advance", "left", "right"],
-    )
-    bars = [
-        [bar.get_height() for bar in container]
-        for container in figure.axes[0].containers
-    ]
-    assert bars == [[1, 2, 1], [0, 3, 1]]
-    assert (
-        "1 bumps without the bias, 0 with it" in figure.finding
-        and "right 1" in figure.alt
-    )
+def test_the_bars_of_the_advice_are_what_was_computed():
+    path = Path(__file__).parents[2] / "studies" / "lesson_numbers.csv"
+    with path.open(encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["lesson"] == "05"]
+    computed = [(float(row["value"]), float(row["half_interval"])) for row in rows]
+    assert list(FAVOURED.values()) == computed
+    figure = plot_advice()
+    widths = [bar.get_width() for bar in figure.axes[0].patches]
+    assert widths == [share for share, _ in computed] and figure.alt.count("±") == 4
 
 
-def test_the_table_by_hand_has_the_librarys_bias():
-    notebook = Path(__file__).parents[2] / "notebooks/05_qbiassr.ipynb"
-    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
-    (cell,) = [x for x in cells if x["source"][0].startswith("**By hand.**")]
-    rows = re.findall(
-        r"^\| ([-−\d, ]+) \|.*\| (.+) \| (.+) \| (.+) \|$",
-        "".join(cell["source"]),
-        re.M,
-    )
-    assert len(rows) == 3
-    for values, means, bias, total in rows:
-        q = np.array([[float(x.replace("−", "-"))] for x in values.split(",")])
-        assert bias_of(q, (2, 2), 0) == float(bias)
-        assert q[0] + bias_of(q, (2, 2), 0) == float(total)
-        by_first, by_second = (float(x) for x in means.split(" and "))
-        assert (by_first, by_second) == (q[[0, 2]].mean(), q[[0, 1]].mean())
+def test_the_title_of_the_advice_follows_the_numbers():
+    assert "in 65 % of new states with the way free, and in 32 %" in who_is_right(FAVOURED)  # fmt: skip
+    others = {name: (10.0 * i, 1.0) for i, name in enumerate(FAVOURED, start=1)}
+    assert "in 10 % of new states with the way free, and in 20 %" in who_is_right(others)  # fmt: skip

@@ -130,6 +130,14 @@ def test_reopened_without_a_kernel_no_output_asks_for_a_widget_that_lives_no_mor
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
+def test_an_output_that_is_not_compared_says_why(name):
+    for cell in code_cells(name):
+        ignored = "nbval-ignore-output" in cell.metadata.get("tags", [])
+        reason = cell.metadata.get("rlrobot_edu", {}).get("ignored")
+        assert reason == ("a clock" if ignored else None), cell.source
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_folded_code_says_in_its_first_line_what_it_does(name):
     for cell in read(name).cells:
         if not cell.metadata.get("jupyter", {}).get("source_hidden"):
