@@ -12,9 +12,11 @@ from rlrobot_grading.exercises.exercise import Exercise
 
 DRIVEN = {
     "reward": "01",
+    "target": "03",
     "update": "03",
     "learn": "03",
     "draw": "04",
+    "dutch": "08",
     "choose": "10",
     "learn_and_evade": "10",
     "arm_reward": "13",
