@@ -4,8 +4,6 @@ import numpy as np
 
 from rlrobot_course.drives.by_your_code import Reel
 from rlrobot_course.drives.worlds import FilmedWorld
-from rlrobot_course.lesson_04.exercises import draw, normalise, softmax
-from rlrobot_course.lesson_06.exercises import sarsa_learn
 from rlrobot_grading.answers.values import Function
 
 TASK, SEED, STEPS = "wander_simple", 0, 360
@@ -17,30 +15,25 @@ def by_dutch(dutch: Function, reel: Reel) -> None:
     world = FilmedWorld(TASK, SEED, reel, STEPS)
     q, e, q_old = world.table(), world.table(), 0.0
 
-    def choose(q: np.ndarray, s: int) -> int:
-        a: int = draw(softmax(normalise(q[s], world.r_max, GAMMA), 1.0), world.u)
-        return a
+    def choose(s: int) -> int:
+        """By softmax, as in lesson 04, at T = 1."""
+        preferences = 100 * (1 - GAMMA) / world.r_max * q[s]
+        p = np.exp(preferences - preferences.max())
+        return int(np.searchsorted(np.cumsum(p / p.sum()), world.u, side="right"))
 
-    def update(
-        q: np.ndarray,
-        s: int,
-        a: int,
-        r: float,
-        s_next: int,
-        a_next: int,
-        terminated: bool,
-    ) -> None:
-        nonlocal q_old
-        q_sa = q[s, a]
-        q_next = 0.0 if terminated else q[s_next, a_next]
+    s = world.reset()
+    a = choose(s)
+    for _ in range(STEPS):
+        s_next, r, _, _ = world.step(a)  # no episode ends here
+        a_next = choose(s_next)
+        q_sa, q_next = q[s, a], q[s_next, a_next]
         delta = r + GAMMA * q_next - q_sa
         e[s, a] = dutch(e[s, a], ALPHA)
         q += ALPHA * (delta + q_sa - q_old) * e
         q[s, a] -= ALPHA * (q_sa - q_old)
-        e[:] *= GAMMA * LAMBDA
+        e *= GAMMA * LAMBDA
         q_old = q_next
-
-    sarsa_learn(world, q, choose, update, STEPS)
+        s, a = s_next, a_next
 
 
 drives = {"dutch": by_dutch}
