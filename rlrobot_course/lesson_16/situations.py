@@ -76,6 +76,8 @@ STANDS_FREE = situation(
     "stands far from any wall", right=0.9, front_right=1.2, left=0.9
 )
 SCRAPES = situation("scrapes along the wall", AHEAD, right=0.04, front_right=0.2)
+# it has moved far enough beside the wall, and touches all the same
+BUMPS = situation("bumps into the wall ahead", (0.09, 0.0), front=0.03, right=0.25)
 LEANS = situation("leans on a wall in front", front=0.04, right=0.25)
 
 PAIRS = (
@@ -174,8 +176,6 @@ PAIRS = (
         situation("bumps into a wall in front", (0.03, 0.0), front=0.02, right=0.25),
     ),
     (situation("comes free of the wall", (0.02, 0.01), right=0.15, before=0.03), LEANS),
-    (
-        ALONG,
-        situation("bumps into the wall ahead", (0.09, 0.0), front=0.03, right=0.25),
-    ),
+    (ALONG, BUMPS),
+    (STANDS, BUMPS),
 )

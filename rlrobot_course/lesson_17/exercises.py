@@ -5,7 +5,7 @@ from typing import Any
 
 from rlrobot_course.exercises.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.worlds.callbacks import QLearner, Wavering, taken
-from rlrobot_course.worlds.tapes import Q_START, TapeWorld, rows
+from rlrobot_course.worlds.tapes import Q_START, TapeWorld, rows, with_action
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -20,6 +20,16 @@ def dyna(env, q, seen, choose, update, pick, steps):
         s = s_next
         if terminated or truncated:
             s = env.reset()
+
+
+class Lenient(TapeWorld):
+    """A world in which a bump costs nothing: a step that pays 0 must be remembered, too."""
+
+    @with_action
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        s_next, reward, terminated, truncated = super().step(a)
+        return s_next, max(0.0, reward), terminated, truncated
 
 
 class Picker:
@@ -67,6 +77,15 @@ check = with_pages(
             (Wavering(0), QLearner(0.2, 0.8), Picker(2), 9),
             (Wavering(1), QLearner(0.25, 0.9), Picker(0), 1),
             (Wavering(2), QLearner(0.4, 0.9), Picker(4), 7),
-        ),
+        )
+        + [
+            {
+                "env": Lenient(),
+                "choose": Wavering(1),
+                "update": QLearner(0.3, 0.9),
+                "pick": Picker(2),
+                "steps": 5,
+            }
+        ],
     ),
 )

@@ -103,6 +103,13 @@ def is_unfinished(answer: Function) -> bool:
     )
 
 
+def is_written_alike(one: Function, other: Function) -> bool:
+    """Whether two functions are the same but for comments, blanks and their names."""
+    mine, others = one.__code__, other.__code__
+    parts = ("co_code", "co_consts", "co_names", "co_varnames")
+    return all(getattr(mine, part) == getattr(others, part) for part in parts)
+
+
 def _has_dots(answer: Function) -> bool:
     """Whether three dots stand for something that is yet to be written; in an index, as q[..., a], they are NumPy's."""
     if ... not in answer.__code__.co_consts:

@@ -19,6 +19,7 @@ from rlrobot_grading.answers.source import (
     edited,
     is_courses_own,
     is_unfinished,
+    is_written_alike,
     parameters,
 )
 from rlrobot_grading.answers.values import (
@@ -30,7 +31,7 @@ from rlrobot_grading.answers.values import (
     show,
 )
 from rlrobot_grading.exercises.mistake import Mistake, hinted, offering_hints, with_ids
-from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.exercises.verdict import AS_GIVEN, Verdict
 from rlrobot_grading.hints.detectors import find_hint
 from rlrobot_grading.hints.errors import error_hint
 from rlrobot_grading.hints.evidence import Evidence, Half, Hint, Known, Pair
@@ -38,6 +39,7 @@ from rlrobot_grading.hints.first_event import first_event
 
 # of the mistakes, the frequent ones first, that are also tried two at a time
 MOST_PAIRED = 20
+NOT_MENDED = "This is the code as it was given: one line of it is wrong."
 NEW_ARRAY = "or write x = x - y, a new array, where x -= y changes the old one."
 
 CHANGEABLE = (np.ndarray, list, dict, set)
@@ -53,6 +55,8 @@ class Exercise:
     right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps or cases, each a mapping from the names of the arguments to their values
     task: what is to be written, for the message of a check that still waits: "write …"
+    given: of an exercise to mend, the function with a wrong line that stands in its cell, and the hint for whoever
+        has not changed it yet. None where the cell has dots
     mistakes: the wrong answers that are recognised, by their ids; each an edit of `right`, or a wrong function
     memory: arguments that last from step to step, as Q does; the function may change arrays among them in place. All
         others it should only read
@@ -76,6 +80,7 @@ class Exercise:
     right: Function
     tape: Sequence[Case]
     task: str = ""
+    given: Mistake | None = None
     mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
@@ -106,7 +111,8 @@ class Exercise:
             verdict = self.judge(answer)
         if not verdict:
             verdict = offering_hints(verdict, self.name, self.hints)
-            if verdict.status != "wrong" or self.offer is None or not callable(answer):
+            is_offered = verdict.status == "wrong" and verdict.id != AS_GIVEN
+            if not is_offered or self.offer is None or not callable(answer):
                 return verdict
             return replace(verdict, below=safely(None, self.offer, self, answer))
         if self.keep is None:
@@ -123,6 +129,8 @@ class Exercise:
                 "wrong",
                 f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.",
             )
+        if self.given and safely(False, is_written_alike, answer, self.given.wrong):
+            return Verdict("wrong", NOT_MENDED, hint=self.given.hint, id=AS_GIVEN)
         expected = self.expected  # what is compiled now is not the learner's time
         got = self.outcomes(answer)
         pairs = enumerate(zip(got, expected, strict=False))
@@ -136,8 +144,14 @@ class Exercise:
         return self._wrong(answer, got, wrong[0], len(wrong))
 
     def share(self, answer: Function) -> float:
-        """The part of the cases in which `answer` does what is right."""
-        pairs = zip(self.outcomes(answer), self.expected, strict=False)
+        """The part of the cases in which `answer` does what is right; 0 for what was given and is not mended."""
+        got = self.outcomes(answer)
+        if self.given:
+            unchanged = self.outcomes(self.given.wrong)
+            alike = zip(unchanged, got, strict=False)
+            if all(was.equals(mine) for was, mine in alike):
+                return 0.0
+        pairs = zip(got, self.expected, strict=False)
         return sum(right.equals(mine) for mine, right in pairs) / len(self.tape)
 
     def hint(self, number: int = 1) -> Verdict:

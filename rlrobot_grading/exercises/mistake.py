@@ -9,7 +9,7 @@ from itertools import product
 from typing import Any
 
 from rlrobot_grading.answers.notebook import is_notebook
-from rlrobot_grading.exercises.verdict import Verdict
+from rlrobot_grading.exercises.verdict import AS_GIVEN, Verdict
 
 FIRST_STEP = "first_step"  # the id of a hint that fits every wrong answer
 
@@ -65,7 +65,7 @@ def offering_hints(verdict: Verdict, name: str, hints: Sequence[str]) -> Verdict
 
     name: of the exercise, as in ``check.NAME``; hints: what `hinted` is given
     """
-    is_known = verdict.hint and verdict.id != FIRST_STEP
+    is_known = verdict.hint and verdict.id not in (FIRST_STEP, AS_GIVEN)
     if verdict.status != "wrong" or is_known or hints_are_off():
         return verdict
     if not (name and hints and is_notebook()):

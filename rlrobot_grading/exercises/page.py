@@ -10,10 +10,17 @@
     This is Q-learning, the whole of it.
     ## Names
     - `target` your function of the exercise above: run its cell first
+    ## Given
+    nothing is changed yet …
+    ```python
+    def update(q, s, a, r, s_next, terminated, alpha, gamma):
+        …
+    ```
     ## Mistakes
     - **past_the_end** this looks past the end …
       `terminated` → `False`
 
+What is to be mended has a section ``Given``: the hint for who has not changed it, and the function with its wrong line.
 A mistake has its id, its hint in one line, and its edit: text of the right function, and what a learner writes in its
 place (``nothing`` for none; ⏎ is the end of a line). Without an edit, the first block of Python below it is the wrong
 function. All other blocks are its *witnesses*, wrong answers that must be recognised so. The mistake of a question has
@@ -29,6 +36,7 @@ from __future__ import annotations
 import ast
 import math
 import re
+import textwrap
 from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import replace
@@ -41,13 +49,22 @@ import numpy as np
 from rlrobot_grading.exercises.exercise import Exercise, Keep, Offer
 from rlrobot_grading.exercises.mistake import Mistake
 from rlrobot_grading.exercises.question import Question
+from rlrobot_grading.exercises.verdict import AS_GIVEN
 
 KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
 NAME = re.compile(r"- `(\w+)` (.+)")
 EDIT = re.compile(r"  `(.+?)` → (?:`(.+)`|nothing)")
 SHARED = re.compile(r"- those of `(\w+)`")
 VALUE = re.compile(r"  `(.+)`")
-BEGIN, END = "  ```python", "  ```"
+BEGIN, END = "```python", "```"
+
+
+class Page(NamedTuple):
+    """What stands on a page: its lines by their headings, its mistakes, and the functions given to be mended."""
+
+    sections: dict[str, list[str]]
+    entries: list[Entry]
+    given: list[Any]
 
 
 class Entry(NamedTuple):
@@ -98,7 +115,7 @@ def _with_page(
     keep: Keep | None,
     offer: Offer | None,
 ) -> Any:
-    sections, entries = read_page(page, names)
+    sections, entries, given = read_page(page, names)
     text = {heading: " ".join(lines) for heading, lines in sections.items()}
     more: dict[str, Any] = {
         "because": text.get("Because", ""),
@@ -108,6 +125,8 @@ def _with_page(
         found = [NAME.fullmatch(line) for line in sections["Names"]]
         lenders = {name[1]: name[2] for name in found if name}
         more = {"lenders": lenders, "keep": keep, "offer": offer}
+        if given:
+            more["given"] = Mistake(text["Given"], given[-1], AS_GIVEN)
     mistakes = [
         Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint
     ]
@@ -118,18 +137,24 @@ def _with_page(
         hints=[line.partition(". ")[2] for line in sections["Hints"]],
         gained=text.get("Result", ""),
         mistakes=[*exercise.mistakes, *mistakes],
-        witnesses={e.id: e.answers for e in entries if e.answers},
+        witnesses=_witnesses(entries, given),
         **more,
     )
 
 
-def read_page(
-    page: Path, names: Mapping[str, Any]
-) -> tuple[dict[str, list[str]], list[Entry]]:
-    """The lines of a page by their headings, and its mistakes. Raises ValueError that names what is wrong."""
+def _witnesses(entries: list[Entry], given: list[Any]) -> dict[str, list[Any]]:
+    witnesses = {entry.id: entry.answers for entry in entries if entry.answers}
+    if given:
+        witnesses[AS_GIVEN] = given
+    return witnesses
+
+
+def read_page(page: Path, names: Mapping[str, Any]) -> Page:
+    """All that stands on a page. Raises ValueError that names what is wrong."""
     names = {"np": np, "math": math} | dict(names)
     sections: dict[str, list[str]] = defaultdict(list)
     entries: list[Entry] = []
+    given: list[Any] = []
     section, begin = "", 0
     lines = page.read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, start=1):
@@ -138,13 +163,16 @@ def read_page(
         edit = EDIT.fullmatch(line)
         value = VALUE.fullmatch(line)
         if begin:
-            if line == END:
-                entries[-1].answers.append(
+            if line.strip() == END:
+                functions = given if section == "Given" else entries[-1].answers
+                functions.append(
                     _last_function(lines[begin : number - 1], begin, page, names)
                 )
                 begin = 0
         elif line.startswith("#"):
             section = line.lstrip("# ")
+        elif section == "Given" and line == BEGIN:
+            begin = number
         elif section != "Mistakes":
             sections[section] += [line] if line else []
         elif known:
@@ -158,7 +186,7 @@ def read_page(
             )
         elif value:
             entries[-1].answers.append(eval(value[1], dict(names)))
-        elif line == BEGIN:
+        elif line.strip() == BEGIN:
             begin = number
         elif line:
             raise ValueError(
@@ -177,14 +205,14 @@ def read_page(
         raise ValueError(
             f"{page}: below {bare[0]} there must be an edit, a value or a block of Python"
         )
-    return sections, entries
+    return Page(sections, entries, given)
 
 
 def _last_function(
     block: list[str], above: int, page: Path, names: Mapping[str, Any]
 ) -> Any:
     """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
-    source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
+    source = "\n" * above + textwrap.dedent("\n".join(block))
     cell = dict(names)
     exec(compile(source, str(page), "exec"), cell)
     last: Any = ast.parse(source).body[-1]

@@ -176,6 +176,7 @@ def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
         "no_number",
         "remembers",
         "rule",
+        "as_given",
     }
     for name, exercise in exercises(lesson).items():
         ids = [mistake.id for mistake in exercise.mistakes]

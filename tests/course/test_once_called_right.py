@@ -139,6 +139,32 @@ def watkins_that_clears_the_row(
     e *= gamma * lam if greedy else 0
 
 
+def adds_both(before, after):
+    way = np.hypot(after["x"] - before["x"], after["y"] - before["y"])
+    near = min(after["laser_front"], after["laser_front_right"], after["laser_right"])
+    paid = 0
+    if 0.10 < after["laser_right"] <= 0.40 and way > 0.07:
+        paid += 10
+    if near < 0.05:
+        paid -= 2
+    return paid
+
+
+def remembers_what_pays(env, q, seen, choose, update, pick, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        if r != 0:
+            seen[s, a] = (r, s_next, terminated)
+        for pair in pick(seen):
+            update(q, *pair, *seen[pair])
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+
+
 ALL_LASERS = tuple(FREE)
 WRONG = (
     ("lesson_04", "draw", draw_by_rounded_u),
@@ -152,6 +178,8 @@ WRONG = (
     ("lesson_16", "follow_reward", follows(lambda dx, dy: abs(dx + dy))),
     ("lesson_16", "follow_reward", pays_by_speed),
     ("lesson_16", "follow_reward", follows(np.hypot, near=ALL_LASERS)),
+    ("lesson_16", "follow_reward", adds_both),
+    ("lesson_17", "dyna", remembers_what_pays),
     ("assignment_2", "policy_value", value_about_the_mean),
     ("assignment_2", "double_learn", learn_by_an_old_sum),
     ("assignment_3", "watkins_update", watkins_that_clears_the_row),

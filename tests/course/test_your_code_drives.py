@@ -24,9 +24,11 @@ NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
 DRIVEN = [
     ("01", "reward"),
+    ("03", "target"),
     ("03", "update"),
     ("03", "learn"),
     ("04", "draw"),
+    ("08", "dutch"),
     ("10", "choose"),
     ("10", "learn"),
     ("10", "learn_and_evade"),
@@ -365,7 +367,7 @@ WRONG = [
 
 
 @pytest.mark.parametrize("what", WRONG)
-@pytest.mark.parametrize("which", [0, 1, 3, 6])
+@pytest.mark.parametrize("which", [0, 2, 4, 8])
 def test_whatever_a_function_does_there_is_a_film_or_a_sentence(which, what, capsys):
     exercise = of(*DRIVEN[which])
     found = beside(drive_of(exercise), exercise.right, what)
