@@ -125,17 +125,18 @@ def rules_met(rules: str, rewards: Sequence[float]) -> str:
         if not its_own.isdisjoint(paid):
             met.append(rule)
             explained |= its_own
-    words = [f"Rewards: {'; '.join(met)}."] if met else []
+    told = "; ".join(met).removeprefix("else, ")
+    words = [f"Rewards: {told}."] if met else []
     others = [
         f"{signed(float(amount))} in {_counted(times, 'step')}"
         for amount, times in paid.most_common()
         if amount not in explained
     ]
-    told = others[:AMOUNTS]
+    listed = others[:AMOUNTS]
     if len(others) > AMOUNTS:
-        told.append(_counted(len(others) - AMOUNTS, "other amount"))
-    if told:
-        words.append(f"{'Also' if met else 'Rewards:'} {', '.join(told)}.")
+        listed.append(_counted(len(others) - AMOUNTS, "other amount"))
+    if listed:
+        words.append(f"{'Also' if met else 'Rewards:'} {', '.join(listed)}.")
     return " ".join(words)
 
 
