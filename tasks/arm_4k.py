@@ -10,8 +10,8 @@ Outputs:     speed of the joints arm (turns everything to the left), −0.14, 0 
              biceps (leans forward), −0.125, 0 or 0.125 rad/s, and forearm (bends the elbow),
              −0.13, 0 or 0.13 rad/s. A step of one joint moves the gripper by about one bin.
 Rewards:     gripper within 0.05 m of the object: 10; further away than before by more than
-             0.02 m: −1; nearer by more than 0.02 m: min(5, round(1 + 4 / distance)), which is
-             5 everywhere on this table; else −0.02.
+             0.02 m: −1; nearer by more than 0.02 m: 5; else −0.02. The 5 is the paper's
+             min(5, round(1 + 4 / distance)), the same everywhere on this table.
 Episode end: cut off after 120 steps.
 Scene:       table, the gripper begins at the right-hand side, the object stands at the left.
 Differs from the paper: the arm is our own drawing of the WidowX, and slower. In the authors' scene

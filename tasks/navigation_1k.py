@@ -10,8 +10,8 @@ Outputs:     speed of the left and the right wheel, −1, 0 or 1 rad/s (about 0.
              stands still means no motion.
 Rewards:     within 0.5 m of the goal: 10; else, of the three front lasers, two or more
              below 0.08 m: −10, one: −2; else, away from the goal by more than 0.07 m: −1;
-             nearer by more than 0.07 m: min(5, round(1 + 4 / distance)), which is 2, 3, 4
-             or 5 in this room; else −0.1.
+             nearer by more than 0.07 m: 2, 3, 4 or 5, most beside the goal; else −0.1. The
+             reward for nearer is min(5, round(1 + 4 / distance)).
 Episode end: terminated at the sixth step in a row within 0.5 m of the goal; cut off after
              3600 steps (one hour).
 Scene:       maze_4x4_goal, the robot starts in the corner (−1.5, −1.475), heading along x;

@@ -15,7 +15,8 @@ from rlrobot_edu.jupyter import ipywidgets
 from rlrobot_edu.show.describe import describe
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, KEY, Film
-from rlrobot_edu.show.images import gif_of, image_of
+from rlrobot_edu.show.film_card import card
+from rlrobot_edu.show.images import gif_of, image_of, in_few_colours, png_of
 from rlrobot_edu.show.palette import (
     BLACK,
     BLUE,
@@ -188,7 +189,8 @@ class SideBySide(Displayed):
             return super()._as_html()
         cells = (f'<td style="{CAPTION}">{_caption(film)}</td>' for film in films)
         captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'
-        return f"{captions}{self.still().html}<br><small>{KEY}</small>"
+        words = f"{captions}<small>{KEY}</small>"
+        return card(words, self.still().html, at_their_ends(films).html, ROW)
 
     def _can_turn(self) -> bool:
         """Whether all views can be shown in 3D here."""
@@ -222,6 +224,17 @@ def side_by_side(films: Sequence[Film]) -> bytes:
             frame.paste(picture, (column * each, 0))
         frames.append(frame)
     return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
+
+
+def at_their_ends(films: Sequence[Film]) -> Still:
+    """The last pictures of several films, in one."""
+    each = ROW // len(films)
+    lasts = [list(film.pictures(each))[-1] for film in films]
+    sheet = Image.new("RGB", (each * len(films), lasts[0].height))
+    for column, last in enumerate(lasts):
+        sheet.paste(last, (column * each, 0))
+    told = "; ".join(f"{film.notes[0]}: {describe(film.frames[-1])}" for film in films)
+    return Still(f"At the end: {told}", png_of(in_few_colours(sheet, COLOURS)), ROW)
 
 
 def film_of(said: str, shots: Sequence[Image.Image], colours: int, time: int) -> Still:

@@ -21,6 +21,7 @@ numerals.py  how pictures write numbers
 ends.py      the names of curves at their ends
 describe.py  what all views of scenes share: the path, what is a loss, a description in words
 top_down.py  `plot_scene`, a scene from above
+film_card.py  a film on a page, with a pause
 film.py      `film`, a scene for each step, as a GIF and in 3D
 curves.py    `plot_learning`, learning curves
 map_of_settings.py  what a method earns, over two of its parameters

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 
 import gymnasium
@@ -15,6 +16,7 @@ from rlrobot_edu.show.numerals import signed
 JUMP = 0.25  # of the room's width; a robot that moves farther in one step was put there
 NEAR = 0.8  # films draw only what a laser finds nearer than this [m]; the paper's robots tell no distances farther off
 CLEAR = 5  # a loss is at least this part of the largest gain or loss
+AMOUNTS = 4  # that a key tells of those which no rule explains
 Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
 
 
@@ -97,7 +99,8 @@ def task_of(env: Env) -> str:
     task = getattr(env.unwrapped, "task", None)
     if task is None:
         return ""
-    first, *_ = re.split(r"[:.\n]", task.description)
+    # a full stop ends it, the point of a number does not
+    first, *_ = re.split(r"[:\n]|\.(?=\s|$)", task.description)
     return first.strip()
 
 
@@ -110,10 +113,39 @@ def rules_of(env: Env) -> str:
 
 
 def rules_met(rules: str, rewards: Sequence[float]) -> str:
-    """Those of the rules, parted by semicolons, that end with a reward which was paid; empty if there are none."""
-    paid = {f"{r:g}".replace("-", "−") for r in rewards}
-    met = [rule for rule in rules.split("; ") if rule.split(" ")[-1] in paid]
-    return f"Rewards: {'; '.join(met)}." if met else ""
+    """Those of the rules, parted by semicolons, by which something was paid; then what was paid by none of them.
+
+    So a reader can follow each sum. Empty if nothing was paid.
+    """
+    paid = Counter(f"{r:g}" for r in rewards)
+    explained: set[str] = set()
+    met = []
+    for rule in rules.split("; "):
+        its_own = _amounts_in(rule)
+        if not its_own.isdisjoint(paid):
+            met.append(rule)
+            explained |= its_own
+    told = "; ".join(met).removeprefix("else, ")
+    words = [f"Rewards: {told}."] if met else []
+    others = [
+        f"{signed(float(amount))} in {_counted(times, 'step')}"
+        for amount, times in paid.most_common()
+        if amount not in explained
+    ]
+    listed = others[:AMOUNTS]
+    if len(others) > AMOUNTS:
+        listed.append(_counted(len(others) - AMOUNTS, "other amount"))
+    if listed:
+        words.append(f"{'Also' if met else 'Rewards:'} {', '.join(listed)}.")
+    return " ".join(words)
+
+
+def _amounts_in(rule: str) -> set[str]:
+    """The rewards that a rule names: the numbers behind its first colon, or all if it has none."""
+    condition, colon, reward = rule.partition(": ")
+    told = reward if colon else condition
+    numbers = re.findall(r"(?<![\w.])[-+−]?\d+(?:\.\d+)?", told)
+    return {f"{float(number.replace('−', '-')):g}" for number in numbers}
 
 
 def finding(scenes: Sequence[Scene], rewards: Sequence[float], task: str = "") -> str:

@@ -27,34 +27,22 @@ from rlrobot_edu.show.describe import (
     task_of,
 )
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.film_card import card, swatch
 from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
 from rlrobot_edu.show.painting.frames import frames, key_steps
-from rlrobot_edu.show.palette import LIGHT, WHITE
+from rlrobot_edu.show.palette import WHITE
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
 
 WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 280  # of a single step [pixels of a page]
-IN_A_ROW = 3  # steps
+KEY_STEPS = 4  # as large together as the film; on a phone more could not be read
+IN_A_ROW = 2
 COLOURS = 32  # of a film
-# A light card, also on a dark page: the picture in it is light
-CARD = (
-    f"box-sizing: border-box; max-width: {WIDTH + 28}px; padding: 8px 10px; border: 1px solid {LIGHT['line']}; "
-    f"border-radius: 12px; background: {WHITE}; color: {LIGHT['ink']}; font: 16px/1.4 system-ui, sans-serif"
-)
-TITLE = "font: 600 19px/1.3 Georgia, serif; margin: 0 6px"
-SMALL = f"margin: 2px 6px 0; font-size: 14px; color: {LIGHT['faint']}"
-
-
-def _swatch(name: str) -> str:
-    """A mark in this colour of the palette, to stand before its meaning."""
-    return f'<span style="color: {LIGHT[name]}">■</span>&nbsp;'
-
-
 KEY = (
-    f"Its way, step by step: {_swatch('green')}earned, {_swatch('red')}lost much, "
-    f"{_swatch('grey')}earned nothing or lost little."
+    f"Its way, step by step: {swatch('green')}earned, {swatch('red')}lost much, "
+    f"{swatch('grey')}earned nothing or lost little."
 )
 
 
@@ -194,14 +182,14 @@ class Film(Displayed):
         return gif_of(list(self.pictures(width)), COLOURS, time)
 
     def steps(self) -> Still:
-        """The steps that tell most: the first, those that lost much, the last; at most six, in one picture.
+        """The steps that tell most: the first, those that lost much, the last; at most four, in one picture.
 
         Returns
         -------
         Still
             The picture and what it shows.
         """
-        chosen = key_steps(self.frames, self.rewards)
+        chosen = key_steps(self.frames, self.rewards, KEY_STEPS)
         pictures = list(self.pictures(STEP_WIDTH))
         rows = math.ceil(len(chosen) / IN_A_ROW)
         height = pictures[0].height
@@ -280,13 +268,10 @@ class Film(Displayed):
         return Still(alt, self.gif(), WIDTH, "image/gif")
 
     def _as_html(self) -> str:
-        """What became of it, the moving picture, and, to unfold, the steps that tell most; it needs no script."""
-        words = key_words(self.frames[-1], self.rules, self.rewards)
-        title = f'<p style="{TITLE}">{escape(self.finding)}</p>'
-        key = f'<p style="{SMALL}">{KEY} {escape(words)}</p>'
-        steps = f"<summary>Step by step</summary>{self.steps().html}"
-        folded = f'<details style="margin: 0 6px">{steps}</details>'
-        return f'<div style="{CARD}">{title}{key}{self.still().html}{folded}</div>'
+        """What became of it, the moving picture, and, where it is paused, the steps that tell most."""
+        key = key_words(self.frames[-1], self.rules, self.rewards)
+        words = f"<p><b>{escape(self.finding)}</b></p><p>{KEY} {escape(key)}</p>"
+        return card(words, self.still().html, self.steps().html, WIDTH)
 
 
 @suggests_keywords

@@ -34,12 +34,10 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import WIDTH, Film, film
 from rlrobot_edu.show.in3d import looks
-from rlrobot_edu.show.in3d.camera import ASPECT, MARGIN
 from rlrobot_edu.show.in3d.page_widget import PAUSE
 from rlrobot_edu.show.in3d.replay import telling
 from rlrobot_edu.show.in3d.visualizer import show_scene
-from rlrobot_edu.show.painting.lens import FIELD_OF_VIEW, stand_for
-from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.palette import DARK, LIGHT, ROLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.style import SMALLEST
 from rlrobot_edu.show.top_down import footprint, plot_scene
@@ -147,6 +145,62 @@ def test_a_film_shows_itself_as_a_gif_with_a_description():
     alt, mime, file = shown(data)
     assert mime == "image/gif" and file[:6] == b"GIF89a"
     assert data["text/plain"] == "<Film of 20 steps>" and "20 steps" in alt
+
+
+@pytest.fixture
+def carded(browser):
+    """Opens a page of a film's card, as a saved notebook shows it, without scripts."""
+    pages = []
+
+    def carded(html, **settings):
+        pages.append(browser.new_page(**settings))
+        pages[-1].set_content(f"<html><body>{html}</body></html>")
+        return pages[-1]
+
+    yield carded
+    for page in pages:
+        page.close()
+
+
+@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
+def test_a_saved_film_can_be_paused_and_waits_for_a_reader_who_wants_no_motion(
+    carded, motion
+):
+    html = FILM._repr_mimebundle_()["text/html"]
+    assert "<script" not in html
+    page = carded(html, reduced_motion=motion)
+    moves = page.locator("img[src^='data:image/gif']")
+    stands = page.locator("img[src^='data:image/png']")
+    said = (
+        "getComputedStyle(document.querySelector('.rl-film label'), '::after').content"
+    )
+    runs = motion == "no-preference"
+    for _ in range(3):
+        assert (moves.is_visible(), stands.is_visible()) == (runs, not runs)
+        assert page.evaluate(said) == ('"‖ Pause"' if runs else '"▶ Play"')
+        page.get_by_role("checkbox").focus()
+        page.keyboard.press(" ")
+        runs = not runs
+
+
+def test_without_styles_a_saved_film_and_its_steps_are_both_shown(carded):
+    html = FILM._repr_mimebundle_()["text/html"]
+    page = carded(re.sub("<style>.*?</style>", "", html, flags=re.DOTALL))
+    assert [image.is_visible() for image in page.locator("img").all()] == [True, True]
+    assert not page.get_by_role("checkbox").is_visible(), "it would do nothing"
+
+
+@pytest.mark.parametrize(
+    ("theme", "dark"),
+    [("", True), ('data-jp-theme-light="true"', False), ('class="vscode-dark"', True)],
+)
+def test_the_card_of_a_film_is_light_or_dark_as_its_page_is(carded, theme, dark):
+    html = f"<div {theme}>{FILM._repr_mimebundle_()['text/html']}</div>"
+    page = carded(html, color_scheme="dark")
+    ground = "getComputedStyle(document.querySelector('.rl-film')).backgroundColor"
+    paper = (DARK if dark else LIGHT)["paper"]
+    red, green, blue = ImageColor.getrgb(paper)
+    assert page.evaluate(ground) == f"rgb({red}, {green}, {blue})"
 
 
 def test_a_world_without_a_robot_cannot_be_filmed():
@@ -541,17 +595,61 @@ INSIDE = """node(["meshcat", "robot"]).children.every(part => {
 })"""
 
 
-def test_a_film_comes_near_to_a_short_way_and_holds_all_of_it():
-    """So much nearer than to the whole room, and no point of the way is outside the picture."""
-    one = rl.make_env("wander_1k", seed=0).unwrapped.robot.scene()
-    way = np.array([[0.0, 0.0, 0.0], [1.0, 0.3, 0.0], [0.4, 1.1, 0.0]])
-    whole, near = stand_for(one, ASPECT, MARGIN), stand_for(one, ASPECT, MARGIN, way)
-    assert near.distance < 0.8 * whole.distance
-    half_height = math.tan(math.radians(FIELD_OF_VIEW / 2))
-    right, up, back = ((way - near.target) @ near.axes.T).T
-    ahead = near.distance - back
-    assert np.all(np.abs(right / ahead) < ASPECT * half_height)
-    assert np.all(np.abs(up / ahead) < half_height)
+def stands_of(view) -> list[dict]:
+    told = [umsgpack.unpackb(packed) for _, packed in view.window.commands()]
+    (found,) = [each["stands"] for each in told if each["type"] == "stands"]
+    return found
+
+
+def test_two_films_of_a_room_have_one_camera_wherever_their_robots_went():
+    """So they can stand side by side; and so has a view of the room alone."""
+    short = show_scene(walk("wander_1k", 8).frames)
+    long = show_scene(walk("wander_1k", 60).frames)
+    room = rl.meshcat(rl.make_env("wander_1k", seed=0))
+    assert stands_of(short) == stands_of(long) == stands_of(room)
+
+
+CORNERS = """(() => {
+  viewer.render();
+  const {Box3, Vector3} = MeshCat.THREE, box = new Box3(), parts = ["wall", "floor"];
+  for (const part of parts.map(name => node(["meshcat", name])).filter(Boolean)) box.expandByObject(part);
+  const {min, max} = box, tall = Math.min(max.y, 0.4);  // the world's y points upward
+  const places = [min.x, max.x].flatMap(x => [min.z, max.z].flatMap(z => [min.y, tall].map(y => [x, y, z])));
+  return places.map(place => new Vector3(...place).project(viewer.camera).toArray().slice(0, 2));
+})()"""
+SHAPES = [(1280, 800), (390, 844), (700, 700), (900, 420), (300, 280)]
+
+
+@pytest.mark.parametrize("task", ["wander_1k", "arm_1k", "mobile_arm_2k"])
+def test_no_corner_of_the_room_is_cut_off_on_a_picture_of_any_shape(opened, task):
+    if "arm" in task:
+        pytest.importorskip("pybullet")
+    page = opened(show_scene(walk(task, 8).frames), *SHAPES[-1])
+    until(page, "last === 7 && !bar.hidden")
+    for width, height in SHAPES:
+        page.set_viewport_size({"width": width, "height": height})
+        drawn = "[view.clientWidth, view.clientHeight].join() === [c.clientWidth, c.clientHeight].join()"
+        until(
+            page,
+            f"innerWidth === {width} && (c => {drawn})(viewer.renderer.domElement)",
+        )
+        across, down = np.abs(page.evaluate(CORNERS)).max(axis=0)
+        assert max(across, down) < 1, (width, height)
+        assert max(across, down) > 0.7, "it could stand nearer"
+        if width < height:  # a phone has no void above and below the room
+            assert page.evaluate("view.clientHeight") <= width and across > 0.85
+
+
+def test_a_readers_own_view_stays_until_the_picture_has_another_shape(opened):
+    page = opened(show_scene(SCENES, FILM.rewards), 900, 600)
+    until(page, "last === 19 && !bar.hidden")
+    page.evaluate("viewer.camera.position.set(1, 2, 3)")
+    page.set_viewport_size({"width": 920, "height": 610})
+    until(page, "view.clientWidth === 920")
+    kept = page.evaluate("viewer.camera.position.toArray()")
+    assert kept == pytest.approx([1, 2, 3])
+    page.set_viewport_size({"width": 400, "height": 800})
+    until(page, "Math.abs(viewer.camera.position.x - 1) > 0.01")
 
 
 def test_without_motion_a_film_opens_at_the_last_step_that_earned_most(opened):
@@ -648,9 +746,9 @@ BODY_ON_SCREEN = """(() => {
 })()"""
 
 
-def walk(task: str) -> Film:
+def walk(task: str, steps: int = 50) -> Film:
     env = rl.make_env(task, seed=0)
-    return film(rl.Agent(task, "TOSL+QBIASSR", seed=0), env, steps=50)
+    return film(rl.Agent(task, "TOSL+QBIASSR", seed=0), env, steps=steps)
 
 
 @pytest.mark.parametrize("task", ["wander_1k", "navigation_1k", "arm_1k"])

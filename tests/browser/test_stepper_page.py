@@ -119,6 +119,24 @@ def test_the_buttons_do_not_cover_what_is_focused_and_a_phone_has_no_keys(
         assert not page.evaluate(hidden), key
 
 
+@pytest.mark.parametrize("viewport", [(1280, 800), (390, 844)])
+@pytest.mark.parametrize("task", ["worked_example", "wander_1k"])
+def test_the_first_screen_has_what_happened_and_the_whole_room_before_all_formulas(
+    opened, task, viewport
+):
+    width, height = viewport
+    page = opened(stepper_of(task, at=20), viewport={"width": width, "height": height})
+    places = """() => {
+      const box = (name) => document.querySelector(name).getBoundingClientRect(), bar = box(".rl-bar");
+      const says = box(".did"), room = box(".world .room"), formulas = box(".line");
+      const free = bar.top > says.top ? bar.top : innerHeight;  // on a phone the buttons are below
+      return [says.bottom, room.top, room.bottom, free, formulas.top, formulas.left - room.right];
+    }"""
+    said, top, bottom, free, formulas, beside = page.evaluate(places)
+    assert said <= top < bottom <= free
+    assert formulas > bottom or beside > 0
+
+
 def test_a_key_counts_at_once_and_play_at_the_end_begins_again(opened):
     page = opened(stepper_of(at=30))
     page.keyboard.press("ArrowLeft")

@@ -1,8 +1,11 @@
 """What every view of a robot shares: its scenes, its path, and the sentence for readers who hear a page."""
 
 import re
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.describe import (
@@ -12,8 +15,14 @@ from rlrobot_edu.show.describe import (
     path_of,
     rules_met,
     rules_of,
+    task_of,
 )
+from rlrobot_edu.show.numerals import signed
+from rlrobot_edu.show.painting.frames import Bar
 
+TASKS = sorted(
+    path.stem for path in Path(rl.load_task("arm_1k").path).parent.glob("*.py")
+)
 KINDS = [
     ("wander_1k", "room", "robot"),
     ("giraff_wander_1k", "room", "robot"),
@@ -60,9 +69,70 @@ def test_the_rules_are_the_tasks_own_words_and_only_those_that_were_met_are_told
     least, most = min(env.unwrapped.task.rewards), max(env.unwrapped.task.rewards)
     told = rules_met(rules, [float(most)])
     assert told.startswith("Rewards: ") and told.endswith(f": {most:g}.")
-    assert f"{most:g}" not in rules_met(rules, [float(least)])
-    assert rules_met(rules, [0.123]) == "" and rules_met("", [float(most)]) == ""
+    assert f": {most:g}" not in rules_met(rules, [float(least)])
     env.close()
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_every_reward_of_every_task_is_explained_by_one_of_its_rules(name):
+    """All that a task may pay, and what a short drive does pay: nothing is told as a bare number."""
+    env = rl.make_env(name, seed=0)
+    rules = rules_of(env)
+    assert rules
+    drive = rl.film(rl.Agent(name, seed=0), env, steps=30)
+    for rewards in (drive.rewards, env.unwrapped.task.rewards):
+        told = rules_met(rules, rewards)
+        assert told.startswith("Rewards: ") and "Also" not in told
+        for reward in set(rewards):
+            assert f"{reward:g}".replace("-", "−") in told
+    env.close()
+
+
+def test_a_reward_that_no_rule_explains_is_told_with_its_number_of_steps():
+    rules = "at the goal: 10; else −0.02"
+    rewards = [10.0, -0.02, 5.0, 5.0, 10.0]
+    assert rules_met(rules, rewards) == f"Rewards: {rules}. Also +5 in 2 steps."
+    assert rules_met("", [1.0, 1.0, -0.4]) == (
+        "Rewards: +1 in 2 steps, −0.4 in 1 step."
+    )
+    many = rules_met("", [float(i) for i in range(1, 7)])
+    assert many.endswith("+4 in 1 step, 2 other amounts.")
+    # a number in a condition is no reward, and a minus may be short
+    assert rules_met("moved 10 m: -2", [-2.0, 10.0]).endswith(
+        ": -2. Also +10 in 1 step."
+    )
+    assert rules_met("at the goal: 10", []) == ""
+
+
+def test_the_point_of_a_number_does_not_end_the_name_of_a_task():
+    env = SimpleNamespace(
+        unwrapped=SimpleNamespace(
+            task=SimpleNamespace(description="Park at x = 0.5, and stay. It is slow.")
+        )
+    )
+    assert task_of(env) == "Park at x = 0.5, and stay"
+
+
+@pytest.mark.parametrize("name", ["arm_1k", "arm_4k"])
+def test_the_titles_first_reward_is_the_one_that_the_bar_shows_at_that_step(
+    name, monkeypatch
+):
+    agent, env = rl.Agent(name, "Q+EG", seed=3), rl.make_env(name, seed=3)
+    rl.learn(agent, env, steps=3000, progress=False)
+    film = rl.film(agent, env, steps=60)
+    shown = {}
+
+    def note(bar, i, reward, loses, word, total, note):
+        shown[i + 1] = (signed(reward), signed(total))
+        return Image.new("RGB", (280, 20))
+
+    monkeypatch.setattr(Bar, "picture", note)
+    list(film.pictures(280))
+    said = re.search(r"(\S+) in .*step (\d+)$", film.finding)
+    most, step = said[1], int(said[2])
+    assert shown[step][0] == most
+    assert all(shown[i][0] != most for i in range(1, step))
+    assert shown[step][1] == signed(sum(film.rewards[:step]))
 
 
 def test_the_key_of_an_arm_says_what_its_rewards_and_marks_mean():

@@ -38,13 +38,14 @@ function begin() {
   viewer.set_3d_pane_size = () => {
     const {clientWidth: w, clientHeight: h} = view;
     if (!w || !h) return;  // hidden: from an aspect of 0 no camera comes back
-    viewer.camera.zoom = Math.min(1, w / h / 1.25);  // narrow, and the whole width is still seen
+    standFor(w / h);
     resize(w, h);
     viewer.render();  // another size has wiped the picture
   };
   const obey = viewer.handle_command.bind(viewer);
   viewer.handle_command = command => {
     if (command.type === "replay") replayed(command);
+    else if (command.type === "stands") placesOf(command);
     else if (Array.isArray(command)) command.forEach(each => viewer.handle_command_bytearray(each));
     else obey(command);
   };

@@ -6,14 +6,13 @@ from collections.abc import Iterator
 from typing import Any
 
 import meshcat.geometry as g
-import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.in3d.looks import Name
 from rlrobot_edu.show.painting.lens import FIELD_OF_VIEW, stand_for
 
-ASPECT = 1.5  # width over height
-MARGIN = 1.13  # distance of the camera, in parts of the least one
+ASPECTS = (1.04, 1.25, 1.6)  # width over height of the pictures that have a camera
+MARGIN = 1.08  # distance of the camera, in parts of the least one
 HIDDEN_PATHS = (  # meshcat's own background and lights
     "/Background",
     "/Grid",
@@ -23,19 +22,25 @@ HIDDEN_PATHS = (  # meshcat's own background and lights
 )
 
 
-def camera(
-    scene: Scene, way: np.ndarray | None = None
-) -> tuple[g.PerspectiveCamera, np.ndarray, np.ndarray]:
+def camera(scene: Scene) -> tuple[g.PerspectiveCamera, dict[str, Any]]:
     """A camera that sees the floor, the walls and, in the middle of the room, what is high.
 
-    way: if given, array (n, 3) [m], it sees the part of a room around it.
+    Two views of a room see it from the same place, wherever its robot was.
 
-    Returns the lens, the point at which it looks, and its position from there, arrays (3,) [m].
+    Returns its lens, and the command that tells a page where it stands on a picture of each shape: the point at which
+    it looks, and from there its position [m].
     """
-    stand = stand_for(scene, ASPECT, MARGIN, way)
-    distance = stand.distance
-    lens = g.PerspectiveCamera(FIELD_OF_VIEW, ASPECT, distance / 100, 10 * distance)
-    return lens, stand.target, distance * stand.axes[2]
+    stands = []
+    farthest = 0.0
+    for aspect in ASPECTS:
+        stand = stand_for(scene, aspect, MARGIN)
+        eye = stand.distance * stand.axes[2]
+        stands.append(
+            {"aspect": aspect, "target": stand.target.tolist(), "eye": eye.tolist()}
+        )
+        farthest = max(farthest, stand.distance)
+    lens = g.PerspectiveCamera(FIELD_OF_VIEW, 1.0, farthest / 100, 10 * farthest)
+    return lens, {"type": "stands", "path": "/Cameras/default", "stands": stands}
 
 
 def surroundings(scene: Scene) -> Iterator[tuple[str, str, object]]:

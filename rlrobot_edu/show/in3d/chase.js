@@ -1,4 +1,24 @@
 // Where the camera of the view stands: it follows the robot, goes round it, and listens to mouse and wheel.
+let stands = [], taken;  // one for each shape of a picture, from tall to wide, and the present one
+function placesOf(command) {
+  ({stands} = command);
+  taken = undefined;
+  viewer.set_3d_pane_size();
+}
+
+// Stand where the whole room is seen on a picture of this shape, width over height.
+function standFor(aspect) {
+  const fitting = stands.findLast(each => each.aspect <= aspect) ?? stands[0];
+  if (!fitting) return;
+  viewer.camera.zoom = Math.min(1, aspect / fitting.aspect);  // still taller, and the whole width is seen
+  if (fitting === taken) return;  // lest a reader's own view be lost
+  taken = fitting;
+  const {target, eye: [x, y, z]} = fitting;
+  node(["Cameras", "default"]).position.set(...target);
+  viewer.camera.position.set(x, z, -y);  // the y axis of this frame points upward
+  viewer.controls.target.set(0, 0, 0);
+}
+
 const pressed = button => button.getAttribute("aria-pressed") === "true";
 const chasing = () => pressed(chase);
 const yaw = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));

@@ -131,9 +131,6 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         self._rewards = list(rewards or np.zeros(len(scenes)))[1:]
         self.window.rewards = list(rewards)
         self._band("trail/1", self._way, self._rewards)
-        way = path_of(scenes)
-        if len(way):
-            self._aim(scenes[-1], way)
         end = describe(scenes[-1])
         self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
@@ -207,16 +204,9 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
             _cast_no_shadow(view)
         for path, key, value in surroundings(scene):
             self[path].set_property(key, value)
-        self._aim(scene)
-
-    def _aim(self, scene: Scene, way: np.ndarray | None = None) -> None:
-        """Place the camera; way: where a robot was, array (n, 3) [m], to see the part of its room around it."""
-        lens, target, (x, y, z) = camera(scene, way)
-        self["/Cameras/default"].set_property("position", target.tolist())
-        rotated = self["/Cameras/default/rotated"]
-        rotated.set_object(lens)
-        # The y axis of this frame points upward.
-        rotated["<object>"].set_property("position", [x, z, -y])
+        lens, stands = camera(scene)
+        self["/Cameras/default/rotated"].set_object(lens)
+        self.window.take(stands)
 
     def _build(self, path: str, part: Part) -> None:
         """Draw a part of what is at this path."""

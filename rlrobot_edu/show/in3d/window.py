@@ -19,8 +19,15 @@ from rlrobot_edu.show.room.tokens import tokens
 
 # Path, kind and property of a command. A later command with the same key replaces it.
 Key = tuple[str, str, str]
-# An object comes before the other commands about it.
-ORDER = ("set_object", "set_transform", "set_property", "set_animation", "replay")
+# An object comes before the other commands about it, and our camera before what a user says of it.
+ORDER = (
+    "set_object",
+    "stands",
+    "set_transform",
+    "set_property",
+    "set_animation",
+    "replay",
+)
 SCRIPTS = ("bar.js", "replay.js", "chart.js", "chase.js", "map.js", "begin.js")
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 

@@ -130,7 +130,7 @@ def letters(size: int, bold: bool) -> ImageFont.FreeTypeFont:
 
 
 def key_steps(
-    scenes: Sequence[Scene], rewards: Sequence[float], most: int = 6
+    scenes: Sequence[Scene], rewards: Sequence[float], most: int
 ) -> list[int]:
     """The steps, counted from 0, that tell most of a film.
 

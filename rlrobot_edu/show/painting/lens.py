@@ -13,10 +13,11 @@ MARGIN = 1.06  # distance of a camera, in parts of the least one
 ROUNDS = 12  # until the picture's frame no longer changes
 # Turned to the left and raised [rad]: a room with walls hides what is in it, unless it is seen from above.
 OVER_WALLS = (0.0, 1.0)
+STEEPLY = (0.0, 1.25)  # on a narrow picture, which a floor seen from above fills better
+NARROW = 1.2  # width over height
 FROM_THE_SIDE = (0.35, 0.55)
 WALL_SHOWN = 0.4  # height up to which walls are in the picture [m]
 INNER = 0.6  # part of the floor's width in which high things are in the picture
-AROUND = 0.7  # how much of a room is seen at least on each side of a robot's way [m]
 
 
 class Lens(Protocol):
@@ -92,19 +93,16 @@ def eye(scene: Scene, width: int, height: int) -> Eye:
     return Eye(position, stand.axes, focal, width, height)
 
 
-def stand_for(
-    scene: Scene, aspect: float, margin: float, way: np.ndarray | None = None
-) -> Stand:
+def stand_for(scene: Scene, aspect: float, margin: float) -> Stand:
     """Where a camera stands.
 
     aspect: width over height; margin: its distance, in parts of the least one
-    way: if given, array (n, 3) [m], the camera of a room sees the part around it alone
     """
     corners = _corners(scene)
-    if way is not None and has_walls(scene):
-        corners = _corners_around(way[:, :2], corners)
     points = _points_to_see(scene, corners)
-    turn, rise = OVER_WALLS if has_walls(scene) else FROM_THE_SIDE
+    turn, rise = FROM_THE_SIDE
+    if has_walls(scene):
+        turn, rise = STEEPLY if aspect < NARROW else OVER_WALLS
     axes = _axes(turn, rise)
     half_height = math.tan(math.radians(FIELD_OF_VIEW / 2))  # at a distance of 1
     half_picture = np.array([aspect * half_height, half_height])
@@ -123,25 +121,14 @@ def stand_for(
 
 def _corners(scene: Scene) -> np.ndarray:
     """The corners of the floor, array (4, 2) [m]."""
-    return _rectangle(*ground(scene))
-
-
-def _corners_around(way: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """The corners of the part of a floor around a way, arrays (4, 2), (n, 2) and (4, 2) [m]."""
-    low = np.maximum(way.min(axis=0) - AROUND, corners.min(axis=0))
-    high = np.minimum(way.max(axis=0) + AROUND, corners.max(axis=0))
-    return _rectangle(*low, *high)
-
-
-def _rectangle(x_min: float, y_min: float, x_max: float, y_max: float) -> np.ndarray:
-    """Its corners, array (4, 2)."""
+    x_min, y_min, x_max, y_max = ground(scene)
     return np.array([(x_min, y_min), (x_min, y_max), (x_max, y_min), (x_max, y_max)])
 
 
 def _points_to_see(scene: Scene, corners: np.ndarray) -> np.ndarray:
     """What must be in the picture: the corners of the floor and of the walls, and what is high; array (n, 3) [m].
 
-    corners: array (4, 2), of the floor, or of the part of it that is to be seen [m]
+    corners: array (4, 2), of the floor [m]
     """
     tops = [solid.pose[2, 3] + solid.size[-1] / 2 for solid in scene.solids]
     high = max(tops)

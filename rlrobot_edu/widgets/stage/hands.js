@@ -128,5 +128,4 @@ const beginning = linked();
 walls = wallsFrom(beginning.get("walls"), freshLife(NOBODY).world);
 find("restore").hidden = walls === null;
 begin(RACE_MS);
-find("marks").append(...lives[1].world.inputs.map((_, i) => element("span", {}, markOf(i), inputName(i))));
 if (!follow(beginning) && calm.matches) ask(firstNow(), true);

@@ -67,6 +67,9 @@ function fillPanel() {
     return element("li", {}, button);
   });
   find("ghosts").replaceChildren(...all);
+  const heard = moment.known.filter((one) => speaks({ say: sayNow(one) }));
+  const lasers = [...new Set(heard.map(({ input }) => input))].sort();
+  find("marks").replaceChildren("Which laser: ", ...lasers.map((i) => element("span", {}, markOf(i), inputName(i))));
   find("lead").textContent = all.length ? "Pale discs: itself, earlier, where all its lasers but one read the same."
     : "No similar state is known.";
   fillSlider();

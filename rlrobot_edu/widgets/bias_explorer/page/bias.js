@@ -80,15 +80,14 @@ function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
 function legendHtml(about, s, stage) {
   const meanings = isRoom(about) ? [" place", " place", " heading", " something ahead"] : [];
   const names = about.inputs.map(({ name }, i) => `${marksHtml(about, i)}&nbsp;${escaped(name)}${meanings[i] ?? ""}`).join(", ");
-  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}, which is in every set and has every mark. ` +
-    (stage < 2 ? "" : "A line is as wide as what it brings; dashed, that is below 0.");
+  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}. ` +
+    (stage < 2 ? "" : "A dashed line brings less than 0.");
 }
 
 // What the bars mean, below the columns.
 function barsHtml({ temperature }, scale) {
   const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
-  return `${bar("rl-sr")}chance without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
-    `${bar("rl-qbiassr")}with it: softmax of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>). ` +
-    "So that one temperature suits every task, values are scaled to at most 100 first: times " +
-    `100⁄<i>Q</i><sub>max</sub>&nbsp;=&nbsp;${given(scale)}; <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
+  return `${bar("rl-sr")}without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
+    `${bar("rl-qbiassr")}with it: of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>); both times ` +
+    `100⁄<i>Q</i><sub>max</sub>&nbsp;=&nbsp;${given(scale)}, at <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
 }

@@ -11,10 +11,10 @@ function explorerHtml(about) {
   const { inputs, actions, originals } = about, option = (text, i) => `<option value="${i}">${escaped(text)}</option>`;
   const choices = inputs.map(({ name, words }, i) =>
     `<label>${marksHtml(about, i)} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
-  const where = isRoom(about) ? "in the room. A bar: something is right ahead" : "in the tables";
+  const where = isRoom(about) ? "in the room" : "in the tables";
   return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><p class="rl-finding" data-from="4"></p><div class="rl-top"><div class="rl-chooser">' +
     `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
-    `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>, or type one: the choice changes.</p>` +
+    `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>: the choice changes.</p>` +
     '<p class="rl-legend" data-from="1"></p>' +
     `<div class="rl-inputs">${choices.join(" ")} <label>Q-table <select name="table">` +
     `${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
@@ -183,7 +183,9 @@ class Explorer {
     named.action.value = action;
     for (const each of [named.all, named.action.parentNode]) each.hidden = stage === 4;
     named.table.value = model.get("table");
-    this.root.querySelector(".said").innerHTML = saidHtml(about, q, s, action, stage, found);
+    const said = this.root.querySelector(".said");
+    said.innerHTML = saidHtml(about, q, s, action, stage, found);
+    said.classList.toggle("rl-heard", stage === 4); // then all columns show the same
     this.root.querySelector(".rl-legend").innerHTML = legendHtml(about, s, stage);
     this.root.querySelector(".rl-bars").innerHTML = barsHtml(about, this.scale);
   }

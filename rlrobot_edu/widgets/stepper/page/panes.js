@@ -64,7 +64,7 @@ function chosen({ names }, { a, p }) {
 
 function viewHtml(always, tape) {
   const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
-  const plainly = frame ? `<b class="simply">${escaped(simply(about, frame))}</b>` : "";
+  const plainly = `<b class="simply">${escaped(frame ? simply(about, frame) : "Before the first step.")}</b>`;
   const reason = why(about, frame), because = reason && `<b class="why">${escaped(reason)}</b>`;
   const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
@@ -83,9 +83,9 @@ function viewHtml(always, tape) {
     ? `<details class="traces" data-kept${about.open ? " open" : ""}><summary>Traces e, as this update used them: how much each pair ` +
       `shares in what is learned in this step</summary><section class="traces">${tracesHtml(about, tape, shown)}</section></details>`
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
-  // three beats: world, equation, table
-  const left = world + choice, right = update + q + traces;
-  return `<div class="said">${plainly}${because}${said} ${badge}</div><div class="panes">` +
+  // what happened and where come first; then the choice, the reason, the equation and the table
+  const left = world + choice, right = `<div class="said">${because}${said}</div>${update}${q}${traces}`;
+  return `<div class="did">${plainly} ${badge}</div><div class="panes">` +
     `<div class="left">${left}</div><div class="right">${right}</div></div>`;
 }
 
