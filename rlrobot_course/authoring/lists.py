@@ -3,10 +3,18 @@
 import json
 import re
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import rlrobot_course
 from rlrobot_edu.files import write_whole
+
+# How long a lesson takes: so many words and so many lines of code that it shows are read in a minute, and so many
+# minutes go by with an exercise and with a prediction. It gives 16 hours for the lessons of the fourth edition, which is
+# what their readers had estimated. No learner has been timed.
+WORDS = 100
+LINES = 7
+EXERCISE = 6
+PREDICTION = 1
 
 TABLE = "| lesson | what you write | minutes |\n|---|---|---|\n"  # how that of docs/lessons.md begins
 
@@ -60,6 +68,27 @@ def facts(root: Path) -> dict[str, Lesson]:
             path, title, about["minutes"], about["needs"], about["writes"]
         )
     return found
+
+
+def estimated(notebook: dict[str, Any]) -> int:
+    """How long a lesson takes, by the rule above [minutes, in fives].
+
+    notebook: as JSON has it
+    """
+    words = lines = exercises = predictions = 0
+    for cell in notebook["cells"]:
+        text = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            words += len(text.split())
+            continue
+        exercises += len(set(re.findall(r"^check\.(\w+)\(", text, re.MULTILINE)))
+        predictions += text.count("Prediction(")
+        is_folded = cell["metadata"].get("jupyter", {}).get("source_hidden", False)
+        if not is_folded:
+            lines += sum(bool(line.strip()) for line in text.splitlines())
+    minutes = words / WORDS + lines / LINES
+    minutes += EXERCISE * exercises + PREDICTION * predictions
+    return 5 * round(minutes / 5)
 
 
 def table(root: Path) -> str:
