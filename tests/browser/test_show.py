@@ -147,62 +147,6 @@ def test_a_film_shows_itself_as_a_gif_with_a_description():
     assert data["text/plain"] == "<Film of 20 steps>" and "20 steps" in alt
 
 
-@pytest.fixture
-def carded(browser):
-    """Opens a page of a film's card, as a saved notebook shows it, without scripts."""
-    pages = []
-
-    def carded(html, **settings):
-        pages.append(browser.new_page(**settings))
-        pages[-1].set_content(f"<html><body>{html}</body></html>")
-        return pages[-1]
-
-    yield carded
-    for page in pages:
-        page.close()
-
-
-@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
-def test_a_saved_film_can_be_paused_and_waits_for_a_reader_who_wants_no_motion(
-    carded, motion
-):
-    html = FILM._repr_mimebundle_()["text/html"]
-    assert "<script" not in html
-    page = carded(html, reduced_motion=motion)
-    moves = page.locator("img[src^='data:image/gif']")
-    stands = page.locator("img[src^='data:image/png']")
-    said = (
-        "getComputedStyle(document.querySelector('.rl-film label'), '::after').content"
-    )
-    runs = motion == "no-preference"
-    for _ in range(3):
-        assert (moves.is_visible(), stands.is_visible()) == (runs, not runs)
-        assert page.evaluate(said) == ('"‖ Pause"' if runs else '"▶ Play"')
-        page.get_by_role("checkbox").focus()
-        page.keyboard.press(" ")
-        runs = not runs
-
-
-def test_without_styles_a_saved_film_and_its_steps_are_both_shown(carded):
-    html = FILM._repr_mimebundle_()["text/html"]
-    page = carded(re.sub("<style>.*?</style>", "", html, flags=re.DOTALL))
-    assert [image.is_visible() for image in page.locator("img").all()] == [True, True]
-    assert not page.get_by_role("checkbox").is_visible(), "it would do nothing"
-
-
-@pytest.mark.parametrize(
-    ("theme", "dark"),
-    [("", True), ('data-jp-theme-light="true"', False), ('class="vscode-dark"', True)],
-)
-def test_the_card_of_a_film_is_light_or_dark_as_its_page_is(carded, theme, dark):
-    html = f"<div {theme}>{FILM._repr_mimebundle_()['text/html']}</div>"
-    page = carded(html, color_scheme="dark")
-    ground = "getComputedStyle(document.querySelector('.rl-film')).backgroundColor"
-    paper = (DARK if dark else LIGHT)["paper"]
-    red, green, blue = ImageColor.getrgb(paper)
-    assert page.evaluate(ground) == f"rgb({red}, {green}, {blue})"
-
-
 def test_a_world_without_a_robot_cannot_be_filmed():
     env = gymnasium.make("FrozenLake-v1")
     with pytest.raises(ValueError, match="no robot to look at"):
@@ -593,6 +537,62 @@ INSIDE = """node(["meshcat", "robot"]).children.every(part => {
   const box = new MeshCat.THREE.Box3().setFromObject(part);
   return [box.min, box.max].every(p => { p.project(viewer.camera); return Math.abs(p.x) < 1 && Math.abs(p.y) < 1; });
 })"""
+
+
+@pytest.fixture
+def carded(browser):
+    """Opens a page of a film's card, as a saved notebook shows it, without scripts."""
+    pages = []
+
+    def carded(html, **settings):
+        pages.append(browser.new_page(**settings))
+        pages[-1].set_content(f"<html><body>{html}</body></html>")
+        return pages[-1]
+
+    yield carded
+    for page in pages:
+        page.close()
+
+
+@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
+def test_a_saved_film_can_be_paused_and_waits_for_a_reader_who_wants_no_motion(
+    carded, motion
+):
+    html = FILM._repr_mimebundle_()["text/html"]
+    assert "<script" not in html
+    page = carded(html, reduced_motion=motion)
+    moves = page.locator("img[src^='data:image/gif']")
+    stands = page.locator("img[src^='data:image/png']")
+    said = (
+        "getComputedStyle(document.querySelector('.rl-film label'), '::after').content"
+    )
+    runs = motion == "no-preference"
+    for _ in range(3):
+        assert (moves.is_visible(), stands.is_visible()) == (runs, not runs)
+        assert page.evaluate(said) == ('"‖ Pause"' if runs else '"▶ Play"')
+        page.get_by_role("checkbox").focus()
+        page.keyboard.press(" ")
+        runs = not runs
+
+
+def test_without_styles_a_saved_film_and_its_steps_are_both_shown(carded):
+    html = FILM._repr_mimebundle_()["text/html"]
+    page = carded(re.sub("<style>.*?</style>", "", html, flags=re.DOTALL))
+    assert [image.is_visible() for image in page.locator("img").all()] == [True, True]
+    assert not page.get_by_role("checkbox").is_visible(), "it would do nothing"
+
+
+@pytest.mark.parametrize(
+    ("theme", "dark"),
+    [("", True), ('data-jp-theme-light="true"', False), ('class="vscode-dark"', True)],
+)
+def test_the_card_of_a_film_is_light_or_dark_as_its_page_is(carded, theme, dark):
+    html = f"<div {theme}>{FILM._repr_mimebundle_()['text/html']}</div>"
+    page = carded(html, color_scheme="dark")
+    ground = "getComputedStyle(document.querySelector('.rl-film')).backgroundColor"
+    paper = (DARK if dark else LIGHT)["paper"]
+    red, green, blue = ImageColor.getrgb(paper)
+    assert page.evaluate(ground) == f"rgb({red}, {green}, {blue})"
 
 
 def stands_of(view) -> list[dict]:
