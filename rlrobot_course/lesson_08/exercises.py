@@ -19,9 +19,7 @@ def dutch(e, alpha):
     return (1 - alpha) * e + 1
 
 
-SETTLES = Formula(
-    "1 / (1 - (1 - α) * left)", α=0.4, γ=0.9, λ=0.9, left="(γ * λ) ** 2"
-)
+SETTLES = Formula("1 / (1 - (1 - α) * left)", α=0.4, γ=0.9, λ=0.9, left="(γ * λ) ** 2")
 BY_HAND = Formula(
     "first_line - α * (Q - Q_old)", Q=6, Q_old=1, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
     e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",

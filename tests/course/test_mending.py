@@ -160,5 +160,7 @@ def test_what_has_nothing_to_mend_has_no_such_film():
 
 def test_functions_are_written_alike_whatever_their_comments_and_names():
     target = exercises("lesson_03")["target"].right
-    assert is_written_alike(target, edited(target, {"return r\n": "return r  # ends\n"}))
+    assert is_written_alike(
+        target, edited(target, {"return r\n": "return r  # ends\n"})
+    )
     assert not is_written_alike(target, edited(target, {"gamma *": "0.9 *"}))
