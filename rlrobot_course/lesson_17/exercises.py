@@ -84,7 +84,7 @@ check = with_pages(
                 "choose": Wavering(1),
                 "update": QLearner(0.3, 0.9),
                 "pick": Picker(2),
-                "steps": 5,
+                "steps": 7,  # in the middle of an episode: a loop may reset at its head
             }
         ],
     ),

@@ -30,6 +30,7 @@ from rlrobot_grading.answers.values import (
     safely,
     show,
 )
+from rlrobot_grading.exercises.copying import work_on_a_copy
 from rlrobot_grading.exercises.mistake import Mistake, hinted, offering_hints, with_ids
 from rlrobot_grading.exercises.verdict import AS_GIVEN, Verdict
 from rlrobot_grading.hints.detectors import find_hint
@@ -40,9 +41,6 @@ from rlrobot_grading.hints.first_event import first_event
 # of the mistakes, the frequent ones first, that are also tried two at a time
 MOST_PAIRED = 20
 NOT_MENDED = "This is the code as it was given: one line of it is wrong."
-NEW_ARRAY = "or write x = x - y, a new array, where x -= y changes the old one."
-
-CHANGEABLE = (np.ndarray, list, dict, set)
 
 Keep = Callable[["Exercise", Function], str]
 Offer = Callable[["Exercise", Function], Any]
@@ -273,7 +271,7 @@ class Exercise:
             names = " and ".join(mine.spoilt)
             told = f"The result is right, but in {here} your function changes {names}, which it should only read."
             name = mine.spoilt[0]
-            hint = f"work on a copy, as in {_copied(name, self.cases[first].get(name))}; {NEW_ARRAY}"
+            hint = work_on_a_copy(name, self.cases[first].get(name))
             return Verdict("wrong", told, called, hint=hint, id="spoilt")
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
@@ -288,8 +286,8 @@ class Exercise:
         id, told = self.hint_on(seen)
         if mine.spoilt and not told:
             name = mine.spoilt[0]
-            copied = _copied(name, self.cases[first].get(name))
-            told = f"{name} changes, and it should only be read: work on a copy, as in {copied}; {NEW_ARRAY}"
+            remedy = work_on_a_copy(name, self.cases[first].get(name))
+            told = f"{name} changes, and it should only be read: {remedy}"
             id = "spoilt"
         return Verdict("wrong", where, called, rows, told, id=id)
 
@@ -327,22 +325,3 @@ class Exercise:
             lenders=self.lenders,
             is_exact=self.is_exact,
         )
-
-
-def _copied(name: str, value: Any) -> str:
-    """The line that copies an argument with all in it that can be changed."""
-    parts = _parts(value)
-    if not any(isinstance(part, CHANGEABLE) for part in parts):
-        return f"{name} = {name}.copy()"
-    if isinstance(value, list) and not any(
-        isinstance(inner, CHANGEABLE) for part in parts for inner in _parts(part)
-    ):
-        return f"{name} = [one.copy() for one in {name}]"
-    return f"{name} = copy.deepcopy({name}), with import copy in a cell above"
-
-
-def _parts(value: Any) -> list[Any]:
-    """What a list or a dictionary holds; numbers and arrays hold nothing that is to be copied for itself."""
-    if isinstance(value, Mapping):
-        return list(value.values())
-    return list(value) if isinstance(value, list | tuple) else []
