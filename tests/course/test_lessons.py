@@ -66,6 +66,15 @@ def test_the_first_cell_of_a_lesson_says_its_minutes_and_links_to_what_it_needs(
     assert all(need < number for need in lesson.needs)
 
 
+@pytest.mark.parametrize("number", LESSONS)
+def test_the_minutes_of_a_lesson_are_those_of_the_rule(number):
+    lesson = lists.facts(ROOT)[number]
+    notebook = json.loads(lesson.path.read_text(encoding="utf-8"))
+    assert lesson.minutes == lists.estimated(notebook), (
+        "put this number into the notebook's metadata and its first cell"
+    )
+
+
 def test_no_lesson_and_no_assignment_imports_another_one():
     allowed = {
         ("lesson_10", name)

@@ -254,7 +254,7 @@ def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(na
         rows or name not in ASSIGNMENTS
     )  # that each lesson has one, test_lessons.py says
     assert all(row.rstrip(" |").endswith(f"| {minutes}") for row in rows)
-    assert minutes <= (90 if name in ASSIGNMENTS else 50)
+    assert minutes <= (90 if name in ASSIGNMENTS else 60)
 
 
 def cells_of_the_learner(

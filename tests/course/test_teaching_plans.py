@@ -42,3 +42,8 @@ def test_there_are_plans_and_the_longest_has_every_lesson_that_is_not_optional()
     assert {number for number, lesson in LESSONS.items() if not lesson.is_optional} <= {
         number for _, lessons, *_ in rows for number in lessons.split(", ")
     }
+
+
+def test_the_page_says_how_many_hours_the_lessons_of_the_road_take():
+    minutes = sum(one.minutes for one in LESSONS.values() if not one.is_optional)
+    assert f"The lessons from 00 to 18 take {minutes / 60:.0f} hours" in PAGE
