@@ -9,8 +9,8 @@ import rlrobot_course
 from rlrobot_edu.files import write_whole
 
 # How long a lesson takes: so many words and so many lines of code that it shows are read in a minute, and so many
-# minutes go by with an exercise and with a prediction. It gives 16 hours for the lessons of the fourth edition, as their
-# readers had estimated. No learner has been timed.
+# minutes go by with an exercise and with a prediction. It gives 16 hours for the lessons of the fourth edition, which
+# their readers had estimated, too. No learner has been timed.
 WORDS = 100
 LINES = 7
 EXERCISE = 6
