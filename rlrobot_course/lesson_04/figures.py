@@ -10,7 +10,6 @@ from matplotlib.axes import Axes
 from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
-    CURVES,
     GREY,
     Picture,
     in_panels,
@@ -197,6 +196,8 @@ def how_far_apart(ends: Mapping[str, Sequence[float]]) -> str:
 
 def _name_together(ax: Axes, labels: Sequence[str], ends: Sequence[float]) -> None:
     """Name the curves at their ends; those that end alike have one name."""
+    # the colours of the lines: a higher curve may come first there
+    colours = {line.get_label(): str(line.get_color()) for line in ax.lines}
     alike: dict[str, list[int]] = {}
     for i, end in enumerate(ends):
         alike.setdefault(f"{end:.2f}", []).append(i)
@@ -204,7 +205,8 @@ def _name_together(ax: Axes, labels: Sequence[str], ends: Sequence[float]) -> No
     for value, curves in alike.items():
         last = curves[-1]
         name = labels[last] if len(curves) == 1 else f"all {len(curves)}"
-        names.append(End(float(ends[last]), f"{name}\n{value}", CURVES[last][0]))
+        colour = colours[labels[last]]
+        names.append(End(float(ends[last]), f"{name}\n{value}", colour))
     name_ends(ax, names)
 
 

@@ -123,7 +123,7 @@ def leads(groups: Mapping[str, np.ndarray], method: str) -> bool:
 
 
 def leader_finding(groups: Mapping[str, Mapping[str, np.ndarray]]) -> str:
-    """Who earns most in the first set-up, and in which others that method does not."""
+    """Who is ahead of all others in the first set-up, and in which others that method is not."""
     first, *others = groups
     means = {method: values.mean() for method, values in groups[first].items()}
     best = max(means, key=means.__getitem__)
@@ -131,8 +131,8 @@ def leader_finding(groups: Mapping[str, Mapping[str, np.ndarray]]) -> str:
         return f"In “{first}” no method clearly earns most"
     gone = [name for name in others if not leads(groups[name], best)]
     if gone:
-        return f"{best} earns most in “{first}”; its lead is gone in “{'” and “'.join(gone)}”"
-    return f"{best} earns most in “{'” and “'.join(groups)}”"
+        return f"{best} is ahead of all others in “{first}”, not in “{'” and “'.join(gone)}”"
+    return f"{best} is ahead of all others in “{'” and “'.join(groups)}”"
 
 
 def plot_means(

@@ -154,3 +154,12 @@ def test_the_finding_names_a_best_rule_only_where_the_intervals_are_apart():
 def test_a_symbol_at_the_beginning_of_a_sentence_stays_small():
     assert as_sentence("ε-greedy earns most") == "ε-greedy earns most"
     assert as_sentence("greedy earns most") == "Greedy earns most"
+
+
+def test_a_name_has_the_colour_of_its_curve_whichever_is_the_highest():
+    low, high = ([history(r)] for r in ([1.0, 0.0, 0.0], [1.0, 2.0, 3.0]))
+    figure = plot_side_by_side({"one": [low, high], "two": [high, low]}, ["A", "B"])
+    for ax in figure.axes:
+        lines = {line.get_label(): line.get_color() for line in ax.lines}
+        names = {text.get_text()[0]: text.get_color() for text in ax.texts}
+        assert names == {name: lines[name] for name in "AB"}
