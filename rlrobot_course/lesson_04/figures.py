@@ -196,8 +196,6 @@ def how_far_apart(ends: Mapping[str, Sequence[float]]) -> str:
 
 def _name_together(ax: Axes, labels: Sequence[str], ends: Sequence[float]) -> None:
     """Name the curves at their ends; those that end alike have one name."""
-    # the colours of the lines: a higher curve may come first there
-    colours = {line.get_label(): str(line.get_color()) for line in ax.lines}
     alike: dict[str, list[int]] = {}
     for i, end in enumerate(ends):
         alike.setdefault(f"{end:.2f}", []).append(i)
@@ -205,7 +203,7 @@ def _name_together(ax: Axes, labels: Sequence[str], ends: Sequence[float]) -> No
     for value, curves in alike.items():
         last = curves[-1]
         name = labels[last] if len(curves) == 1 else f"all {len(curves)}"
-        colour = colours[labels[last]]
+        colour = str(ax.lines[last].get_color())
         names.append(End(float(ends[last]), f"{name}\n{value}", colour))
     name_ends(ax, names)
 
