@@ -179,13 +179,24 @@ def _earned(scene: Scene, rewards: Sequence[float]) -> str:
     """How often the robot got the largest reward."""
     rewards = list(rewards)
     most = max(rewards)
-    first = f"step {rewards.index(most) + 1}"
     if most <= 0:
         return f"{signed(float(np.mean(rewards)))} a step"
-    if rewards.count(most) == 1:
-        return f"{signed(most)} in {first}"
-    told = f"{signed(most)} in {rewards.count(most)} of them"
-    return f"{told}, first in {first}" if _is_fixed(scene) else told
+    best, times = best_step(scene, rewards), rewards.count(most)
+    if times == 1:
+        return f"{signed(most)} in step {rewards.index(most) + 1}"
+    told = f"{signed(most)} in {times} of them"
+    return told if best is None else f"{told}, first in step {best + 1}"
+
+
+def best_step(scene: Scene, rewards: Sequence[float]) -> int | None:
+    """The step, counted from 0, with the first of the largest rewards; None where it is nothing to look at.
+
+    A robot that drives is paid its largest reward all the time, an arm when it is there.
+    """
+    rewards = list(rewards)
+    most = max(rewards)
+    is_rare = _is_fixed(scene) or rewards.count(most) == 1
+    return rewards.index(most) if most > 0 and is_rare else None
 
 
 def sought(scene: Scene) -> str:

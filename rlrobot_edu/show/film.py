@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
 
 WIDTH = 560  # of a film [pixels of a page]
-STEP_WIDTH = 280  # of a single step [pixels of a page]
+STEP_WIDTH = 276  # of a single step [pixels of a page]
+GAP = 8  # between two single steps [pixels of a page]
 KEY_STEPS = 4  # as large together as the film; on a phone more could not be read
 IN_A_ROW = 2
 COLOURS = 32  # of a film
@@ -182,7 +183,7 @@ class Film(Displayed):
         return gif_of(list(self.pictures(width)), COLOURS, time)
 
     def steps(self) -> Still:
-        """The steps that tell most: the first, those that lost much, the last; at most four, in one picture.
+        """The steps that tell most, at most four, in one picture: the first, the last, losses, the goal.
 
         Returns
         -------
@@ -194,11 +195,13 @@ class Film(Displayed):
         rows = math.ceil(len(chosen) / IN_A_ROW)
         height = pictures[0].height
         columns = min(len(chosen), IN_A_ROW)
-        sheet = Image.new("RGB", (columns * STEP_WIDTH, rows * height), WHITE)
+        size = (columns * (STEP_WIDTH + GAP) - GAP, rows * (height + GAP) - GAP)
+        sheet = Image.new("RGB", size, WHITE)
         told = []
         for at, i in enumerate(chosen):
             row, column = divmod(at, IN_A_ROW)
-            sheet.paste(pictures[i], (column * STEP_WIDTH, row * height))
+            corner = (column * (STEP_WIDTH + GAP), row * (height + GAP))
+            sheet.paste(pictures[i], corner)
             told.append(f"step {i + 1}: reward {self.rewards[i]:+.4g}")
         few = in_few_colours(sheet, COLOURS)
         return Still(f"{'; '.join(told)}.", png_of(few), sheet.width)

@@ -248,3 +248,11 @@ def test_films_show_only_what_lasers_find_near() -> None:
         assert has(picture, orange).any() == is_drawn
         beam = places(scene)["beams/0"]
         assert (np.linalg.norm(beam[:3, 1]) > 0.1) == is_drawn
+
+
+def test_key_steps_hold_the_goal_that_the_title_names() -> None:
+    scenes = [room(-0.8 + 0.02 * i, -0.5) for i in range(20)]
+    rewards = [1.0] * 20
+    rewards[7] = 10.0
+    assert "+10 in step 8" in finding(scenes, rewards)
+    assert 7 in key_steps(scenes, rewards, 4)

@@ -7,7 +7,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import losses, path_of
+from rlrobot_edu.show.describe import best_step, losses, path_of
 from rlrobot_edu.show.numerals import signed
 from rlrobot_edu.show.painting.parts import grid_cell
 from rlrobot_edu.show.painting.room import ASPECT, Room
@@ -134,11 +134,14 @@ def key_steps(
 ) -> list[int]:
     """The steps, counted from 0, that tell most of a film.
 
-    These are the first, the last, those with which losses begin, and then those at which the robot is farthest from
-    where it is in the others.
+    These are the first, the last, that of the largest reward where the title names it, those with which losses begin,
+    and then those at which the robot is farthest from where it is in the others.
     """
     loses = losses(rewards)
     chosen = {0, len(scenes) - 1}
+    best = best_step(scenes[0], rewards)
+    if best is not None:
+        chosen.add(best)
     for i, lost in enumerate(loses):
         begins = lost and not (i and loses[i - 1])
         if begins and len(chosen) < most:
