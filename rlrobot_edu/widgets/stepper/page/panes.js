@@ -150,11 +150,12 @@ function explained(about, frame) {
 const asText = (line) => line.map(({ text }) => ("+−←=".includes(text) ? ` ${text} ` : text)).join("").trim();
 
 // The terms of a line in groups that stay on one line of the page: each begins with a sign outside of all brackets.
+// What comes out stays beside the last of them.
 function summands(line) {
   let depth = 0;
   const groups = [[]];
   for (const term of line) {
-    if (depth === 0 && "+−←=".includes(term.text) && groups.at(-1).length) groups.push([]);
+    if (depth === 0 && term.symbol && "+−←=".includes(term.text) && groups.at(-1).length) groups.push([]);
     groups.at(-1).push(term);
     depth += (term.text === "(") - (term.text === ")");
   }
