@@ -348,7 +348,13 @@ def test_frames_follow_the_switch_between_light_and_dark(
         page.goto(f"{address}/notebooks/{lesson}.html")
         page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
         page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
+        # a frame that is still to be loaded would be asked for ever
+        page.evaluate(
+            "document.querySelectorAll('iframe').forEach((frame) => (frame.loading = 'eager'))"
+        )
         frames = [frame for frame in page.frames if frame.parent_frame]
+        for frame in frames:
+            frame.wait_for_load_state()
         page.locator(
             "button.theme-toggle >> visible=true"
         ).click()  # from what the browser has to its opposite

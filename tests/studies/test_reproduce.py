@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import made_blocks
 import numpy as np
 import pytest
 from paper import experiments, paper, report, tables
@@ -144,7 +145,7 @@ def test_a_run_writes_tables_figures_averages_seed_and_versions_and_a_second_one
         reproduce.reproduce().read_text(encoding="utf-8") == text
     )  # all of it from the stores
 
-    block = report.BLOCK.search(text)[0]
+    block = made_blocks.BLOCK.search(text)[0]
     stale = block.replace("seed 0", "seed 9")
     path.write_text(f"What people wrote.\n\n{stale}\n\nMore of it.\n", encoding="utf-8")
     assert (
