@@ -385,3 +385,10 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(
         assert cell.outputs[-1]["data"]["text/plain"].startswith("✓ "), cell.outputs
     if kept:
         assert extra[2].outputs[0].text == f"yours: {', '.join(kept)}\n"
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_sections_are_numbered_without_a_gap(name):
+    cells = [cell.source for cell in read(name).cells if cell.cell_type == "markdown"]
+    numbers = re.findall(r"^## (\d+)\. ", "\n".join(cells), re.MULTILINE)
+    assert [int(number) for number in numbers] == list(range(1, len(numbers) + 1))
