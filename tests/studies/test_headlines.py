@@ -608,6 +608,15 @@ def test_lessons_count_the_robots_that_were_counted():
     assert tells("notebooks/13_robot_arm.ipynb", many, 3, 0.9, some, 0.7, few, 0)
 
 
+def test_readme_says_where_no_difference_to_q_learning_is_shown(outcomes):
+    model = outcomes["model_wander_1k"]
+    means = model.means()
+    p = model.pair(QBIASSR, Q)[1]
+    assert tells("README.md", round(means[QBIASSR], 2), round(means[Q], 2), round(p, 2))
+    assert {len(x) for final in model.final.values() for x in final.values()} == {1000}
+    assert "a thousand agents" in prose("README.md")
+
+
 def test_lessons_quote_the_report(outcomes):
     wander = "notebooks/11_wandering_robot.ipynb"
     for world in ("robot", "cause_walls"):
