@@ -143,9 +143,10 @@ def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     return was_right or _right(known, lesson, name) is not None
 
 
-def is_written(lesson: str, name: str, folder: str | Path = ".") -> bool:
-    """Whether the learner's file has this function of a lesson, or says why it is not kept there."""
-    return (lesson, name) in _kept(beside_the_lessons(Path(folder, FILE)))
+def written(lesson: str, folder: str | Path = ".") -> set[str]:
+    """The names of a lesson's functions that the learner's file has, or of which it says why they are not kept."""
+    known = _kept(beside_the_lessons(Path(folder, FILE)))
+    return {name for owner, name in known if owner == lesson}
 
 
 def owner_of(*functions: Function) -> str:

@@ -11,8 +11,8 @@ from rlrobot_course.learner.my_functions import (
     LESSONS,
     check_of,
     is_right,
-    is_written,
     syntax_error,
+    written,
 )
 from rlrobot_edu.show import palette
 from rlrobot_grading.exercises.exercise import Exercise
@@ -100,9 +100,9 @@ def _stone(lesson: Lesson, is_here: bool) -> str:
 def so_far(lesson: str, folder: str | Path = ".") -> str:
     """How many functions of a lesson are in the learner's file, in a sentence; after the last, what comes next."""
     names = _functions(lesson)
-    kept = sum(is_written(lesson, name, folder) for name in names)
-    if kept < len(names):
-        return f"{kept} of {len(names)} functions of this lesson are written."
+    kept = written(lesson, folder).intersection(names)
+    if len(kept) < len(names):
+        return f"{len(kept)} of {len(names)} functions of this lesson are written."
     done = f"That was the last function of lesson {lesson}."
     number = int(lesson[:2])
     if number < LAST:

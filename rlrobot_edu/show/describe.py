@@ -182,10 +182,11 @@ def _earned(scene: Scene, rewards: Sequence[float]) -> str:
     if most <= 0:
         return f"{signed(float(np.mean(rewards)))} a step"
     best, times = best_step(scene, rewards), rewards.count(most)
+    if best is None:
+        return f"{signed(most)} in {times} of them"
     if times == 1:
-        return f"{signed(most)} in step {rewards.index(most) + 1}"
-    told = f"{signed(most)} in {times} of them"
-    return told if best is None else f"{told}, first in step {best + 1}"
+        return f"{signed(most)} in step {best + 1}"
+    return f"{signed(most)} in {times} of them, first in step {best + 1}"
 
 
 def best_step(scene: Scene, rewards: Sequence[float]) -> int | None:
