@@ -174,7 +174,8 @@ class SideBySide(Displayed):
                 for film in films
             )
             alt = f"Films of robots, side by side. {' '.join(told)}"
-            return Still(alt, side_by_side(films), ROW, "image/gif")
+            time = round(1000 * films[0].seconds_per_frame)
+            return Still(alt, gif_of(self._rows, COLOURS, time), ROW, "image/gif")
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):
             ax.imshow(image_of(view.still().data))
@@ -190,7 +191,15 @@ class SideBySide(Displayed):
         cells = (f'<td style="{CAPTION}">{_caption(film)}</td>' for film in films)
         captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'
         words = f"{captions}<small>{KEY}</small>"
-        return card(words, self.still().html, at_their_ends(films).html, ROW)
+        said = (f"{film.notes[0]}: {describe(film.frames[-1])}" for film in films)
+        last = png_of(in_few_colours(self._rows[-1], COLOURS))
+        ends = Still(f"At the end: {'; '.join(said)}", last, ROW)
+        return card(words, self.still().html, ends.html, ROW)
+
+    @cached_property
+    def _rows(self) -> list[Image.Image]:
+        """The pictures of the films' steps, side by side."""
+        return side_by_side(self._films())
 
     def _can_turn(self) -> bool:
         """Whether all views can be shown in 3D here."""
@@ -212,8 +221,8 @@ def _caption(film: Film) -> str:
     return f"<strong>{escape(film.notes[0])}</strong><br>{escape(film.finding)}"
 
 
-def side_by_side(films: Sequence[Film]) -> bytes:
-    """One animated GIF of several films."""
+def side_by_side(films: Sequence[Film]) -> list[Image.Image]:
+    """The pictures of several films in a row, step by step; one that has ended waits for the others."""
     each = ROW // len(films)
     columns = [list(film.pictures(each)) for film in films]
     frames = []
@@ -223,18 +232,7 @@ def side_by_side(films: Sequence[Film]) -> bytes:
             picture = pictures[min(i, len(pictures) - 1)]
             frame.paste(picture, (column * each, 0))
         frames.append(frame)
-    return gif_of(frames, COLOURS, round(1000 * films[0].seconds_per_frame))
-
-
-def at_their_ends(films: Sequence[Film]) -> Still:
-    """The last pictures of several films, in one."""
-    each = ROW // len(films)
-    lasts = [list(film.pictures(each))[-1] for film in films]
-    sheet = Image.new("RGB", (each * len(films), lasts[0].height))
-    for column, last in enumerate(lasts):
-        sheet.paste(last, (column * each, 0))
-    told = "; ".join(f"{film.notes[0]}: {describe(film.frames[-1])}" for film in films)
-    return Still(f"At the end: {told}", png_of(in_few_colours(sheet, COLOURS)), ROW)
+    return frames
 
 
 def film_of(said: str, shots: Sequence[Image.Image], colours: int, time: int) -> Still:
