@@ -1,7 +1,6 @@
 """What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 from html import escape
 from typing import Any, Literal, TypeVar
@@ -12,11 +11,12 @@ from matplotlib.patches import Rectangle
 from PIL import Image
 
 from rlrobot_edu.jupyter import ipywidgets
-from rlrobot_edu.show.describe import describe
+from rlrobot_edu.show.describe import describe, key_words
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, KEY, Film
-from rlrobot_edu.show.film_card import card
+from rlrobot_edu.show.film_card import Reel, card
 from rlrobot_edu.show.images import gif_of, image_of, in_few_colours, png_of
+from rlrobot_edu.show.painting.room import ASPECT
 from rlrobot_edu.show.palette import (
     BLACK,
     BLUE,
@@ -30,6 +30,7 @@ from rlrobot_edu.show.palette import (
     SKY,
 )
 from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.story import caption, finding
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "RED", "ROLE", "SKY",
@@ -37,9 +38,7 @@ __all__ = (
     "draw_weight", "film_of", "in_panels", "legend_below", "name_rows", "plain",
 )  # fmt: skip
 
-ROW = 760  # width of films side by side [pixels of a page]
-CAPTIONS = f"width: 100%; max-width: {ROW + 12}px; table-layout: fixed; margin: 0"
-CAPTION = "font-size: 14px; text-align: left; vertical-align: top; white-space: normal"
+ROW = 760  # width of films in a row [pixels of a page]
 
 Grid = Literal["both", "x", "y"]
 Point = tuple[float, float]
@@ -136,10 +135,10 @@ def legend_below(figure: Picture, columns: int, **more: Any) -> None:
 
 
 class SideBySide(Displayed):
-    """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
+    """Two or three views in a row, each with its name; a saved notebook keeps their stills.
 
-    Films run side by side, step by step; one that has ended waits for the others. A running notebook shows them in 3D
-    if that is asked for: then each runs by itself, and can be turned and paused.
+    Of films a page keeps one each, which run together; one that has ended waits for the others. A running notebook
+    shows them in 3D if that is asked for: then each runs by itself, and can be turned and paused.
     """
 
     def __init__(self, views: Mapping[str, Displayed], in3d: bool = False) -> None:
@@ -157,7 +156,8 @@ class SideBySide(Displayed):
             return None
         names = [ipywidgets.Label(name) for name in self.views]
         if films:
-            names = [ipywidgets.HTML(_caption(film)) for film in films]
+            captions = (_caption(name, film) for name, film in films.items())
+            names = [ipywidgets.HTML(each) for each in captions]
         wide = {"flex": "1 1 300px"}
         columns = [
             ipywidgets.VBox([name, view.widget], layout=wide)
@@ -165,17 +165,10 @@ class SideBySide(Displayed):
         ]
         return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
 
-    def still(self) -> Still:
-        """All in one picture, a moving one of films."""
-        films = self._films()
-        if films:
-            told = (
-                f"{film.notes[0]}: {film.finding}. At the end: {describe(film.frames[-1])}"
-                for film in films
-            )
-            alt = f"Films of robots, side by side. {' '.join(told)}"
-            time = round(1000 * films[0].seconds_per_frame)
-            return Still(alt, gif_of(self._rows, COLOURS, time), ROW, "image/gif")
+    def still(self) -> Still | None:
+        """All in one picture; None for films, of which a page keeps one each."""
+        if self._films():
+            return None
         picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, name, view in in_panels(picture, self.views):
             ax.imshow(image_of(view.still().data))
@@ -184,59 +177,54 @@ class SideBySide(Displayed):
         return picture.still()
 
     def _as_html(self) -> str:
-        """Above each film its name and what became of it, in letters that stay as large on a narrow page."""
+        """Above each film its name and what became of it; a task that all have stands above all."""
         films = self._films()
         if not films:
             return super()._as_html()
-        cells = (f'<td style="{CAPTION}">{_caption(film)}</td>' for film in films)
-        captions = f'<table style="{CAPTIONS}"><tr>{"".join(cells)}</tr></table>'
-        words = f"{captions}<small>{KEY}</small>"
-        said = (f"{film.notes[0]}: {describe(film.frames[-1])}" for film in films)
-        last = png_of(in_few_colours(self._rows[-1], COLOURS))
-        ends = Still(f"At the end: {'; '.join(said)}", last, ROW)
-        return card(words, self.still().html, ends.html, ROW)
-
-    @cached_property
-    def _rows(self) -> list[Image.Image]:
-        """The pictures of the films' steps, side by side."""
-        return side_by_side(self._films())
+        tasks = {film.task for film in films.values()}
+        task = tasks.pop() if len(tasks) == 1 else ""
+        longest = max(len(film.frames) for film in films.values())
+        reels = []
+        for name, film in films.items():
+            said = finding(film.frames, film.rewards, "" if task else film.task)
+            reels.append(_reel(name, film, said, ROW // len(films), longest))
+        last = next(iter(films.values())).frames[-1]
+        key = f"{KEY} {escape(key_words(last, '', []))}"
+        return card(task, "", reels, key, ROW)
 
     def _can_turn(self) -> bool:
         """Whether all views can be shown in 3D here."""
         return all(view.widget is not None for view in self.views.values())
 
-    def _films(self) -> list[Film]:
-        """The films, each with its name in its captions; none if a view is something else."""
+    def _films(self) -> dict[str, Film]:
+        """The films by their names; none if a view is something else."""
         named = self.views.items()
-        films = [
-            replace(view, notes=[name] * len(view.frames))
-            for name, view in named
-            if isinstance(view, Film)
-        ]
-        return films if len(films) == len(named) else []
+        films = {name: view for name, view in named if isinstance(view, Film)}
+        return films if len(films) == len(named) else {}
 
 
-def _caption(film: Film) -> str:
+def _caption(name: str, film: Film) -> str:
     """The name of a film and what became of it."""
-    return f"<strong>{escape(film.notes[0])}</strong><br>{escape(film.finding)}"
+    return f"<strong>{escape(name)}</strong><br>{escape(film.finding)}"
 
 
-def side_by_side(films: Sequence[Film]) -> list[Image.Image]:
-    """The pictures of several films in a row, step by step; one that has ended waits for the others."""
-    each = ROW // len(films)
-    columns = [list(film.pictures(each)) for film in films]
-    frames = []
-    for i in range(max(map(len, columns))):
-        frame = Image.new("RGB", (each * len(columns), columns[0][0].height))
-        for column, pictures in enumerate(columns):
-            picture = pictures[min(i, len(pictures) - 1)]
-            frame.paste(picture, (column * each, 0))
-        frames.append(frame)
-    return frames
+def _reel(name: str, film: Film, said: str, width: int, steps: int) -> Reel:
+    """A film on a card, so wide, that waits at its end until so many steps are over, and that end."""
+    pictures = list(film.pictures(width))
+    time = round(1000 * film.seconds_per_frame)
+    waits = time * (steps - len(pictures))
+    moving = film_of(film.told, pictures, COLOURS, time, waits)
+    room = pictures[-1].crop((0, 0, width, round(width / ASPECT)))
+    few = png_of(in_few_colours(room, COLOURS))
+    end = Still(describe(film.frames[-1]), few, width)
+    words = caption(film.frames, film.rewards, len(pictures) - 1)
+    return Reel(moving, [(words, end)], name, said)
 
 
-def film_of(said: str, shots: Sequence[Image.Image], colours: int, time: int) -> Still:
-    """A moving picture of several figures; each stays for a time [ms], the last one for 3 s. said: what it shows."""
-    times = [time] * (len(shots) - 1) + [3000]
+def film_of(
+    said: str, shots: Sequence[Image.Image], colours: int, time: int, waits: int
+) -> Still:
+    """A moving picture. said: what it shows; time: of each shot [ms]; waits: how much longer the last one stays [ms]"""
+    times = [time] * (len(shots) - 1) + [time + waits]
     moving = gif_of(shots, colours, times)
-    return Still(said.strip("<>"), moving, shots[0].width, "image/gif")
+    return Still(said, moving, shots[0].width, "image/gif")

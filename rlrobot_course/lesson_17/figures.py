@@ -1,6 +1,6 @@
 """The figures of lesson 17 on planning: robots in cells walk, what they know of the way, and what thinking saves."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,9 +33,11 @@ from rlrobot_course.lesson_17.cells import (
 )
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.images import image_of
-from rlrobot_edu.show.style import SHADES_OF_BLUE
+from rlrobot_edu.show.film_card import Reel, card
+from rlrobot_edu.show.images import image_of, in_few_colours, png_of
+from rlrobot_edu.show.style import HEADLINE, SHADES_OF_BLUE
 
+KEY = "The dot is the robot, and the band behind it the way of its last ten steps."
 NO_PLANNER = "no planner"
 
 
@@ -68,45 +70,64 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Walks(Displayed):
-    """Robots in cells, side by side, as a moving picture: a frame a step, with the way of the last ten.
+    """Robots in cells, side by side, as moving pictures: a frame a step, with the way of the last ten.
 
-    walks: title of a panel -> what happened, with its transitions kept; steps: how many are shown
+    walks: name -> what happened, with its transitions kept; steps: how many are shown
     """
 
     walks: Mapping[str, History]
     steps: int
 
     def __repr__(self) -> str:
-        told = (
-            f"{name}: {walk.terminated[: self.steps].sum()} arrivals"
-            for name, walk in self.walks.items()
-        )
+        told = (f"{name}: {self._said(walk)}" for name, walk in self.walks.items())
         return f"<Robots in cells, {self.steps} steps. {'; '.join(told)}>"
 
-    def still(self) -> Still:
-        """All steps, and the last one longer."""
-        figure, shots = Picture((3.4 * len(self.walks), 3.1)), []
-        panels = figure.subplots(1, len(self.walks), squeeze=False)[0]
-        trails = [
-            ax.plot([], [], "-", color=BLUE, linewidth=4, alpha=0.4)[0] for ax in panels
-        ]
-        robots = [ax.plot([], [], "o", color=BLUE, markersize=13)[0] for ax in panels]
-        for ax in panels:
-            draw_cells(ax)
+    def _as_html(self) -> str:
+        """A card with a film of each, which can be paused."""
+        reels = []
+        for name, walk in self.walks.items():
+            shots = [image_of(each) for each in self._pictures(walk)]
+            said = self._said(walk)
+            moving = film_of(f"Film of a robot in cells. {said}", shots, 64, 200, 3000)
+            last = png_of(in_few_colours(shots[-1], 64))
+            end = Still(f"The way of the last steps. {said}", last, moving.width)
+            reels.append(Reel(moving, [(f"Step {self.steps}: end", end)], name, said))
+        width = sum(reel.moving.width for reel in reels)
+        return card(self._finding(), "", reels, KEY, width)
+
+    def _finding(self) -> str:
+        """Which robot arrives most often."""
+        arrivals = {name: self._arrivals(walk) for name, walk in self.walks.items()}
+        most = max(arrivals.values())
+        best = [name for name, times in arrivals.items() if times == most]
+        if len(best) > 1:
+            return f"No robot arrives more often than all others in {self.steps} steps"
+        return f"The robot with “{best[0]}” arrives most often in {self.steps} steps"
+
+    def _arrivals(self, walk: History) -> int:
+        return int(walk.terminated[: self.steps].sum())
+
+    def _said(self, walk: History) -> str:
+        """How often it arrives."""
+        arrivals = self._arrivals(walk)
+        return f"{arrivals} arrival{'s' * int(arrivals != 1)}"
+
+    def _pictures(self, walk: History) -> Iterator[bytes]:
+        """A picture for each step."""
+        figure = Picture((3.9, 3.2))
+        ax = figure.subplots()
+        draw_cells(ax)
+        (trail,) = ax.plot([], [], "-", color=BLUE, linewidth=6, alpha=0.4)
+        (robot,) = ax.plot([], [], "o", color=BLUE, markersize=15)
         for k in range(1, self.steps + 1):
-            for ax, trail, robot, (name, walk) in zip(
-                panels, trails, robots, self.walks.items(), strict=True
-            ):
-                ends = walk.terminated[:k]
-                begin = max([k - 10, 0, *(np.flatnonzero(ends[:-1]) + 1)])
-                y, x = np.divmod([walk.s[begin], *walk.s_next[begin:k]], SHAPE[1])
-                trail.set_data(x, y - 0.1)
-                robot.set_data(x[-1:], y[-1:] - 0.1)
-                ax.set_title(
-                    plain(f"{name}\nstep {k}, arrivals: {ends.sum()}"), fontsize=10
-                )
-            shots.append(image_of(figure.png()))
-        return film_of(repr(self), shots, 64, 200)
+            ends = walk.terminated[:k]
+            begin = max([k - 10, 0, *(np.flatnonzero(ends[:-1]) + 1)])
+            y, x = np.divmod([walk.s[begin], *walk.s_next[begin:k]], SHAPE[1])
+            trail.set_data(x, y - 0.1)
+            robot.set_data(x[-1:], y[-1:] - 0.1)
+            said = f"step {k} of {self.steps}, arrivals: {ends.sum()}"
+            ax.set_title(said, fontsize=HEADLINE)
+            yield figure.png()
 
 
 def known_cells(q: np.ndarray) -> np.ndarray:

@@ -128,13 +128,13 @@ def rules_met(rules: str, rewards: Sequence[float]) -> str:
     told = "; ".join(met).removeprefix("else, ")
     words = [f"Rewards: {told}."] if met else []
     others = [
-        f"{signed(float(amount))} in {_counted(times, 'step')}"
+        f"{signed(float(amount))} in {counted(times, 'step')}"
         for amount, times in paid.most_common()
         if amount not in explained
     ]
     listed = others[:AMOUNTS]
     if len(others) > AMOUNTS:
-        listed.append(_counted(len(others) - AMOUNTS, "other amount"))
+        listed.append(counted(len(others) - AMOUNTS, "other amount"))
     if listed:
         words.append(f"{'Also' if met else 'Rewards:'} {', '.join(listed)}.")
     return " ".join(words)
@@ -148,64 +148,12 @@ def _amounts_in(rule: str) -> set[str]:
     return {f"{float(number.replace('−', '-')):g}" for number in numbers}
 
 
-def finding(scenes: Sequence[Scene], rewards: Sequence[float], task: str = "") -> str:
-    """What became of these steps in one sentence.
-
-    rewards: one for each scene; task: what the robot is to do, if that is known
-    """
-    text = f"{_lost(scenes, rewards)}, {_earned(scenes[0], rewards)}"
-    if task:
-        return f"{task}: {text}"
-    return text[0].upper() + text[1:]
-
-
-def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
-    """How often the robot bumped, or lost something else."""
-    steps = _counted(len(rewards), "step")
-    loses = losses(rewards)
-    bumps = [scene.bumped for scene in scenes]
-    if any(loses):
-        all_bump = all(
-            bump for bump, is_loss in zip(bumps, loses, strict=True) if is_loss
-        )
-        return f"{_counted(sum(loses), 'bump' if all_bump else 'loss')} in {steps}"
-    if _is_fixed(scenes[0]):
-        return steps
-    kind = "costly bump" if any(bumps) else "bump"  # to touch a wall may cost nothing
-    return f"no {kind} in {steps}"
-
-
-def _earned(scene: Scene, rewards: Sequence[float]) -> str:
-    """How often the robot got the largest reward."""
-    rewards = list(rewards)
-    most = max(rewards)
-    if most <= 0:
-        return f"{signed(float(np.mean(rewards)))} a step"
-    best, times = best_step(scene, rewards), rewards.count(most)
-    if best is None:
-        return f"{signed(most)} in {times} of them"
-    if times == 1:
-        return f"{signed(most)} in step {best + 1}"
-    return f"{signed(most)} in {times} of them, first in step {best + 1}"
-
-
-def best_step(scene: Scene, rewards: Sequence[float]) -> int | None:
-    """The step, counted from 0, with the first of the largest rewards; None where it is nothing to look at.
-
-    A robot that drives is paid its largest reward all the time, an arm when it is there.
-    """
-    rewards = list(rewards)
-    most = max(rewards)
-    is_rare = _is_fixed(scene) or rewards.count(most) == 1
-    return rewards.index(most) if most > 0 and is_rare else None
-
-
 def sought(scene: Scene) -> str:
     """What the robot is to reach, as it looks in a picture; empty if there is nothing."""
     roles = {solid.role for solid in scene.solids}
     if "goal" in roles:
         return "The green disc is its goal."
-    if "object" in roles and _has_arm(scene):
+    if "object" in roles and has_arm(scene):
         return "It reaches for the yellow object."
     return ""
 
@@ -223,17 +171,31 @@ def key_words(scene: Scene, rules: str, rewards: Sequence[float]) -> str:
     return " ".join(filter(None, words))
 
 
-def _has_arm(scene: Scene) -> bool:
+def has_arm(scene: Scene) -> bool:
+    """Whether the robot is an arm, or has one."""
     return any(solid.name == "robot/upper_arm" for solid in scene.solids)
 
 
-def _is_fixed(scene: Scene) -> bool:
+def gap_of(scene: Scene) -> float | None:
+    """How far the point between an arm's fingertips is from the middle of the object [m]; None without both."""
+    objects = [solid for solid in scene.solids if solid.role == "object"]
+    fingers = [
+        solid for solid in scene.solids if solid.name.startswith("robot/gripper_")
+    ]
+    if not objects or not fingers:
+        return None
+    ends = [(each.pose @ (each.size[0] / 2, 0, 0, 1))[:3] for each in fingers]
+    return math.dist(np.mean(ends, axis=0), objects[0].pose[:3, 3])
+
+
+def is_fixed(scene: Scene) -> bool:
     """Whether the robot is an arm on a table."""
     rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
-    return _has_arm(scene) and not rolls
+    return has_arm(scene) and not rolls
 
 
-def _counted(n: int, name: str) -> str:
+def counted(n: int, name: str) -> str:
+    """So many things of this name, such as ``2 bumps``."""
     if n == 1:
         return f"1 {name}"
     several = name + ("es" if name.endswith("s") else "s")
@@ -249,6 +211,6 @@ def describe(scene: Scene) -> str:
         return f"A room of {size}."
     x, y = body.pose[:2, 3]
     yaw = math.degrees(math.atan2(body.pose[1, 0], body.pose[0, 0]))
-    if _is_fixed(scene):
+    if is_fixed(scene):
         return f"A table of {size}, the gripper at x = {x:.2f}, y = {y:.2f}, heading {yaw:.0f} degrees."
     return f"A room of {size}, the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees."

@@ -1,6 +1,5 @@
 """A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,30 +19,29 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import (
     describe,
-    finding,
     key_words,
     robot_of,
     rules_of,
     task_of,
 )
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.film_card import card, swatch
+from rlrobot_edu.show.film_card import Reel, card, swatch
 from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
-from rlrobot_edu.show.painting.frames import frames, key_steps
-from rlrobot_edu.show.palette import WHITE
+from rlrobot_edu.show.painting.frames import closer, frames
+from rlrobot_edu.show.painting.parts import squares
+from rlrobot_edu.show.story import caption, finding, key_steps
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
 
 WIDTH = 560  # of a film [pixels of a page]
 STEP_WIDTH = 276  # of a single step [pixels of a page]
-GAP = 8  # between two single steps [pixels of a page]
 KEY_STEPS = 4  # as large together as the film; on a phone more could not be read
-IN_A_ROW = 2
 COLOURS = 32  # of a film
+STEP_COLOURS = 16  # of a single step: two pixels fit into a byte
 KEY = (
-    f"Its way, step by step: {swatch('green')}earned, {swatch('red')}lost much, "
-    f"{swatch('grey')}earned nothing or lost little."
+    f"Its way is {swatch('green')} after a gain, {swatch('red')} after a big loss, "
+    f"{swatch('grey')} otherwise."
 )
 
 
@@ -151,6 +149,13 @@ class Film(Displayed):
         """What became of it in one sentence, such as ``3 bumps in 60 steps, +10 in 41 of them``."""
         return finding(self.frames, self.rewards, self.task)
 
+    @property
+    def told(self) -> str:
+        """Its story for readers who cannot see it: the finding, the steps that tell most, and the end."""
+        told = [caption(self.frames, self.rewards, i) for i in self._key_steps()]
+        end = describe(self.frames[-1])
+        return f"Film of a robot. {self.finding}. {'. '.join(told)}. At the end: {end}"
+
     def pictures(self, width: int = WIDTH) -> Iterator[Image.Image]:
         """The pictures of the steps, with the way so far and the step's reward.
 
@@ -179,32 +184,36 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        time = round(1000 * self.seconds_per_frame)
-        return gif_of(list(self.pictures(width)), COLOURS, time)
+        return self._gif(list(self.pictures(width)))
 
-    def steps(self) -> Still:
-        """The steps that tell most, at most four, in one picture: the first, the last, losses, the goal.
+    def _gif(self, pictures: Sequence[Image.Image]) -> bytes:
+        """The GIF of these pictures."""
+        return gif_of(pictures, COLOURS, round(1000 * self.seconds_per_frame))
+
+    def steps(self) -> list[tuple[str, Still]]:
+        """The steps that tell most, at most four: the first, the last, losses, the goal.
 
         Returns
         -------
-        Still
-            The picture and what it shows.
+        list of (str, Still)
+            Of each what happens in it, and its picture.
         """
-        chosen = key_steps(self.frames, self.rewards, KEY_STEPS)
-        pictures = list(self.pictures(STEP_WIDTH))
-        rows = math.ceil(len(chosen) / IN_A_ROW)
-        height = pictures[0].height
-        columns = min(len(chosen), IN_A_ROW)
-        size = (columns * (STEP_WIDTH + GAP) - GAP, rows * (height + GAP) - GAP)
-        sheet = Image.new("RGB", size, WHITE)
-        told = []
-        for at, i in enumerate(chosen):
-            row, column = divmod(at, IN_A_ROW)
-            corner = (column * (STEP_WIDTH + GAP), row * (height + GAP))
-            sheet.paste(pictures[i], corner)
-            told.append(f"step {i + 1}: reward {self.rewards[i]:+.4g}")
-        few = in_few_colours(sheet, COLOURS)
-        return Still(f"{'; '.join(told)}.", png_of(few), sheet.width)
+        return self._steps(list(self.pictures()))
+
+    def _steps(self, pictures: Sequence[Image.Image]) -> list[tuple[str, Still]]:
+        """See `steps`; pictures: of all steps"""
+        chosen = self._key_steps()
+        near = closer(self.frames, [pictures[i] for i in chosen], STEP_WIDTH)
+        shown = []
+        for i, picture in zip(chosen, near, strict=True):
+            small = png_of(in_few_colours(picture, STEP_COLOURS))
+            still = Still(describe(self.frames[i]), small, STEP_WIDTH)
+            shown.append((caption(self.frames, self.rewards, i), still))
+        return shown
+
+    def _key_steps(self) -> list[int]:
+        """The steps that tell most, counted from 0."""
+        return key_steps(self.frames, self.rewards, KEY_STEPS)
 
     def save(self, path: str | Path) -> None:
         """Write the film to an animated GIF. For a page on which it can be paused, see `show3d`.
@@ -259,22 +268,23 @@ class Film(Displayed):
             return None
 
     def still(self) -> Still:
-        """The moving picture, and in words how the film ends.
+        """The moving picture, and its story in words.
 
         Returns
         -------
         Still
             The GIF and its description.
         """
-        end = describe(self.frames[-1])
-        alt = f"Film of a robot. {self.finding}. At the end: {end}"
-        return Still(alt, self.gif(), WIDTH, "image/gif")
+        return Still(self.told, self.gif(), WIDTH, "image/gif")
 
     def _as_html(self) -> str:
         """What became of it, the moving picture, and, where it is paused, the steps that tell most."""
-        key = key_words(self.frames[-1], self.rules, self.rewards)
-        words = f"<p><b>{escape(self.finding)}</b></p><p>{KEY} {escape(key)}</p>"
-        return card(words, self.still().html, self.steps().html, WIDTH)
+        pictures = list(self.pictures())
+        moving = Still(self.told, self._gif(pictures), WIDTH, "image/gif")
+        reel = Reel(moving, self._steps(pictures))
+        last = self.frames[-1]
+        key = f"{key_words(last, self.rules, self.rewards)} {squares(last)}"
+        return card(self.finding, KEY, [reel], escape(key), WIDTH)
 
 
 @suggests_keywords

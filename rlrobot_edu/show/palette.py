@@ -86,7 +86,8 @@ BLUES = (LIGHT["paper"], SKY, BLUE)
 # What things are made of that are drawn in no colour of their own
 METAL = "#a9b0b8"
 WOOD = "#c08b55"
-FIELD = "#e6dfc8"  # a marked part of a table
+FIELD = "#f4ead0"  # paint on a table
+BACKDROP = LIGHT["line"]  # behind a room that is filmed
 SCREEN = "#dfe3e8"
 GLASS = "#8fc7ea"
 SHINE = "#2a2a2a"  # how much light comes back from what shines

@@ -28,7 +28,7 @@ def material(part: Part) -> g.Material:
     """What a part is made of: it shines a little, or not at all."""
     colour = _number(part.colour)
     if not part.shines:
-        return g.MeshLambertMaterial(color=colour)
+        return g.MeshLambertMaterial(color=colour, opacity=part.opacity)
     return g.MeshPhongMaterial(
         color=colour, opacity=part.opacity, shininess=40, specular=_number(SHINE)
     )

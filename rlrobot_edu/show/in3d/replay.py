@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import NEAR, finding, jumps, key_words, loss_of
+from rlrobot_edu.show.describe import NEAR, jumps, key_words, loss_of
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.room.scene_data import scene_data
+from rlrobot_edu.show.story import finding
 
 NO_REPLAY = {"type": "replay", "path": "", "names": []}  # the page is live again
 

@@ -18,7 +18,6 @@ from rlrobot_edu.show.palette import (
 )
 
 UNTURNED = np.eye(4)
-BY_NAME = {"table": WOOD, "field": FIELD}
 THICK = 0.02  # of a floor [m]
 TABLE_EDGE = 0.04  # how far a table reaches beyond where the arm works [m]
 
@@ -62,7 +61,9 @@ def parts(solid: Solid) -> list[Part]:
         return _screen(solid)
     if solid.role == "goal":
         return [Part("disc", solid.shape, solid.size, ROLE["goal"], opacity=0.45)]
-    colour = BY_NAME.get(solid.name, ROLE[solid.role])
+    if solid.name == "field":
+        return [_paint(solid)]
+    colour = WOOD if solid.name == "table" else ROLE[solid.role]
     is_wall = solid.role == "wall"
     return [Part("body", solid.shape, solid.size, colour, shines=not is_wall)]
 
@@ -123,6 +124,12 @@ def _disc(solid: Solid) -> list[Part]:
     ]
 
 
+def _paint(solid: Solid) -> Part:
+    """What is only painted on a table: so thin that it has no side, and the wood shows through."""
+    length, width, _ = solid.size
+    return Part("paint", "box", (length, width, 1e-4), FIELD, opacity=0.5, shines=False)
+
+
 def _screen(solid: Solid) -> list[Part]:
     """Giraff's screen."""
     length, width, height = solid.size
@@ -171,6 +178,13 @@ def grid_cell(scene: Scene) -> float:
     if span > 1.8:
         return 1.0
     return 0.25 if span > 0.8 else 0.1
+
+
+def squares(scene: Scene) -> str:
+    """How wide the squares on the floor are, as a sentence."""
+    side = grid_cell(scene)
+    told = f"{side:g} m" if side >= 1 else f"{100 * side:g} cm"
+    return f"A square of the {'floor' if has_walls(scene) else 'table'} is {told} wide."
 
 
 def grid(scene: Scene) -> np.ndarray:

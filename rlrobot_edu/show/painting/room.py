@@ -21,6 +21,7 @@ ASPECT = 1.45  # width over height of a picture
 COLOURS = 64  # of a still
 ON_FLOOR = 0.01  # height of what is painted on the floor [m]
 CROSS = 0.07  # half the width of the cross where it bumped, [m]
+LEAST_LINE = 1.5  # width of a line [pixels]
 RING = 1.5  # radius of the ring round a robot that loses, in parts of the robot's
 
 
@@ -28,15 +29,22 @@ class Room:
     """Pictures of one room. What does not move is painted once.
 
     scene: the room; width, height: of the pictures [pixels]; is_map: from above, not as a camera sees it
+    paper: the colour round the room
     """
 
     def __init__(
-        self, scene: Scene, width: int, height: int, *, is_map: bool = False
+        self,
+        scene: Scene,
+        width: int,
+        height: int,
+        *,
+        is_map: bool = False,
+        paper: str = LIGHT["paper"],
     ) -> None:
         look = lens.from_above if is_map else lens.eye
         seen_by = look(scene, FINE * width, FINE * height)
-        self._painter = Painter(seen_by, width, height, LIGHT["paper"])
-        self._line_width = max(1.0, width / 300)
+        self._painter = Painter(seen_by, width, height, paper)
+        self._line_width = max(LEAST_LINE, width / 300)
         self._on_floor = has_walls(scene)  # an arm on a table moves in the air
         slab = floor(scene)
         its_mesh = mesh(slab.shape, slab.size)
