@@ -34,11 +34,10 @@ from rlrobot_edu.show.story import caption, finding, key_steps
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.visualizer import Visualizer
 
-WIDTH = 560  # of a film [pixels of a page]
-STEP_WIDTH = 276  # of a single step [pixels of a page]
+WIDTH = 540  # of a film [pixels of a page]
+STEP_WIDTH = 265  # of a single step [pixels of a page]
 KEY_STEPS = 4  # as large together as the film; on a phone more could not be read
 COLOURS = 32  # of a film
-STEP_COLOURS = 16  # of a single step: two pixels fit into a byte
 KEY = (
     f"Its way is {swatch('green')} after a gain, {swatch('red')} after a big loss, "
     f"{swatch('grey')} otherwise."
@@ -206,7 +205,7 @@ class Film(Displayed):
         near = closer(self.frames, [pictures[i] for i in chosen], STEP_WIDTH)
         shown = []
         for i, picture in zip(chosen, near, strict=True):
-            small = png_of(in_few_colours(picture, STEP_COLOURS))
+            small = png_of(in_few_colours(picture, COLOURS))
             still = Still(describe(self.frames[i]), small, STEP_WIDTH)
             shown.append((caption(self.frames, self.rewards, i), still))
         return shown

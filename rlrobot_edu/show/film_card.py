@@ -37,26 +37,27 @@ def _either(name: str) -> str:
 # A reader who wants no motion has the still pictures first. Themes: of pages, JupyterLab, VS Code and Colab.
 # Pages have looks of their own for tables and pictures, which are not meant here.
 STYLE = f"""<style>
-.rl-film {{ color-scheme: light dark; box-sizing: border-box; padding: 10px 12px; border: 1px solid {_either("line")};
-border-radius: 12px; background: {_either("paper")}; color: {_either("ink")}; font: 1rem/1.4 system-ui, sans-serif }}
+.rl-film {{ color-scheme: light dark; --ink: {_either("ink")}; --faint: {_either("faint")};
+box-sizing: border-box; padding: 10px 12px; border: 1px solid {_either("line")}; border-radius: 12px;
+background: {_either("paper")}; color: var(--faint); font: .9rem/1.4 system-ui, sans-serif }}
 :is([data-theme=light], [data-jp-theme-light=true], .vscode-light) .rl-film {{ color-scheme: light }}
 :is([data-theme=dark], [data-jp-theme-light=false], .vscode-dark, [theme=dark]) .rl-film {{ color-scheme: dark }}
-.rl-film p {{ margin: 0 0 6px; font-size: .9rem; color: {_either("faint")} }}
-.rl-film p.title {{ margin: 0 0 2px; font: 600 1.15rem/1.3 Georgia, serif; color: {_either("ink")} }}
-.rl-film b {{ color: {_either("ink")} }}
+.rl-film p {{ margin: 0 0 6px; font: inherit; color: inherit }}
+.rl-film br {{ display: none }}
+.rl-film b {{ color: var(--ink) }}
+.rl-film .title {{ margin: 0 0 2px; font: 600 1.15rem/1.3 Georgia, serif }}
 .rl-film .green {{ color: {_either("green")} !important }}
 .rl-film .red {{ color: {_either("red")} !important }}
 .rl-film .grey {{ color: {_either("grey")} !important }}
-.rl-film img {{ display: block; width: 100%; height: auto; margin: 0 0 4px; border-radius: 8px;
-background: none !important }}
-.rl-film table, .rl-film tbody {{ display: block; width: auto; margin: 0; border: 0; background: none !important }}
-.rl-film tr {{ display: flex; flex-wrap: wrap; gap: 10px; margin: 0 0 6px; border: 0; background: none !important }}
+.rl-film img {{ display: block; width: 100%; height: auto; margin: 0 0 4px; border-radius: 8px }}
+.rl-film :is(table, tbody, tr, td, img) {{ background: none !important }}
+.rl-film :is(table, tbody) {{ display: block; margin: 0; border: 0 }}
+.rl-film tr {{ display: flex; flex-wrap: wrap; gap: 10px; margin: 0 0 6px; border: 0 }}
 .rl-film td {{ flex: 1 1 240px; box-sizing: border-box; min-width: 0; max-width: none; padding: 0; border: 0;
-text-align: left; vertical-align: top; white-space: normal; font-size: .9rem; line-height: 1.4;
-color: {_either("faint")}; background: none !important }}
+text-align: left; vertical-align: top; white-space: normal; font: inherit; color: inherit }}
 .rl-film .still td {{ flex-basis: 40% }}
-.rl-film label {{ display: inline-block !important; margin: 8px 0; padding: 4px 12px;
-border: 1px solid {_either("blue")}; border-radius: 9px; font-size: .9rem; cursor: pointer }}
+.rl-film label {{ display: inline-block !important; margin: 6px 0 8px; padding: 4px 12px;
+border: 1px solid {_either("blue")}; border-radius: 9px; color: var(--ink); cursor: pointer }}
 .rl-film label:focus-within {{ outline: 3px solid {_either("focus")} }}
 .rl-film input {{ position: absolute; opacity: 0 }}
 .rl-film label::after {{ content: "{PAUSE}" }}
@@ -98,9 +99,11 @@ def _parts(reel: Reel) -> Iterator[str]:
     if reel.name:
         yield f"<p><b>{escape(reel.name)}</b>: {escape(reel.said)}</p>"
     yield f'<div class="moving">{_picture(reel.moving)}</div>'
-    cells = [f"{_picture(still)}{escape(words)}" for words, still in reel.stills]
-    rows = [_row(cells[i : i + IN_A_ROW]) for i in range(0, len(cells), IN_A_ROW)]
-    yield f'<div class="still">{"".join(rows)}</div>'
+    cells = [f"{_picture(still)}<br>{escape(words)}" for words, still in reel.stills]
+    if len(cells) > 1:
+        pairs = (cells[i : i + IN_A_ROW] for i in range(0, len(cells), IN_A_ROW))
+        cells = [_row(pair) for pair in pairs]
+    yield f'<div class="still">{"".join(cells)}</div>'
 
 
 def _row(cells: Iterable[str]) -> str:

@@ -86,7 +86,7 @@ BLUES = (LIGHT["paper"], SKY, BLUE)
 # What things are made of that are drawn in no colour of their own
 METAL = "#a9b0b8"
 WOOD = "#c08b55"
-FIELD = "#f4ead0"  # paint on a table
+FIELD = "#e6dfc8"  # paint on a table
 BACKDROP = LIGHT["line"]  # behind a room that is filmed
 SCREEN = "#dfe3e8"
 GLASS = "#8fc7ea"

@@ -1,6 +1,8 @@
 """Lesson 17's cells and figures say what they should."""
 
+import base64
 import io
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -91,9 +93,16 @@ def test_the_moving_picture_has_a_frame_a_step_and_counts_arrivals():
         rl.Agent(env, "Q+EG", seed=7), env, steps=45, progress=False, keep=True
     )
     assert np.flatnonzero(walk.terminated).tolist() == [40]
-    film = Walks({"x": walk}, steps=43)
-    assert "43 steps. x: 1 arrivals" in repr(film)
-    assert Image.open(io.BytesIO(film.still().data)).n_frames == 43
+    film = Walks({"x": walk, "y": walk}, steps=43)
+    assert "43 steps. x: 1 arrival; y: 1 arrival" in repr(film)
+    page = film._as_html()
+    gifs = re.findall(r"data:image/gif;base64,([^\"]+)", page)
+    assert len(gifs) == 2
+    for gif in gifs:
+        assert Image.open(io.BytesIO(base64.b64decode(gif))).n_frames == 43
+    assert "No robot arrives more often than all others in 43 steps" in page
+    one = Walks({"x": walk}, steps=43)._as_html()
+    assert "The robot with “x” arrives most often in 43 steps" in one
 
 
 def test_the_titles_of_beliefs_count_cells_and_steps():

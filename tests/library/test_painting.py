@@ -8,16 +8,17 @@ from PIL import Image, ImageColor, ImageSequence
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.show.describe import NEAR, finding, losses
+from rlrobot_edu.show.describe import NEAR, losses
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.images import few_colours, gif_of, reduced
 from rlrobot_edu.show.in3d.replay import places
 from rlrobot_edu.show.painting import lens
-from rlrobot_edu.show.painting.frames import frames, key_steps
+from rlrobot_edu.show.painting.frames import Bar, closer, frames
 from rlrobot_edu.show.painting.mesh import mesh
 from rlrobot_edu.show.painting.painter import FINE, Painter
 from rlrobot_edu.show.painting.room import ASPECT, Room, painted
-from rlrobot_edu.show.palette import LIGHT
+from rlrobot_edu.show.palette import BACKDROP, DARK, LIGHT
+from rlrobot_edu.show.story import AT_OBJECT, caption, finding, key_steps
 from rlrobot_edu.task.task_file import available_tasks
 
 WIDTH, HEIGHT = 300, 207
@@ -196,11 +197,17 @@ def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:
     film = Film([room(-0.8 + 0.02 * i, -0.5) for i in range(60)], [1.0] * 59 + [-2.0])
     page = film._repr_mimebundle_()
     html = page["text/html"] if "text/html" in page else page[0]["text/html"]
-    assert html.count("<img") == 2
-    assert html.index("image/gif") < html.index("image/png"), "the film comes first"
+    assert html.count("<img") == 5
     assert "<script" not in html
-    assert len(film.steps().data) < 60_000
-    assert "step 60: reward -2" in film.steps().alt
+    steps = film.steps()
+    assert sum(len(still.data) for _, still in steps) < 30_000
+    words, _ = steps[-1]
+    assert words == "Step 60: end, a loss, reward −2, sum +57"
+    title, picture = html.index(film.finding), html.index("image/gif")
+    below = html.index(f"<br>{words}")
+    assert title < picture < below, "the film comes first"
+    assert below < html.index("A square of the floor is 1 m wide.")
+    assert words in film.told, "who cannot see it hears the same story"
 
 
 def test_flat_colours_come_through_a_gif_as_they_are() -> None:
@@ -213,10 +220,10 @@ def test_flat_colours_come_through_a_gif_as_they_are() -> None:
     film = Image.open(io.BytesIO(gif_of(pictures, 32, 100)))
     for picture, kept in zip(pictures, ImageSequence.Iterator(film), strict=True):
         kept = kept.convert("RGB")
-        for name in ("blue", "red", "floor", "paper"):
-            colour = ImageColor.getrgb(LIGHT[name])
+        for code in (LIGHT["blue"], LIGHT["red"], LIGHT["floor"], BACKDROP):
+            colour = ImageColor.getrgb(code)
             there = has(picture, colour)
-            assert has(kept, colour)[there].all(), name
+            assert has(kept, colour)[there].all(), code
 
 
 def test_a_gif_shows_each_of_its_pictures() -> None:
@@ -256,3 +263,74 @@ def test_key_steps_hold_the_goal_that_the_title_names() -> None:
     rewards[7] = 10.0
     assert "+10 in step 8" in finding(scenes, rewards)
     assert 7 in key_steps(scenes, rewards, 4)
+
+
+def arm(gap: float) -> Scene:
+    """An arm on a table whose fingertips are so far from the object [m]."""
+    finger = (0.05, 0.01, 0.02)
+    solids = (
+        Solid("object", "cylinder", (0.02, 0.05), pose(0.2, 0.0, 0.0), "object"),
+        Solid("robot/upper_arm", "box", (0.1, 0.1, 0.1), pose(0, 0, 0.3), "robot"),
+        Solid("robot/body", "box", (0.03, 0.03, 0.03), pose(0.1 - gap, 0, 0), "robot"),
+        Solid("robot/gripper_2", "box", finger, pose(0.175 - gap, 0.02, 0), "robot"),
+        Solid("robot/gripper_3", "box", finger, pose(0.175 - gap, -0.02, 0), "robot"),
+    )
+    return Scene(solids, np.empty((0, 2, 3)), (-0.5, -0.5, 0.5, 0.5))
+
+
+def test_the_title_of_an_arms_film_says_whether_it_reached_its_object() -> None:
+    far, near = arm(2 * AT_OBJECT), arm(0.8 * AT_OBJECT)
+
+    def told(*scenes: Scene) -> str:
+        return finding(scenes, [0.0] * len(scenes), "Reach it")
+
+    assert told(far, near, near) == (
+        "Reach it: reached in step 2, and it stays there to step 3"
+    )
+    assert told(far, near, far) == "Reach it: reached in step 2, there in 1 of 3 steps"
+    assert told(far, near) == "Reach it: reached in step 2, the last one"
+    assert told(arm(0.2), far) == (
+        "Reach it: not reached in 2 steps, 10 cm away in step 2"
+    )
+
+
+def test_captions_tell_the_story_of_an_arm() -> None:
+    scenes = [arm(0.3), arm(0.1), arm(0.03), arm(0.02)]
+    rewards = [-1.0, 5.0, 10.0, 10.0]
+    assert [caption(scenes, rewards, i) for i in range(4)] == [
+        "Step 1: start, 30 cm from the object, reward −1, sum −1",
+        "Step 2: 10 cm from the object, reward +5, sum +4",
+        "Step 3: reaches the object, reward +10, sum +14",
+        "Step 4: end, at the object, reward +10, sum +24",
+    ]
+    many = [arm(0.3)] * 10 + [arm(0.04)] * 10
+    assert 10 in key_steps(many, [0.0] * 20, 3)
+
+
+def test_steps_show_the_robot_closer_and_all_the_same_part_of_the_room() -> None:
+    way = [room(-0.7, -0.5), room(-0.5, -0.5), room(-0.3, -0.5)]
+    pictures = list(frames(way, [1.0] * 3, (), WIDTH))
+    near = list(closer(way, pictures, WIDTH // 2))
+    assert [picture.size for picture in near] == [(150, 103)] * 3
+    whole = [has(picture, BLUE).mean() for picture in pictures]
+    assert all(has(a, BLUE).mean() > 1.5 * b for a, b in zip(near, whole, strict=True))
+    everywhere = [room(-0.9, -0.9), room(0.9, 0.9)]
+    pictures = list(frames(everywhere, [1.0] * 2, (), WIDTH))
+    for picture, part in zip(
+        pictures, closer(everywhere, pictures, WIDTH), strict=True
+    ):
+        assert np.array_equal(np.asarray(picture)[:HEIGHT], np.asarray(part))
+
+
+@pytest.mark.parametrize("width", [372, 560])
+def test_the_numbers_in_a_films_bar_do_not_run_into_each_other(width: int) -> None:
+    bar = Bar(100, width, has_notes=False)
+    ground = np.array(ImageColor.getrgb(DARK["paper"]))
+    long = bar.picture(99, -0.02, True, "a loss", -1234.5, "")
+    row = np.asarray(long)[: bar.row]
+    is_free = (row == ground).all(axis=(0, 2))
+    longest, run = 0, 0
+    for free in is_free[width // 2 :]:
+        run = run + 1 if free else 0
+        longest = max(longest, run)
+    assert longest >= 8

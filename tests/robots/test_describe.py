@@ -5,20 +5,19 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.describe import (
     as_scenes,
     describe,
+    gap_of,
     key_words,
     path_of,
     rules_met,
     rules_of,
     task_of,
 )
-from rlrobot_edu.show.numerals import signed
-from rlrobot_edu.show.painting.frames import Bar
+from rlrobot_edu.show.story import AT_OBJECT, caption, nearest_step
 
 TASKS = sorted(
     path.stem for path in Path(rl.load_task("arm_1k").path).parent.glob("*.py")
@@ -114,25 +113,18 @@ def test_the_point_of_a_number_does_not_end_the_name_of_a_task():
 
 
 @pytest.mark.parametrize("name", ["arm_1k", "arm_4k"])
-def test_the_titles_first_reward_is_the_one_that_the_bar_shows_at_that_step(
-    name, monkeypatch
-):
+def test_an_arm_reaches_its_object_in_the_step_that_is_first_paid_for_it(name):
     agent, env = rl.Agent(name, "Q+EG", seed=3), rl.make_env(name, seed=3)
     rl.learn(agent, env, steps=3000, progress=False)
     film = rl.film(agent, env, steps=60)
-    shown = {}
-
-    def note(bar, i, reward, loses, word, total, note):
-        shown[i + 1] = (signed(reward), signed(total))
-        return Image.new("RGB", (280, 20))
-
-    monkeypatch.setattr(Bar, "picture", note)
-    list(film.pictures(280))
-    said = re.search(r"(\S+) in .*step (\d+)$", film.finding)
-    most, step = said[1], int(said[2])
-    assert shown[step][0] == most
-    assert all(shown[i][0] != most for i in range(1, step))
-    assert shown[step][1] == signed(sum(film.rewards[:step]))
+    assert 10.0 in film.rewards
+    first = film.rewards.index(10.0)
+    assert nearest_step(film.frames) == first
+    assert f"reached in step {first + 1}" in film.finding
+    at = [gap_of(scene) <= AT_OBJECT for scene in film.frames]
+    assert at == [reward == 10.0 for reward in film.rewards]
+    told = caption(film.frames, film.rewards, first)
+    assert f"Step {first + 1}: reaches the object, reward +10, sum " in told
 
 
 def test_the_key_of_an_arm_says_what_its_rewards_and_marks_mean():

@@ -86,16 +86,19 @@ def colour_of(reward: float, loses: bool) -> str:
 
 
 class Bar:
-    """The bar below the pictures of a film, dark on a light page and on a dark one. steps: how many there are"""
+    """The bar below the pictures of a film, dark on a light page and on a dark one.
+
+    steps: how many there are; row: height of a line [pixels]
+    """
 
     def __init__(self, steps: int, width: int, *, has_notes: bool) -> None:
         self._steps = steps
         self._done: list[str] = []  # the colour of each step so far
         self._width = width
         self._size = round(LETTERS * width)
-        self._row = round(1.7 * self._size)
+        self.row = round(1.7 * self._size)
         self._strip = round(STRIP * width)
-        self._height = self._row * (2 if has_notes else 1) + self._strip
+        self._height = self.row * (2 if has_notes else 1) + self._strip
 
     def picture(
         self, i: int, reward: float, loses: bool, word: str, total: float, note: str
@@ -103,7 +106,7 @@ class Bar:
         """The bar of step i, counted from 0, after those before. word: what happened; total: of the rewards so far"""
         image = Image.new("RGB", (self._width, self._height), DARK["paper"])
         pen = ImageDraw.Draw(image)
-        y = self._row / 2
+        y = self.row / 2
         edge = self._size / 2
         gap = 0.4 * self._size
         name = colour_of(reward, loses)
@@ -125,7 +128,7 @@ class Bar:
         end -= strong.getlength(signed(total)) + gap
         pen.text((end, y), "sum", DARK["faint"], plain, "rm")
         if note:
-            pen.text((edge, 1.4 * self._row), note, DARK["ink"], plain, "lm")
+            pen.text((edge, 1.4 * self.row), note, DARK["ink"], plain, "lm")
         self._done.append(name)
         top = self._height - self._strip
         pen.rectangle((0, top, self._width, self._height), DARK["line"])

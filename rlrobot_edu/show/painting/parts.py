@@ -18,6 +18,7 @@ from rlrobot_edu.show.palette import (
 )
 
 UNTURNED = np.eye(4)
+BY_NAME = {"table": WOOD, "field": FIELD}
 THICK = 0.02  # of a floor [m]
 TABLE_EDGE = 0.04  # how far a table reaches beyond where the arm works [m]
 
@@ -63,7 +64,7 @@ def parts(solid: Solid) -> list[Part]:
         return [Part("disc", solid.shape, solid.size, ROLE["goal"], opacity=0.45)]
     if solid.name == "field":
         return [_paint(solid)]
-    colour = WOOD if solid.name == "table" else ROLE[solid.role]
+    colour = BY_NAME.get(solid.name, ROLE[solid.role])
     is_wall = solid.role == "wall"
     return [Part("body", solid.shape, solid.size, colour, shines=not is_wall)]
 
