@@ -20,8 +20,9 @@ picture.py   figures, and the axes to draw on
 numerals.py  how pictures write numbers
 ends.py      the names of curves at their ends
 describe.py  what all views of scenes share: the path, what is a loss, a description in words
+story.py     what a film tells: its title, the steps that tell most, a caption for each
 top_down.py  `plot_scene`, a scene from above
-film_card.py  a film on a page, with a pause
+film_card.py  films on a page: words, moving pictures, a pause, the key
 film.py      `film`, a scene for each step, as a GIF and in 3D
 curves.py    `plot_learning`, learning curves
 map_of_settings.py  what a method earns, over two of its parameters

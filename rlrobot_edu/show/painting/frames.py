@@ -60,22 +60,36 @@ def closer(
 
     width: of what is returned [pixels], at most that of the pictures
     """
-    whole = pictures[0].width
+    box = _window(scenes, pictures[0].width, width)
+    for picture in pictures:
+        part = picture.crop(box)
+        yield part.resize((width, round(width / ASPECT)), Image.Resampling.LANCZOS)
+
+
+def _window(
+    scenes: Sequence[Scene], whole: int, least_width: int
+) -> tuple[int, int, int, int]:
+    """The part of a room's picture in which something moves: left, upper, right, lower [pixels].
+
+    whole: width of the picture; least_width: of the part [pixels]
+    """
+    size = np.array([whole, whole / ASPECT])
     places = [path_of(scenes)]
     for solid in scenes[-1].solids:
         if solid.role in ("object", "goal"):
             places.append(solid.pose[:3, 3][None])
-    seen = eye(scenes[0], whole, round(whole / ASPECT)).seen(np.vstack(places))
-    least, most = seen[:, :2].min(axis=0), seen[:, :2].max(axis=0)
-    across, down = most - least + 2 * ROUND_IT * whole
-    wide = min(max(across, ASPECT * down, width), whole)
-    size = np.array([wide, wide / ASPECT])
-    limits = np.array([whole, whole / ASPECT]) - size
-    corner = ((least + most - size) / 2).clip(0, limits)
-    box = np.concatenate((corner, corner + size)).round().astype(int).tolist()
-    for picture in pictures:
-        part = picture.crop(box)
-        yield part.resize((width, round(width / ASPECT)), Image.Resampling.LANCZOS)
+    points = np.vstack(places)
+    if len(points) == 0:
+        return (0, 0, whole, round(whole / ASPECT))
+    seen = eye(scenes[0], whole, round(whole / ASPECT)).seen(points)
+    low, high = seen[:, :2].min(axis=0), seen[:, :2].max(axis=0)
+    across, down = high - low + 2 * ROUND_IT * whole
+    wide = min(max(across, ASPECT * down, least_width), whole)
+    part = np.array([wide, wide / ASPECT])
+    corner = ((low + high - part) / 2).clip(0, size - part)
+    left, upper = corner.round().astype(int).tolist()
+    right, lower = (corner + part).round().astype(int).tolist()
+    return left, upper, right, lower
 
 
 def colour_of(reward: float, loses: bool) -> str:
