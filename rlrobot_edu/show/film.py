@@ -26,7 +26,7 @@ from rlrobot_edu.show.describe import (
 )
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film_card import Reel, card, swatch
-from rlrobot_edu.show.images import gif_of, in_few_colours, png_of
+from rlrobot_edu.show.images import few_colours, gif_of, png_of, reduced
 from rlrobot_edu.show.painting.frames import closer, frames
 from rlrobot_edu.show.painting.parts import squares
 from rlrobot_edu.show.story import caption, finding, key_steps
@@ -202,10 +202,11 @@ class Film(Displayed):
     def _steps(self, pictures: Sequence[Image.Image]) -> list[tuple[str, Still]]:
         """See `steps`; pictures: of all steps"""
         chosen = self._key_steps()
-        near = closer(self.frames, [pictures[i] for i in chosen], STEP_WIDTH)
+        near = list(closer(self.frames, [pictures[i] for i in chosen], STEP_WIDTH))
+        colours = few_colours(near, COLOURS)
         shown = []
         for i, picture in zip(chosen, near, strict=True):
-            small = png_of(in_few_colours(picture, COLOURS))
+            small = png_of(reduced(picture, colours))
             still = Still(describe(self.frames[i]), small, STEP_WIDTH)
             shown.append((caption(self.frames, self.rewards, i), still))
         return shown

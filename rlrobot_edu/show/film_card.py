@@ -50,11 +50,11 @@ background: {_either("paper")}; color: var(--faint); font: .9rem/1.4 system-ui, 
 .rl-film .red {{ color: {_either("red")} !important }}
 .rl-film .grey {{ color: {_either("grey")} !important }}
 .rl-film img {{ display: block; width: 100%; height: auto; margin: 0 0 4px; border-radius: 8px }}
+.rl-film :is(table, tbody, tr, td) {{ display: block; box-sizing: border-box; max-width: none; margin: 0; padding: 0;
+border: 0; text-align: left; white-space: normal; font: inherit; color: inherit }}
 .rl-film :is(table, tbody, tr, td, img) {{ background: none !important }}
-.rl-film :is(table, tbody) {{ display: block; margin: 0; border: 0 }}
-.rl-film tr {{ display: flex; flex-wrap: wrap; gap: 10px; margin: 0 0 6px; border: 0 }}
-.rl-film td {{ flex: 1 1 240px; box-sizing: border-box; min-width: 0; max-width: none; padding: 0; border: 0;
-text-align: left; vertical-align: top; white-space: normal; font: inherit; color: inherit }}
+.rl-film tr {{ display: flex; flex-wrap: wrap; gap: 10px; margin: 0 0 6px }}
+.rl-film td {{ flex: 1 1 240px; min-width: 0 }}
 .rl-film .still td {{ flex-basis: 40% }}
 .rl-film label {{ display: inline-block !important; margin: 6px 0 8px; padding: 4px 12px;
 border: 1px solid {_either("blue")}; border-radius: 9px; color: var(--ink); cursor: pointer }}

@@ -34,7 +34,8 @@ def _reached(scenes: Sequence[Scene]) -> str:
     at = [_is_at(scene) for scene in scenes]
     steps = counted(len(scenes), "step")
     if not any(at):
-        return f"not reached in {steps}, {_away(scenes[nearest])} away in step {nearest + 1}"
+        gap = _away(scenes[nearest])
+        return f"not reached in {steps}; nearest in step {nearest + 1}, {gap} away"
     said = f"reached in step {nearest + 1}"
     if not all(at[nearest:]):
         return f"{said}, there in {sum(at)} of {steps}"

@@ -290,7 +290,7 @@ def test_the_title_of_an_arms_film_says_whether_it_reached_its_object() -> None:
     assert told(far, near, far) == "Reach it: reached in step 2, there in 1 of 3 steps"
     assert told(far, near) == "Reach it: reached in step 2, the last one"
     assert told(arm(0.2), far) == (
-        "Reach it: not reached in 2 steps, 10 cm away in step 2"
+        "Reach it: not reached in 2 steps; nearest in step 2, 10 cm away"
     )
 
 

@@ -7,16 +7,18 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import losses, path_of
+from rlrobot_edu.show.describe import losses
 from rlrobot_edu.show.numerals import signed
 from rlrobot_edu.show.painting.lens import eye
+from rlrobot_edu.show.painting.mesh import mesh
+from rlrobot_edu.show.painting.painter import placed
 from rlrobot_edu.show.painting.room import ASPECT, Room
 from rlrobot_edu.show.palette import BACKDROP, DARK, LIGHT
 from rlrobot_edu.show.story import what_was_lost
 from rlrobot_edu.show.style import font_file
 
 LETTERS = 0.047  # size of the bar's letters, in parts of the picture's width
-ROUND_IT = 0.1  # how much is shown round the robot, in the same parts
+ROUND_IT = 0.08  # how much is shown round the robot, in the same parts
 STRIP = 0.012  # height of the strip that shows how far the film is, in the same parts
 
 
@@ -74,14 +76,14 @@ def _window(
     whole: width of the picture; least_width: of the part [pixels]
     """
     size = np.array([whole, whole / ASPECT])
-    places = [path_of(scenes)]
-    for solid in scenes[-1].solids:
-        if solid.role in ("object", "goal"):
-            places.append(solid.pose[:3, 3][None])
-    points = np.vstack(places)
-    if len(points) == 0:
+    shown = []
+    for scene in scenes:
+        for solid in scene.solids:
+            if solid.name == "robot/body" or solid.role in ("object", "goal"):
+                shown.append(placed(mesh(solid.shape, solid.size).corners, solid.pose))
+    if not shown:
         return (0, 0, whole, round(whole / ASPECT))
-    seen = eye(scenes[0], whole, round(whole / ASPECT)).seen(points)
+    seen = eye(scenes[0], whole, round(whole / ASPECT)).seen(np.vstack(shown))
     low, high = seen[:, :2].min(axis=0), seen[:, :2].max(axis=0)
     across, down = high - low + 2 * ROUND_IT * whole
     wide = min(max(across, ASPECT * down, least_width), whole)
