@@ -327,7 +327,7 @@ def test_pressed_the_button_makes_room_for_the_films(monkeypatch):
     sides.by_right.cache_clear()
     text, films = button.widget.children
     assert "By your code the robot earns" in text.value
-    assert "<strong>yours</strong>" in films.value and "<img alt=" in films.value
+    assert "<b>yours</b>" in films.value and "<img alt=" in films.value
 
 
 def test_a_drive_that_fails_itself_says_so_and_shows_no_traceback():
