@@ -3,10 +3,13 @@ computed."""
 
 PAGE = """# A better bias, or a circle?
 
-VBIASSR is the paper's bias weighed by visits. Does it earn more than the paper's QBIASSR where no single action,
-repeated, drives a circle that pays in every step? [An agent that sees nothing](blind.md) finds such a circle in
-`wander_4k`, so rewards there do not measure what a selection knows. Hypotheses, worlds, lengths, repetitions, tests and
-corrections were [registered](../../studies/bias_registered.json) before the first run, with a seed ({seed}) that no
+The paper's bias, QBIASSR, counts all similar states alike. VBIASSR counts a state the more, the more often it was
+visited. Does it earn more? In `wander_4k` rewards cannot tell: there VBIASSR is not shown to earn more than [an agent
+that sees nothing](blind.md), which repeats one action and so drives a circle that pays in every step. So here the two
+are compared where no circle pays.
+
+Hypotheses, worlds, lengths, repetitions, tests and corrections were
+[registered](../../studies/bias_registered.json) before the first run, with a seed ({seed}) that no
 earlier study had. *Registered* means here: a commit of this repository, made a quarter of an hour before the commit
 with the first runs; since then only the path of a page has changed in its file. No outside registry has it, and the
 code of the analysis came with the runs. `make bias-study` runs everything in under an hour on two cores.

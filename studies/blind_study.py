@@ -173,11 +173,11 @@ def verdicts(found: Found) -> str:
 
 PAGE = """# How much does a blind robot earn?
 
-Written by `python studies/blind_study.py` from [blind.json](../../studies/blind.json). A selection may earn much
-because it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot with
-TOSL+SR learns while all places are one state. It has no loop evasion, which looks at states. {n} robots each, seed
-{seed}; mean final average reward ± half of its 95 % interval, p of Welch's test, uncorrected. SR and QBIASSR were run
-in two of the worlds only.
+A selection may earn much because it knows its states well, or because it soon ignores them and does one thing
+everywhere. So here a robot with TOSL+SR learns while all places are one state. It has no loop evasion, which looks at
+states. {n} robots each, seed {seed}; mean final average reward ± half of its 95 % interval, p of Welch's test,
+uncorrected. SR and QBIASSR were run in two of the worlds only. Written by `python studies/blind_study.py` from
+[blind.json](../../studies/blind.json).
 
 {table}
 

@@ -255,13 +255,13 @@ def figure_title(shares: Mapping[str, np.ndarray]) -> str:
 
 PAGE = """# How far is the kinematic arm from PyBullet's?
 
-Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet.
-So does `rl.make_env("arm_1k")` where PyBullet is not installed; it warns you once. Its joints turn by speed × time and
-stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
-[a formula](../../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
+For those who use the arm without PyBullet, and want to know what changes. `rl.make_env("arm_1k", engine="kinematic")`
+gives an arm without PyBullet. So does `rl.make_env("arm_1k")` where PyBullet is not installed; it warns you once. Its
+joints turn by speed × time and stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in
+PyBullet); [a formula](../../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
 [manipulator](../../rlrobot_edu/robots/arm/kinematic_manipulator.py) is the base in pymunk with this arm on it. There
 are no weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the
-walls. The manipulator's base does bump into walls and table.
+walls. The manipulator's base does bump into walls and table. Written by `python studies/kinematic_arm.py`.
 
 ## The same actions in both
 

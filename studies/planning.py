@@ -251,13 +251,13 @@ def main() -> None:
 PAGE = """\
 # What does planning gain?
 
-Written by `python studies/planning.py`. An agent with a planner remembers its steps, and learns from 10 imagined steps
-after each real one: [Dyna-Q](../../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All
-other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
-repetitions in that one model, so nothing is shown of another recording; *robot*: the simulated one, {robot}
-repetitions. p is Tukey's, of the three groups in a row, corrected by Holm for all tests of both tables; **bold** is
-significantly better than no planner, *italic* significantly worse.
+An agent with a planner remembers its steps, and learns from 10 imagined steps after each real one:
+[Dyna-Q](../../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random, [prioritized
+sweeping](../../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All other parameters
+are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model} repetitions in that one
+model, so nothing is shown of another recording; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the
+three groups in a row, corrected by Holm for all tests of both tables; **bold** is significantly better than no planner,
+*italic* significantly worse. Written by `python studies/planning.py`.
 
 ## What we found
 

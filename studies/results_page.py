@@ -186,14 +186,7 @@ def of_studies() -> dict[str, str]:
         for robot in of.ROBOTS:
             found[f"{robot} {name}"] = str(of.over_recordings(recording, robot, pair))
     found["authors with the fault"] = str(of.over_agents(recording, of.WITH_FAULT))
-    found["tuning in short"] = in_short(DOCS / "studies" / "how_much_tuning.md")
     return found
-
-
-def in_short(study: Path) -> str:
-    """The first paragraph below "In short" on the page of a study."""
-    _, after = study.read_text(encoding="utf-8").split("## In short\n\n")
-    return after.split("\n\n")[0]
 
 
 def named(outcomes: Outcomes) -> dict[str, str]:

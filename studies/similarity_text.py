@@ -3,9 +3,10 @@ computed."""
 
 PAGE = r"""# When does similarity help?
 
-QBIASSR adds to $Q(s)$ a bias, the advice of [similar states](../notebooks/05_qbiassr.ipynb). Here is what this bias is,
-whatever was learned, and what follows. `python studies/similarity.py` measures all that was measured, in some ten
-minutes, and writes this page from its [numbers](../studies/similarity.json); people wrote the verdicts.
+For those who have read [lesson 05](../notebooks/05_qbiassr.ipynb) and like a proof. QBIASSR adds to $Q(s)$ a bias, the
+advice of similar states. Here is what this bias is, whatever was learned, and what follows from it.
+`python studies/similarity.py` measures all that was measured, in some ten minutes, and writes this page from its
+[numbers](../studies/similarity.json); people wrote the verdicts.
 
 ## The theorem
 

@@ -113,12 +113,11 @@ def table(found: dict[str, Any]) -> str:
 
 PAGE = """# Inputs that never change
 
-Written by `python studies/still_object.py` from [still_object.json](../../studies/still_object.json).
-
 In both arm tasks the object keeps its place. So two of the inputs never change: `arm_1k` has {states[0]} states, of
 which an arm that moves at random meets {met[0]} in {steps:,} steps, and `arm_4k` has {states[1]}, of which it meets
 {met[1]}. QBIASSR takes the mean over all states that differ in one input alone. For the object's two inputs these are
 states that cannot occur; their Q stays 0, and they dilute the advice. We do not know whether the authors' object moved.
+Written by `python studies/still_object.py` from [still_object.json](../../studies/still_object.json).
 
 Does this decide what the report finds on arms? We removed the two inputs, which leaves {small[0]} and {small[1]}
 states. {arms} arms of each method and row, [kinematic](kinematic_arm.md), seed {seed}; differences of the mean reward a

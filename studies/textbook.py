@@ -187,10 +187,10 @@ def main() -> None:
 PAGE = """\
 # Textbook results
 
-Written by `python studies/textbook.py`. Each row compares a published result with ours: the mean of {runs} runs with
+Does the library find what textbooks print? Each row compares a published result with ours: the mean of {runs} runs with
 its 95 % interval, and of {walks} runs for the random walk. The rows of the Dyna maze are read off the mean of {runs}
 runs. The last three rows are exact. The worlds are in [textbook_worlds.py](../../studies/textbook_worlds.py), and small
-versions of all rows are tests.
+versions of all rows are tests. Written by `python studies/textbook.py`.
 
 | result | published | where | here |
 |---|---|---|---|

@@ -96,12 +96,12 @@ def once(
 
 PAGE = """# Does it help to transfer knowledge?
 
-Written by `python studies/transfer.py`. `transfer` of lesson 21 begins a new agent with the Q of another: bins by the
-overlap of their physical intervals, actions by the robot's motion. We measured four transfers, and one to the same
-robot for comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,} steps, in
-the sample model of one recording {model_steps:,}), each by itself. From each of them one agent of the target
-begins, and another begins from scratch. All have random numbers of their own. Every step is one second, so
-{source_steps:,} steps are an hour.
+`transfer` of lesson 21 begins a new agent with the Q of another: bins by the overlap of their physical intervals,
+actions by the robot's motion. We measured four transfers, and one to the same robot for comparison. Each time {n}
+source agents learn ({method}, the default parameters, {source_steps:,} steps, in the sample model of one recording
+{model_steps:,}), each by itself. From each of them one agent of the target begins, and another begins from scratch. All
+have random numbers of their own. Every step is one second, so {source_steps:,} steps are an hour. Written by `python
+studies/transfer.py`.
 
 ![{alt}](../pictures/transfer.png)
 

@@ -165,11 +165,11 @@ def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
 
 PAGE = """# How close is our physics to V-REP's?
 
-Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP,
-chosen by an agent that learned with TOSL+SR. Our robot does the same task: in each state it takes the same actions as
-in V-REP, as often. This compares the simulations, not the agents. For each pair (s, a) seen at least 30 times in both,
-we take the total variation distance between the two distributions of the outcome (s' and r), and average with V-REP's
-visits as weights. 0 means that the simulations are the same, 1 that they have nothing in common.
+The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen by an agent that learned with TOSL+SR. Our
+robot does the same task: in each state it takes the same actions as in V-REP, as often. This compares the simulations,
+not the agents. For each pair (s, a) seen at least 30 times in both, we take the total variation distance between the
+two distributions of the outcome (s' and r), and average with V-REP's visits as weights. 0 means that the simulations
+are the same, 1 that they have nothing in common. Written by `python studies/vrep_comparison.py`.
 
 ## How low it can get
 

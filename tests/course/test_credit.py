@@ -1,8 +1,5 @@
 """Credit: the same kernels on numbers that remember their rewards; sums, bits and finite differences agree."""
 
-import re
-from pathlib import Path
-
 import gymnasium
 import numpy as np
 import pytest
@@ -118,12 +115,3 @@ def test_who_plans_and_a_state_that_does_not_exist_are_refused():
         credit_in(rl.Agent("worked_example", "Q+SR", planner="dyna", seed=0), env, 10)
     with pytest.raises(ValueError, match="there is no state 24"):
         credit_of("Q+SR", steps=3)[1].weights(24, 0)
-
-
-def test_the_page_says_what_its_code_prints(capsys):
-    page = Path(__file__).parents[2] / "docs/studies/credit.md"
-    code, printed = re.findall(
-        r"```(?:python|text)\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL
-    )
-    exec(code, {"rl": rl})
-    assert capsys.readouterr().out == printed

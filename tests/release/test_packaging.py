@@ -91,33 +91,6 @@ def test_a_release_wants_one_version_and_one_date(name, old, new, tmp_path):
     assert disagreements(ROOT) == [] and len(disagreements(tmp_path)) == 1
 
 
-def test_the_recipe_for_conda_forge_needs_what_the_package_and_its_lab_need():
-    page = (ROOT / "docs/howto/release.md").read_text(encoding="utf-8")
-    recipe = yaml.safe_load(re.search(r"```yaml\n(.*?)```", page, re.S)[1])
-    names = {
-        "matplotlib": "matplotlib-base",
-        "meshcat": "meshcat-python",
-    }  # as conda-forge calls them
-    extras = PROJECT["optional-dependencies"]
-    lines = PROJECT["dependencies"] + extras["notebook"] + extras["lab"]
-    wanted = [Requirement(line) for line in lines if not line.startswith("rlrobot")]
-    here = [
-        need for need in wanted if need.marker is None or need.marker.evaluate()
-    ]  # one line of numba's two
-    assert recipe["requirements"]["run"][1:] == [
-        f"{names.get(need.name, need.name)} {need.specifier}" for need in here
-    ]
-    assert recipe["context"]["version"] == rl.__version__
-    about = recipe["about"]
-    assert (about["license"], about["license_file"]) == (
-        PROJECT["license"],
-        PROJECT["license-files"],
-    )
-    assert recipe["build"]["python"]["entry_points"] == [
-        " = ".join(*PROJECT["scripts"].items())
-    ]
-
-
 @pytest.mark.parametrize(
     ("source", "shown"),
     [

@@ -116,7 +116,7 @@ def main(versions: list[str]) -> None:
     page = (ROOT / "docs/howto/release.md").read_text(encoding="utf-8")
     print(
         "What is left to do",
-        page.partition("## First")[2].partition("\n## A recipe")[0],
+        page.partition("## First")[2],
         sep="",
     )
 
