@@ -1,6 +1,7 @@
 // The picture of the question: the similar states as ghosts, their ribbons, the arrow, and the step that was taken.
 
-const APART = 0.58, HEAD = 0.3; // least distance of two robots that are drawn; of an arrow's head to the walls around [m]
+const APART = 0.58; // least distance of two robots that are drawn [m]
+const HEAD = 0.3, RIM = 0.2; // of an arrow: its head to the walls around, its beginning to the robot's middle [m]
 const WIDEST = { px: 24, part: 0.5 }; // a ribbon of say 1 at most, and all together, as a part of a metre
 const TIMES = { ring: 1.5, ghosts: 0.45, ribbons: 1.25, arrow: 2, step: 4.4, end: 5.6 }; // [s] after the camera is there
 
@@ -114,7 +115,9 @@ function drawArrow(context, camera, place, motion, { total, unit }, grown, stren
   if (!motion.path.length) return null;
   const spots = motion.path.map(([a, b]) => [x + a * cos - b * sin, y + a * sin + b * cos]);
   const out = spots.findIndex(([a, b], i) => i > 4 && (a < xMin + HEAD || a > xMax - HEAD || b < yMin + HEAD || b > yMax - HEAD));
-  const path = spots.slice(0, out < 0 ? spots.length : out).map(([a, b]) => camera.at(a, b));
+  const until = out < 0 ? spots.length : out, rim = spots.findIndex(([a, b]) => Math.hypot(a - x, b - y) > RIM);
+  const first = rim < 0 ? 0 : Math.max(0, Math.min(rim, until - 4)); // it begins at the robot's rim, if there is room
+  const path = spots.slice(first, until).map(([a, b]) => camera.at(a, b));
   const shown = path.slice(0, Math.max(4, Math.round(path.length * grown))), tip = shown.at(-1), before = shown.at(-4);
   const most = (motion.v ? 0.26 : 0.13) * camera.scale, wide = Math.max(3, Math.min(most, Math.abs(total) * unit));
   const turn = Math.atan2(tip[1] - before[1], tip[0] - before[0]), head = Math.max(narrow ? 10 : 13, Math.min(0.95 * wide, 0.17 * camera.scale));
