@@ -110,5 +110,6 @@ def rule(numbers: Numbers) -> str:
         "steps earned least. Each "
         "similar state has 1⁄20 of a say for each action, 5 inputs of 4 bins; one that was never met says 0. The page "
         f"lives both hours with the library’s own kernels. Of all {last - first + 1} pairs, the one that asks earns "
-        f"{reward} a step; on a base that walls hold fast: {bumps}. ± is half of a 95 % interval of the mean difference."
+        f"{reward} a step; on a base that walls hold fast: {bumps}. ± is half of a 95 % interval of the "
+        "mean difference."
     )
