@@ -33,9 +33,10 @@ function keyOf(items, aim) {
   key.hidden = !items.length && !aim;
   const words = items.map(([colour, word]) => {
     const line = element("i", {style: `background: var(--${colour})`});
-    return element("span", {}, line, ` ${word.replace(/: (?=[−\d])/, ":\u00a0")}`);  // an amount stays with its colon
+    const unbroken = word.replace(/: (?=[−\d])/, ":\u00a0").replace(/(\d) m\b/g, "$1\u00a0m");
+    return element("span", {}, line, ` ${unbroken}`);
   });
-  key.replaceChildren(...(words.length ? ["Its way: ", ...words] : []), aim);
+  key.replaceChildren(...(words.length ? ["Rewards on its way: ", ...words] : []), aim);
 }
 
 // A sign for each moment, and its word where there is room: first what was reached, then the first of the losses

@@ -2,7 +2,7 @@
 
 // A badge is a text, with a small line above it. How large it is [px]: wide, high, and of the small line
 const fontOf = ({ narrow }) => `650 ${narrow ? 16 : 20}px ${FONT}`;
-const smallFont = () => `600 14px ${FONT}`;
+const smallFont = () => `600 13px ${FONT}`;
 function badgeSize(context, badge) {
   const { text, small = "", narrow } = badge, line = small ? 17 : 0;
   const widths = [[fontOf(badge), text], [smallFont(), small]].map(([font, words]) => {
