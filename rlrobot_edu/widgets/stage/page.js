@@ -56,8 +56,8 @@ function placesOf(near) {
   const last = Math.min(0.56 * W, H / shape), panel = W - last - 28;
   const race = [[side, SCORE_HIGH, wide], [side + wide + 56, SCORE_HIGH, wide]];
   return {
-    rooms: [mix(race[0], [156, 0, 100]), mix(race[1], [W - last, 0, last])],
-    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 272), 0])], size: mixed(1, 0.8, near),
+    rooms: [mix(race[0], [156, 4, 84]), mix(race[1], [W - last, 0, last])],
+    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 252), 0])], size: mixed(1, 0.8, near),
     clock: null,
   };
 }
