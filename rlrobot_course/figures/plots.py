@@ -186,7 +186,8 @@ class SideBySide(Displayed):
         longest = max(len(film.frames) for film in films.values())
         reels = []
         for name, film in films.items():
-            said = finding(film.frames, film.rewards, "" if task else film.task)
+            above = "" if task else film.task
+            said = finding(film.frames, film.rewards, above, film.rules)
             reels.append(_reel(name, film, said, ROW // len(films), longest))
         last = next(iter(films.values())).frames[-1]
         key = f"{KEY} {escape(key_words(last, '', []))}"

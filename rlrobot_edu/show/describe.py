@@ -121,7 +121,7 @@ def rules_met(rules: str, rewards: Sequence[float]) -> str:
     explained: set[str] = set()
     met = []
     for rule in rules.split("; "):
-        its_own = _amounts_in(rule)
+        its_own = amounts_in(rule)
         if not its_own.isdisjoint(paid):
             met.append(rule)
             explained |= its_own
@@ -140,7 +140,7 @@ def rules_met(rules: str, rewards: Sequence[float]) -> str:
     return " ".join(words)
 
 
-def _amounts_in(rule: str) -> set[str]:
+def amounts_in(rule: str) -> set[str]:
     """The rewards that a rule names: the numbers behind its first colon, or all if it has none."""
     condition, colon, reward = rule.partition(": ")
     told = reward if colon else condition
@@ -190,8 +190,12 @@ def gap_of(scene: Scene) -> float | None:
 
 def is_fixed(scene: Scene) -> bool:
     """Whether the robot is an arm on a table."""
-    rolls = any(solid.name.endswith("_wheel") for solid in scene.solids)
-    return has_arm(scene) and not rolls
+    return has_arm(scene) and not rolls(scene)
+
+
+def rolls(scene: Scene) -> bool:
+    """Whether the robot has wheels."""
+    return any(solid.name.endswith("_wheel") for solid in scene.solids)
 
 
 def counted(n: int, name: str) -> str:

@@ -145,8 +145,8 @@ class Film(Displayed):
 
     @property
     def finding(self) -> str:
-        """What became of it in one sentence, such as ``3 bumps in 60 steps, +10 in 41 of them``."""
-        return finding(self.frames, self.rewards, self.task)
+        """What became of it in one sentence, such as ``+10 in 41 of 60 steps, 3 bumps (−2 each)``."""
+        return finding(self.frames, self.rewards, self.task, self.rules)
 
     @property
     def told(self) -> str:
@@ -213,7 +213,7 @@ class Film(Displayed):
 
     def _key_steps(self) -> list[int]:
         """The steps that tell most, counted from 0."""
-        return key_steps(self.frames, self.rewards, KEY_STEPS)
+        return key_steps(self.frames, self.rewards, self.rules, KEY_STEPS)
 
     def save(self, path: str | Path) -> None:
         """Write the film to an animated GIF. For a page on which it can be paused, see `show3d`.

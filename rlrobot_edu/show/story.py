@@ -1,47 +1,67 @@
-"""What a film tells in words: its title, the steps that tell most, and a caption for each of them."""
+"""What a film tells in words: its title, the moments and the steps that tell most, and a caption for each step."""
 
 from collections.abc import Sequence
+from itertools import groupby
 
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import counted, gap_of, is_fixed, losses, path_of
+from rlrobot_edu.show.describe import (
+    amounts_in,
+    counted,
+    gap_of,
+    is_fixed,
+    losses,
+    path_of,
+    sought,
+)
 from rlrobot_edu.show.numerals import signed
 
-AT_OBJECT = (
-    0.05  # a gripper that is so near has reached the object, as in the paper [m]
-)
+# a gripper that is so near has reached the object, as in the paper [m]
+AT_OBJECT = 0.05
+REACHED, STAYED, BUMP, LOSS = "reached", "longest stay", "bump", "loss"
 
 
-def finding(scenes: Sequence[Scene], rewards: Sequence[float], task: str = "") -> str:
+def finding(
+    scenes: Sequence[Scene], rewards: Sequence[float], task: str = "", rules: str = ""
+) -> str:
     """What became of these steps in one sentence.
 
-    rewards: one for each scene; task: what the robot is to do, if that is known
+    rewards: one for each scene; task: what the robot is to do, if that is known; rules: what earns which reward
     """
-    text = (
-        _reached(scenes) or f"{_lost(scenes, rewards)}, {_earned(scenes[0], rewards)}"
-    )
+    stays = stays_in(scenes, rewards, rules)
+    text = _earned(rewards) if stays is None else _arrived(scenes, rewards, stays)
+    lost = _lost(scenes, rewards)
+    if lost:
+        text = f"{text}, {lost}"
     if task:
         return f"{task}: {text}"
     return text[0].upper() + text[1:]
 
 
-def _reached(scenes: Sequence[Scene]) -> str:
-    """When an arm on a table reached its object, and whether it stayed; empty for other robots."""
-    nearest = nearest_step(scenes)
-    if nearest is None or not is_fixed(scenes[0]):
-        return ""
-    at = [_is_at(scene) for scene in scenes]
-    steps = counted(len(scenes), "step")
-    if not any(at):
-        gap = _away(scenes[nearest])
-        return f"not reached in {steps}; nearest in step {nearest + 1}, {gap} away"
-    said = f"reached in step {nearest + 1}"
-    if not all(at[nearest:]):
-        return f"{said}, there in {sum(at)} of {steps}"
-    if nearest == len(scenes) - 1:
-        return f"{said}, the last one"
-    return f"{said}, and it stays there to step {len(scenes)}"
+def stays_in(
+    scenes: Sequence[Scene], rewards: Sequence[float], rules: str
+) -> list[range] | None:
+    """When the robot was where it is to go: each time from its first scene to its last, counted from 0.
+
+    None if it is to go nowhere, or if nobody can say: of an arm the picture tells, of others the largest reward, where
+    the rules explain all that was paid.
+    """
+    if is_fixed(scenes[0]) and gap_of(scenes[0]) is not None:
+        is_there = [_is_at(scene) for scene in scenes]
+    else:
+        amounts = {amount for rule in rules.split("; ") for amount in amounts_in(rule)}
+        is_told = all(f"{r:g}" in amounts for r in rewards)
+        if not sought(scenes[-1]) or not amounts or not is_told:
+            return None
+        most = max(map(float, amounts))
+        is_there = [r == most for r in rewards]
+    stays = []
+    for there, steps in groupby(range(len(scenes)), lambda i: is_there[i]):
+        if there:
+            first, *others = steps
+            stays.append(range(first, first + len(others) + 1))
+    return stays
 
 
 def _is_at(scene: Scene) -> bool:
@@ -56,45 +76,82 @@ def _away(scene: Scene) -> str:
     return "" if gap is None else f"{100 * gap:.0f} cm"
 
 
-def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
-    """How often the robot bumped, or lost something else."""
-    steps = counted(len(rewards), "step")
-    loses = losses(rewards)
-    bumps = [scene.bumped for scene in scenes]
-    if any(loses):
-        all_bump = all(
-            bump for bump, is_loss in zip(bumps, loses, strict=True) if is_loss
-        )
-        return f"{counted(sum(loses), 'bump' if all_bump else 'loss')} in {steps}"
-    if is_fixed(scenes[0]):
-        return steps
-    kind = "costly bump" if any(bumps) else "bump"  # to touch a wall may cost nothing
-    return f"no {kind} in {steps}"
+def _arrived(
+    scenes: Sequence[Scene], rewards: Sequence[float], stays: list[range]
+) -> str:
+    """Whether and when a robot that is to go somewhere was there, and what that paid."""
+    steps = counted(len(scenes), "step")
+    if not stays:
+        nearest = nearest_step(scenes)
+        if nearest is None:
+            return f"not reached in {steps}"
+        gap = _away(scenes[nearest])
+        return f"not reached in {steps}; nearest in step {nearest + 1}, {gap} away"
+    first = stays[0].start
+    paid = [rewards[i] for stay in stays for i in stay]
+    text = f"reached in step {first + 1}, there in {len(paid)} of {steps}"
+    if stays[0].stop == len(scenes) and len(paid) > 1:
+        text = f"reached in step {first + 1}, and it stays there to step {len(scenes)}"
+    return f"{text} ({_amount(paid)})" if any(paid) else text
 
 
-def _earned(scene: Scene, rewards: Sequence[float]) -> str:
+def _earned(rewards: Sequence[float]) -> str:
     """How often the robot got the largest reward."""
     rewards = list(rewards)
-    most = max(rewards)
+    most, steps = max(rewards), len(rewards)
     if most <= 0:
-        return f"{signed(float(np.mean(rewards)))} a step"
-    best, times = best_step(scene, rewards), rewards.count(most)
-    if best is None:
-        return f"{signed(most)} in {times} of them"
+        return f"{signed(float(np.mean(rewards)))} a step in {counted(steps, 'step')}"
+    times = rewards.count(most)
     if times == 1:
-        return f"{signed(most)} in step {best + 1}"
-    return f"{signed(most)} in {times} of them, first in step {best + 1}"
+        return f"{signed(most)} in step {rewards.index(most) + 1} of {steps}"
+    return f"{signed(most)} in {times} of {steps} steps"
 
 
-def best_step(scene: Scene, rewards: Sequence[float]) -> int | None:
-    """The step, counted from 0, with the first of the largest rewards; None where it is nothing to look at.
+def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:
+    """How often it bumped, or lost much in another way, and what that cost; empty for an arm that lost nothing."""
+    lost = losses_in(scenes, rewards)
+    if lost:
+        is_bump = all(word == BUMP for _, word in lost)
+        cost = _amount([rewards[i] for i, _ in lost])
+        return f"{counted(len(lost), BUMP if is_bump else LOSS)} ({cost})"
+    if is_fixed(scenes[0]):
+        return ""
+    # to touch a wall may cost nothing
+    has_bumped = any(scene.bumped for scene in scenes)
+    return "no costly bump" if has_bumped else "no bump"
 
-    A robot that drives is paid its largest reward all the time, an arm when it is there.
-    """
-    rewards = list(rewards)
-    most = max(rewards)
-    is_rare = is_fixed(scene) or rewards.count(most) == 1
-    return rewards.index(most) if most > 0 and is_rare else None
+
+def losses_in(
+    scenes: Sequence[Scene], rewards: Sequence[float]
+) -> list[tuple[int, str]]:
+    """Each scene in which it lost much, counted from 0, and whether that was a bump."""
+    loses = losses(rewards)
+    return [
+        (i, BUMP if scene.bumped else LOSS)
+        for i, scene in enumerate(scenes)
+        if loses[i]
+    ]
+
+
+def _amount(paid: Sequence[float]) -> str:
+    """What these steps were paid: each the same, or all together."""
+    if len(set(paid)) > 1:
+        return f"{signed(sum(paid))} in all"
+    return signed(paid[0]) if len(paid) == 1 else f"{signed(paid[0])} each"
+
+
+def moments_in(
+    scenes: Sequence[Scene], rewards: Sequence[float], rules: str
+) -> list[tuple[int, str]]:
+    """Numbers of scenes, from 0, and a word for each: when it came, when it came to stay longest, its losses."""
+    stays = stays_in(scenes, rewards, rules)
+    arrivals = []
+    if stays:
+        longest = max(stays, key=len)
+        arrivals.append((stays[0].start, REACHED))
+        if longest is not stays[0]:
+            arrivals.append((longest.start, STAYED))
+    return sorted([*arrivals, *losses_in(scenes, rewards)])
 
 
 def nearest_step(scenes: Sequence[Scene]) -> int | None:
@@ -113,7 +170,7 @@ def nearest_step(scenes: Sequence[Scene]) -> int | None:
 
 
 def key_steps(
-    scenes: Sequence[Scene], rewards: Sequence[float], most: int
+    scenes: Sequence[Scene], rewards: Sequence[float], rules: str, most: int
 ) -> list[int]:
     """The steps, counted from 0, that tell most of a film.
 
@@ -122,9 +179,7 @@ def key_steps(
     """
     loses = losses(rewards)
     chosen = {0, len(scenes) - 1}
-    named = nearest_step(scenes)
-    if named is None:
-        named = best_step(scenes[0], rewards)
+    named = _named_step(scenes, rewards, rules)
     if named is not None:
         chosen.add(named)
     for i, lost in enumerate(loses):
@@ -142,6 +197,20 @@ def key_steps(
             break
         chosen.add(farthest)
     return sorted(chosen)
+
+
+def _named_step(
+    scenes: Sequence[Scene], rewards: Sequence[float], rules: str
+) -> int | None:
+    """The step, counted from 0, that the title names; None if it names none."""
+    stays = stays_in(scenes, rewards, rules)
+    if stays:
+        return stays[0].start
+    if stays is not None:
+        return nearest_step(scenes)
+    rewards = list(rewards)
+    most = max(rewards)
+    return rewards.index(most) if most > 0 and rewards.count(most) == 1 else None
 
 
 def caption(scenes: Sequence[Scene], rewards: Sequence[float], i: int) -> str:

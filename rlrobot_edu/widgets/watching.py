@@ -17,7 +17,7 @@ from rlrobot_edu.learning.progress import watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import robot_of, task_of
+from rlrobot_edu.show.describe import robot_of, rules_of, task_of
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d.visualizer import meshcat
 
@@ -81,9 +81,9 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         due = max(due + seconds, time.monotonic())
         if watched():
             time.sleep(max(0.0, due - time.monotonic()))
-    last_steps = Film.of(seen, task_of(env))
+    last_steps = Film.of(seen, task_of(env), rules_of(env))
     seconds = last_steps.seconds_per_frame
-    view.look_back(last_steps.frames, seconds, last_steps.task)
+    view.look_back(last_steps.frames, seconds, last_steps.task, last_steps.rules)
     if watched():
         view.widget.settle()
     else:

@@ -249,17 +249,17 @@ def test_it_opens_at_the_age_at_which_learning_shows_and_plays_on(opened):
 
 
 @pytest.mark.parametrize("task", ["wander_1k", "navigation_1k", "cliff"])
-def test_on_a_telephone_the_robot_is_above_the_fold_and_the_score_just_below(
-    opened, task
-):
+def test_a_telephones_first_screen_has_the_robot_then_play_then_the_score(opened, task):
     page = opened(f"#task={task}", viewport={"width": 390, "height": 844})
     until(page, "view !== null")
     assert page.locator("#picture").bounding_box()["y"] < 160
+    play = page.locator("#play").bounding_box()
     box = page.locator("#numbers").bounding_box()
+    assert play["y"] < box["y"]
     assert box["y"] + box["height"] < 844
 
 
-def test_the_first_things_that_tab_reaches_are_age_pause_and_speed(opened):
+def test_the_first_things_that_tab_reaches_are_pause_speed_and_age(opened):
     page = opened()
     until(page, "yours.simulation.t > 10")
     reached = []
@@ -271,12 +271,12 @@ def test_the_first_things_that_tab_reaches_are_age_pause_and_speed(opened):
             )
         )
     assert reached == [
-        "a beginner",
-        "after an hour",
-        "after a day",
         "play",
         "again",
         "speed",
+        "a beginner",
+        "after an hour",
+        "after a day",
     ]
 
 

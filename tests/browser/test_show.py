@@ -501,7 +501,7 @@ def test_a_browser_draws_the_replay_and_moves_it(opened):
     page.evaluate("go(16)")
     until(
         page,
-        "caption.textContent === 'step 16 of 20: reward −2 · sum so far +88' && chart.hidden",
+        "caption.textContent === 'step 16 of 20: loss · reward −2 · sum so far +88' && chart.hidden",
     )
     until(page, f"Math.abs(body().position.x - {0.5 * math.cos(1.5)}) < 1e-6")
     assert seen(page).tobytes() != first.tobytes()
@@ -664,16 +664,37 @@ def test_without_motion_a_film_opens_at_the_last_step_that_earned_most(opened):
     until(page, "last === 19 && caption.textContent.startsWith('step 12 of 20')")
 
 
-def test_the_way_is_seen_through_walls_as_a_pale_ghost(opened):
+def test_a_sign_on_the_slider_leads_to_its_moment_and_the_caption_names_it(opened):
+    rewards = [10.0] * 20
+    rewards[4] = rewards[15] = -2.0
+    page = opened(show_scene(SCENES, rewards, task="Wander"), 390, 800)
+    until(page, "last === 19 && marks.children.length === 2")
+    assert page.inner_text("h1") == "Wander: +10 in 18 of 20 steps, 2 losses (−2 each)"
+    page.click("#marks span >> nth=0")
+    until(page, "caption.textContent.startsWith('step 5 of 20: loss · reward −2')")
+    thumb = page.evaluate(
+        "time.getBoundingClientRect().left + 8 + (time.clientWidth - 16) * 4 / 19"
+    )
+    mark = page.locator("#marks span").first.bounding_box()
+    assert mark["x"] - 1 < thumb < mark["x"] + 20
+
+
+def test_a_walls_far_side_hides_the_way(opened):
     page = opened(show_scene(SCENES, FILM.rewards))
     until(page, "last === 19")
     band = "node(['meshcat', 'trail', '1', '<object>'])"
-    until(page, f"{band}.children.length === 1")
-    ghost = f"{band}.children[0]"
-    assert page.evaluate(f"{ghost}.geometry === {band}.geometry")
-    assert page.evaluate(f"{ghost}.material.opacity < 0.6")
-    hidden = "MeshCat.THREE.GreaterDepth"
-    assert page.evaluate(f"{ghost}.material.depthFunc === {hidden}")
+    until(page, f"{band}.material.depthTest")
+    assert page.evaluate(f"{band}.children.length") == 0
+
+
+def test_a_view_without_a_film_tells_how_it_fares_now(opened):
+    view = rl.meshcat(scene())
+    for i, reward in enumerate([10.0, -2.0, 10.0], start=1):
+        view.update(scene(0.1 * i), reward)
+    page = opened(view, 390, 800)
+    until(page, "finding.textContent === 'Live: mean reward +6 over its last 3 steps'")
+    room, curve = (page.locator(name).bounding_box() for name in ("#view", "#chart"))
+    assert curve["y"] >= room["y"] + room["height"] - 1, "on a phone it hides nothing"
 
 
 @pytest.mark.parametrize(

@@ -161,12 +161,37 @@ def test_the_honest_line_is_seen_without_scrolling(calm):
     if size in [SIZES[name] for name in FOLDED]:
         return
     calm.evaluate("scrollTo(0, 0)")
-    bottom = calm.locator("#honest").bounding_box()
-    below = calm.locator("#keys").bounding_box()
-    last = bottom["y"] + bottom["height"]
-    assert last <= calm.viewport_size["height"]
-    if calm.viewport_size["width"] < 500:
-        assert last <= below["y"], "the buttons stay at the bottom of a phone"
+    assert bottom_of(calm, "#honest") <= calm.viewport_size["height"]
+
+
+def bottom_of(page, selector: str) -> float:
+    box = page.locator(selector).bounding_box()
+    return box["y"] + box["height"]
+
+
+@pytest.mark.parametrize("touch", [False, True])
+def test_a_phones_first_screen_has_finding_robot_buttons_and_all_motions(opened, touch):
+    page = opened(size="phone", has_touch=touch)
+    until(page, "phase === 'ask' && !isMoving")
+    assert page.locator("#motions button").count() == 7
+    for part in ("#said", "#picture", "#keys", "#motions"):
+        assert bottom_of(page, part) <= SIZES["phone"][1], part
+
+
+BADGE = """() => { // how far the badge is from each robot's middle, as a part of a robot's radius
+  const camera = cameraNow(), context = canvas.getContext("2d"), radius = 0.3 * camera.scale;
+  const badge = { text: "83 %", small: "would drive ahead, fast", narrow: isNarrow() };
+  const shown = layoutNow(), others = shown.ghosts.map(({ spot }) => spot);
+  const rect = [camera.left, camera.top, camera.wide, camera.high], [w, h] = badgeSize(context, badge);
+  const { spot } = besideRobot([w, h], shown.robot, shown.robot, others, rect, radius);
+  const away = (a, b, half) => Math.max(0, Math.abs(a - b) - half);
+  const far = ([x, y]) => Math.hypot(away(x, spot[0], w / 2), away(y, spot[1], h / 2));
+  return [shown.robot, ...others].map((one) => far(one) / radius);
+}"""
+
+
+def test_what_it_would_do_is_written_beside_the_robots_and_hides_none(calm):
+    assert min(calm.evaluate(BADGE)) > 0.9
 
 
 THUMBNAIL = """() => { // of the left room: parts of its pixels that are wall, floor and way; where it is

@@ -165,7 +165,7 @@ def test_key_steps_are_few_and_hold_the_first_the_last_and_where_losses_begin(
     rng = np.random.default_rng(steps)
     loses = rng.random(steps) < 0.1
     scenes = [room(-0.8 + 0.02 * i, -0.5) for i in range(steps)]
-    chosen = key_steps(scenes, np.where(loses, -2.0, 1.0).tolist(), 6)
+    chosen = key_steps(scenes, np.where(loses, -2.0, 1.0).tolist(), "", 6)
     assert chosen == sorted(set(chosen))
     assert len(chosen) == min(6, steps)
     assert {0, steps - 1} <= set(chosen)
@@ -175,22 +175,20 @@ def test_key_steps_are_few_and_hold_the_first_the_last_and_where_losses_begin(
 
 def test_no_two_key_steps_are_alike() -> None:
     shuttles = [room(0.1 * (i % 3), -0.5) for i in range(60)]
-    assert key_steps(shuttles, [1.0] * 60, 6) == [0, 1, 59]
+    assert key_steps(shuttles, [1.0] * 60, "", 6) == [0, 1, 59]
 
 
 def test_the_title_of_a_film_says_what_became_of_it() -> None:
     drives = [room(0.02 * i, 0) for i in range(4)]
-    assert finding(drives, [1, 1, 1, 1]) == "No bump in 4 steps, +1 in 4 of them"
-    assert finding(drives, [1, -2, 1, 1]) == "1 loss in 4 steps, +1 in 3 of them"
+    assert finding(drives, [1, 1, 1, 1]) == "+1 in 4 of 4 steps, no bump"
+    assert finding(drives, [1, -2, 1, 1]) == "+1 in 3 of 4 steps, 1 loss (−2)"
     bumps = [*drives[:3], drives[3]._replace(bumped=True)]
-    assert finding(bumps, [1, 1, 2, -7]) == "1 bump in 4 steps, +2 in step 3"
-    assert finding(drives[:1], [-0.5]) == "No bump in 1 step, −0.5 a step"
-    assert finding(drives, [1, 1, 1, 1], "Drive").startswith("Drive: no bump")
+    assert finding(bumps, [1, 1, 2, -7]) == "+2 in step 3 of 4, 1 bump (−7)"
+    assert finding(drives[:1], [-0.5]) == "−0.5 a step in 1 step, no bump"
+    assert finding(drives, [1, 1, 1, 1], "Drive").startswith("Drive: +1 in 4 of 4")
     part = Solid("robot/upper_arm", "box", (0.1, 0.1, 0.1), np.eye(4), "robot")
     arms = [one._replace(solids=(*one.solids, part)) for one in drives]
-    assert (
-        finding(arms, [-1, 10, -1, 10]) == "4 steps, +10 in 2 of them, first in step 2"
-    )
+    assert finding(arms, [-1, 10, -1, 10]) == "+10 in 2 of 4 steps"
 
 
 def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:
@@ -262,7 +260,7 @@ def test_key_steps_hold_the_goal_that_the_title_names() -> None:
     rewards = [1.0] * 20
     rewards[7] = 10.0
     assert "+10 in step 8" in finding(scenes, rewards)
-    assert 7 in key_steps(scenes, rewards, 4)
+    assert 7 in key_steps(scenes, rewards, "", 4)
 
 
 def arm(gap: float) -> Scene:
@@ -288,7 +286,7 @@ def test_the_title_of_an_arms_film_says_whether_it_reached_its_object() -> None:
         "Reach it: reached in step 2, and it stays there to step 3"
     )
     assert told(far, near, far) == "Reach it: reached in step 2, there in 1 of 3 steps"
-    assert told(far, near) == "Reach it: reached in step 2, the last one"
+    assert told(far, near) == "Reach it: reached in step 2, there in 1 of 2 steps"
     assert told(arm(0.2), far) == (
         "Reach it: not reached in 2 steps; nearest in step 2, 10 cm away"
     )
@@ -304,7 +302,7 @@ def test_captions_tell_the_story_of_an_arm() -> None:
         "Step 4: end, at the object, reward +10, sum +24",
     ]
     many = [arm(0.3)] * 10 + [arm(0.04)] * 10
-    assert 10 in key_steps(many, [0.0] * 20, 3)
+    assert 10 in key_steps(many, [0.0] * 20, "", 3)
 
 
 def test_steps_show_the_robot_closer_and_all_the_same_part_of_the_room() -> None:

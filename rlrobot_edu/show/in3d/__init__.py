@@ -5,6 +5,7 @@ looks.py        what the parts of a scene look like in meshcat
 camera.py       where the camera stands, and the light
 window.py       what the visualizer talks to instead of a server, and its page (page.html)
 replay.py       the places of a film, packed (replay.js)
+story.py        what its page tells: headline, moments, key (story.js)
 bar.js          the page's own part: what it is told, and time
 chase.js        camera and mouse; map.js: a film from above; chart.js: the curve of the rewards; begin.js: it begins
 page_widget.py  the page in a notebook, which receives what is new (frame.js)

@@ -1,6 +1,6 @@
 // What stands around meshcat's viewer: its size, what it is told, and a bar with the time.
-const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, sought, lit, strip, library, scene, paid] =
-  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "sought", "lit", "strip", "library", "scene", "paid"]
+const [view, bar, replay, play, time, caption, live, turn, chase, flat, plan, chart, hint, finding, key, lit, strip, marks, library, scene, paid] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "turn", "chase", "flat", "plan", "chart", "hint", "finding", "key", "lit", "strip", "marks", "library", "scene", "paid"]
     .map(id => document.getElementById(id));
 const MEAN_OF = 50;  // steps
 let viewer, rate = 30, rewards = [], sums = [], means = [], notes = [], count = 0, last = 0, at = 0, shown, opens, opensAt;
@@ -64,27 +64,19 @@ function begin() {
   new ResizeObserver(() => { viewer.set_3d_pane_size(); shown = undefined; }).observe(view);
 }
 
-// What became of the film's steps, as the title of the page
-function tell(text, aim) {
-  finding.textContent = text || "A robot in 3D";
-  finding.className = text ? "" : "unsaid";
-  key.hidden = !text;
-  sought.textContent = aim;
-}
-
 // A film of the last steps, or none: then the page is live.
 function replayed(command) {
   if (!command.names.length) {
     viewer.animator.clear();
     [last, at, notes, opens] = [0, 0, [], ""];
     flat.hidden = plan.hidden = true;
-    tell("", "");
+    marks.replaceChildren();
     flat.setAttribute("aria-pressed", false);
     return;
   }
   ({notes, opens} = command);
   opensAt = opens === "at its end" || command.telling < 0 ? Infinity : command.telling;  // where nothing moves
-  tell(command.finding, command.sought);
+  tell(command);
   layOut(command);
   viewer.handle_command({type: "set_animation", animations: animationsOf(command), options: {}});
 }
@@ -123,7 +115,10 @@ async function take(told) {
     return recent / Math.min(i + 1, MEAN_OF);
   });
   replay.hidden = !last;
-  if (last) colourStrip(rewards.slice(-last - 1));
+  if (last) {
+    colourStrip(rewards.slice(-last - 1));
+    markMoments();
+  } else tellLive(means.at(-1), Math.min(count, MEAN_OF));
   chase.hidden = !body();
   chase.textContent = rolls() ? "Chase camera" : "Follow the gripper";
   bar.hidden = !last && !count && !body();
@@ -156,30 +151,19 @@ function show() {
   for (const [first, {children}] of Object.entries(branch(["meshcat", "trail"])?.children ?? {})) {  // it grows with the way
     const band = children["<object>"]?.object;
     if (!band) continue;
-    if (!band.children.length) seeThrough(band);
     band.geometry.setDrawRange(0, last ? 6 * Math.max(0, step - first) : Infinity);
   }
   shown = at;
-  const words = [];
+  const words = [last ? momentAt(step - 1 - before()) : ""].filter(Boolean);
   if (i in rewards) {
     words.push(`reward ${signed(rewards[i], 4)}`);
-    words.push(chart.hidden ? `sum so far ${signed(sums[i], 4)}` : `mean of the last ${Math.min(step, MEAN_OF)}: ${signed(means[i], 2)}`);
+    words.push(chart.hidden ? `sum so far ${signed(sums[i], 4)}` : `mean of the last ${Math.min(step, MEAN_OF)} steps: ${signed(means[i], 2)}`);
   }
   if (last && notes[step - 1 - before()]) words.push(notes[step - 1 - before()]);
   caption.textContent = (end ? `step ${step}` : "") + (last ? ` of ${end}` : "") + (words.length ? ": " + words.join(" · ") : "");
   if (!chart.hidden) plot(i);
   if (!plan.hidden) drawMap();
   viewer.set_dirty();
-}
-
-// Where a wall hides the way, a pale ghost of it is seen.
-function seeThrough(band) {
-  const {Mesh, MeshBasicMaterial, GreaterDepth} = MeshCat.THREE;
-  const {vertexColors, color, side} = band.material;
-  const pale = new MeshBasicMaterial({vertexColors, color, side, transparent: true, opacity: 0.45, depthFunc: GreaterDepth, depthWrite: false});
-  const ghost = new Mesh(band.geometry, pale);
-  ghost.renderOrder = 1;
-  band.add(ghost);
 }
 
 function go(step) {

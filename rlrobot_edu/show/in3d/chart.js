@@ -5,9 +5,9 @@ function colour(name) {
 }
 
 function plot(i) {  // up to the reward of number i
+  [chart.width, chart.height] = [2 * chart.clientWidth, 2 * chart.clientHeight];
   const pen = chart.getContext("2d"), [w, h, left, above] = [chart.width, chart.height, 66, 52];
   const low = Math.min(0, ...means), high = Math.max(0, ...means), y = v => above + (high - v) / (high - low || 1) * (h - above - 16);
-  pen.clearRect(0, 0, w, h);
   pen.font = "24px system-ui, sans-serif";
   pen.fillStyle = colour("ink");
   pen.fillText(`mean reward, last ${MEAN_OF} steps`, 12, 28);

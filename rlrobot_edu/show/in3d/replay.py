@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import NEAR, jumps, key_words, loss_of
+from rlrobot_edu.show.describe import NEAR, jumps, loss_of
 from rlrobot_edu.show.in3d import looks
+from rlrobot_edu.show.in3d.story import story
 from rlrobot_edu.show.room.scene_data import scene_data
-from rlrobot_edu.show.story import finding
 
 NO_REPLAY = {"type": "replay", "path": "", "names": []}  # the page is live again
 
@@ -63,6 +63,7 @@ def replay(
         for k, name in enumerate(names):
             if name in each:
                 moves[k, :, i] = each[name][:3].ravel()
+    told = story(scenes, rewards, task, rules) if len(rewards) else None
     put = [i for i, (a, b) in enumerate(pairwise(scenes), start=1) if jumps(a, b)]
     return {
         "type": "replay",
@@ -73,8 +74,10 @@ def replay(
         "map": {**scene_data(scenes[-1]), "loss": loss_of(rewards), "put": put},
         "put": put,  # numbers of the scenes in which it stands where it was put
         "notes": list(notes),
-        "finding": finding(scenes, rewards, task) if len(rewards) else "",
-        "sought": key_words(scenes[-1], rules, rewards),
+        "headline": told.headline if told else "",
+        "moments": told.moments if told else [],
+        "key": told.key if told else [],
+        "aim": told.aim if told else "",
         "opens": opens,
         "telling": telling(rewards),
     }

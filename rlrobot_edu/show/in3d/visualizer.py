@@ -19,7 +19,14 @@ from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid
-from rlrobot_edu.show.describe import as_scenes, describe, jumps, path_of, robot_of
+from rlrobot_edu.show.describe import (
+    as_scenes,
+    describe,
+    jumps,
+    path_of,
+    robot_of,
+    rolls,
+)
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.in3d.camera import camera, surroundings
@@ -135,12 +142,16 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         self.window.title = f"Replay of {len(scenes)} steps. At the end: {end}"
 
     def look_back(
-        self, scenes: Sequence[Scene], seconds_per_frame: float, task: str
+        self,
+        scenes: Sequence[Scene],
+        seconds_per_frame: float,
+        task: str,
+        rules: str = "",
     ) -> None:
         """Make a replay of the last scenes that were shown, until there is another; it opens at its end."""
         self.lay_trail()
         rewards = self.window.rewards[-len(scenes) :]
-        film = replay(scenes, rewards, seconds_per_frame, (), "at its end", task)
+        film = replay(scenes, rewards, seconds_per_frame, (), "at its end", task, rules)
         self.window.take(film)
         self._is_replay = True
 
@@ -220,9 +231,8 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         points = path_of(way)
         if len(points) < 2:
             return
-        rolls = any(solid.name.endswith("_wheel") for solid in way[0].solids)
         wide = self._span / 70  # an arm leaves its trail in the air
-        if rolls:
+        if rolls(way[0]):
             points[:, 2] = FLOOR
             wide = self._span / 130
         put = [jumps(a, b) for a, b in pairwise(way)]

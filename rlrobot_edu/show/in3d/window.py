@@ -28,7 +28,15 @@ ORDER = (
     "set_animation",
     "replay",
 )
-SCRIPTS = ("bar.js", "replay.js", "chart.js", "chase.js", "map.js", "begin.js")
+SCRIPTS = (
+    "bar.js",
+    "story.js",
+    "replay.js",
+    "chart.js",
+    "chase.js",
+    "map.js",
+    "begin.js",
+)
 NO_SERVER = "this view has no server: show it in a notebook, or write its page with save('scene.html')"
 
 

@@ -70,12 +70,12 @@ AGES = {  # that the page leads to: steps, and how a button calls them; at the s
 # here. Seed 0, which the page opens with, is the first of them.
 SHOWS = {"wander_1k": 6, "navigation_1k": 10, "cliff": 10}
 RULES = {
-    "wander_1k": "With the paper’s method and settings, the bumps have at least halved after an hour in {shows} of the "
-    "10 seeds; the page opens with the first of these. The robot goes on trying, so some bumps remain.",
-    "navigation_1k": "With the paper’s method and settings, the arrivals have at least doubled after four hours in "
-    "{shows} of the 10 seeds; the page opens with the first of these.",
-    "cliff": "With the paper’s method and settings, the falls have at least halved after 3,600 steps in {shows} of the "
-    "10 seeds; the page opens with the first of these.",
+    "wander_1k": "Is that luck? Of ten robots like this one, {shows} at least halved their bumps in an hour; you see "
+    "the first of these. It goes on trying, so some bumps remain.",
+    "navigation_1k": "Is that luck? Of ten robots like this one, {shows} at least doubled their arrivals in four "
+    "hours; you see the first of these.",
+    "cliff": "Is that luck? Of ten learners like this one, {shows} at least halved their falls in 3,600 steps; you see "
+    "the first of these.",
 }
 METHODS = {
     "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",

@@ -8,6 +8,8 @@ const corners = ([x, y, half, thin, cos, sin]) =>
 const circle = ([x, y, radius]) => Array.from({ length: 48 }, (_, i) =>
   [x + radius * Math.cos((i * Math.PI) / 24), y + radius * Math.sin((i * Math.PI) / 24)]);
 
+const BLOCK = 0.75; // side of a block of floor, three of its pieces, in which one arrow is drawn [m]
+
 // The form in which room.js takes a world: the robot's place is that of its axle.
 function sceneOf(world, place) {
   const { kernels, walls, rays, inset, range, lengths, axle } = world, view = (a, b) => fromPlace(place, a, b);
@@ -36,8 +38,8 @@ function drawFloor(canvas, run, marked, colours) {
   if (marked) room.walls([corners(marked)], colours.focus);
 }
 
-// Each piece of floor where it has been: the darker, the more it expects in the state in which it was there last;
-// the arrow tells what it would do there, facing as it did then.
+// Each piece of floor where it has been: the darker, the more it expects in the state in which it was there last.
+// An arrow tells what it would do there, facing as it did then: in each block of pieces only where it expects most.
 function drawValues(context, view, { floor, simulation, world }, colours) {
   const met = [...floor.places()].map((place) => [...place, bestOf(simulation.m.q[place[2]])]);
   const most = met.reduce((high, [, , s, , best]) => Math.max(high, Math.abs(simulation.m.q[s][best])), 1e-9);
@@ -48,20 +50,28 @@ function drawValues(context, view, { floor, simulation, world }, colours) {
     context.globalAlpha = 0.06 + 0.54 * Math.abs(value);
     context.fillRect(left - side / 2, top - side / 2, side - 1, side - 1);
   }
-  context.globalAlpha = 0.55;
+  context.globalAlpha = 0.6;
   context.strokeStyle = colours.ink;
-  context.lineWidth = 1;
+  context.lineWidth = 1.5;
   context.beginPath();
-  for (const [x, y, s, heading, best] of met) {
-    if (simulation.m.q[s].some((value) => value !== 0)) arrow(context, view, x, y, heading, world.twists[best]);
-  }
+  for (const [x, y, , heading, best] of hopeful(met, simulation.m.q)) arrow(context, view, x, y, heading, world.twists[best]);
   context.stroke();
   context.globalAlpha = 1;
 }
 
+// Of each block of floor the piece where it expects most, if that is more than nothing.
+function hopeful(met, q) {
+  const found = new Map(), valueOf = ([, , s, , best]) => q[s][best];
+  for (const piece of met) {
+    const block = [0, 1].map((axis) => Math.floor(piece[axis] / BLOCK)).join();
+    if (valueOf(piece) > (found.has(block) ? valueOf(found.get(block)) : 0)) found.set(block, piece);
+  }
+  return found.values();
+}
+
 // A small arrow on the floor: straight on, bent to the side to which it turns, or a point where it would stand.
 function arrow(context, view, x, y, heading, [v, omega]) {
-  const long = 0.09, tip = heading + Math.sign(omega) * (v ? 0.7 : 1.3);
+  const long = 0.14, tip = heading + Math.sign(omega) * (v ? 0.7 : 1.3);
   const on = (angle, far, [a, b] = [x, y]) => [a + far * Math.cos(angle), b + far * Math.sin(angle)];
   if (!v && !omega) {
     context.moveTo(...view.at(x - 0.02, y));
@@ -74,7 +84,7 @@ function arrow(context, view, x, y, heading, [v, omega]) {
   context.lineTo(...view.at(...end));
   for (const side of [2.5, -2.5]) {
     context.moveTo(...view.at(...end));
-    context.lineTo(...view.at(...on(tip + side, 0.06, end)));
+    context.lineTo(...view.at(...on(tip + side, 0.08, end)));
   }
 }
 

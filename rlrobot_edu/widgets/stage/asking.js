@@ -1,6 +1,7 @@
 // The picture of the question: the similar states as ghosts, their ribbons, the arrow, and the step that was taken.
 
-const APART = 0.58, HEAD = 0.3; // least distance of two robots that are drawn; of an arrow's head to the walls around [m]
+const APART = 0.58; // least distance of two robots that are drawn [m]
+const HEAD = 0.3, RIM = 0.2; // of an arrow: its head to the walls around, its beginning to the robot's middle [m]
 const WIDEST = { px: 24, part: 0.5 }; // a ribbon of say 1 at most, and all together, as a part of a metre
 const TIMES = { ring: 1.5, ghosts: 0.45, ribbons: 1.25, arrow: 2, step: 4.4, end: 5.6 }; // [s] after the camera is there
 
@@ -72,7 +73,7 @@ function drawRibbon(context, { curve, width, say, input }, grown, strength, colo
 // A ghost is paler than its ribbon, so that nobody takes it for another robot.
 const ghostTone = (input, colours) => between(colours[`input-${input + 1}`], colours.floor, 0.5);
 
-// Beside one of some ghosts stands who that is: where most room is for it. all: spots of all that is drawn
+// Beside one of some ghosts stands who that is: where most room is for it. Tells both ends and the middle of these words. all: spots of all that is drawn
 function drawWho(context, camera, ghosts, all, colours) {
   context.font = `650 14px ${FONT}`;
   context.textAlign = "center";
@@ -89,6 +90,7 @@ function drawWho(context, camera, ghosts, all, colours) {
   const isIn = ({ at: [x] }) => x > camera.left + half && x < camera.left + camera.wide - half;
   const { at, seen } = mostBy(spots.filter(isIn), free);
   for (const how of ["strokeText", "fillText"]) context[how](`itself, minute ${Math.floor(seen / 60)}`, ...at);
+  return [-half, 0, half].map((dx) => [at[0] + dx, at[1]]);
 }
 
 // A ghost that had to step aside is tied to where it was.
@@ -106,14 +108,16 @@ function drawTie(context, camera, { at, shift, place, input }, colours) {
   context.fill();
 }
 
-// The arrow of a motion from a place, as wide as what the ribbons bring; tells its tip and middle.
+// The arrow of a motion from a place, as wide as what the ribbons bring; tells its tip.
 // It ends where the room ends.
 function drawArrow(context, camera, place, motion, { total, unit }, grown, strength, colours, narrow, [xMin, yMin, xMax, yMax]) {
   const [x, y, heading] = place, cos = Math.cos(heading), sin = Math.sin(heading);
   if (!motion.path.length) return null;
   const spots = motion.path.map(([a, b]) => [x + a * cos - b * sin, y + a * sin + b * cos]);
   const out = spots.findIndex(([a, b], i) => i > 4 && (a < xMin + HEAD || a > xMax - HEAD || b < yMin + HEAD || b > yMax - HEAD));
-  const path = spots.slice(0, out < 0 ? spots.length : out).map(([a, b]) => camera.at(a, b, EYE));
+  const until = out < 0 ? spots.length : out, rim = spots.findIndex(([a, b]) => Math.hypot(a - x, b - y) > RIM);
+  const first = rim < 0 ? 0 : Math.max(0, Math.min(rim, until - 4)); // it begins at the robot's rim, if there is room
+  const path = spots.slice(first, until).map(([a, b]) => camera.at(a, b));
   const shown = path.slice(0, Math.max(4, Math.round(path.length * grown))), tip = shown.at(-1), before = shown.at(-4);
   const most = (motion.v ? 0.26 : 0.13) * camera.scale, wide = Math.max(3, Math.min(most, Math.abs(total) * unit));
   const turn = Math.atan2(tip[1] - before[1], tip[0] - before[0]), head = Math.max(narrow ? 10 : 13, Math.min(0.95 * wide, 0.17 * camera.scale));
@@ -128,22 +132,7 @@ function drawArrow(context, camera, place, motion, { total, unit }, grown, stren
   fill(context, [0, 2.1, -2.1].map((angle) => [tip[0] + head * Math.cos(turn + angle), tip[1] + head * Math.sin(turn + angle)]),
     context.strokeStyle);
   context.globalAlpha = 1;
-  return { middle: shown[Math.floor(shown.length / 2)], turn, wide };
-}
-
-// Words on a ground of their own, whole inside a rectangle [left, top, wide, high].
-function drawBadge(context, text, [x, y], tone, ink, [left, top, wide, high], narrow) {
-  context.font = `650 ${narrow ? 16 : 20}px ${FONT}`;
-  const w = context.measureText(text).width + 16, h = narrow ? 26 : 32;
-  const cx = Math.max(left + w / 2, Math.min(left + wide - w / 2, x)), cy = Math.max(top + h / 2, Math.min(top + high - h / 2, y));
-  context.fillStyle = tone;
-  context.beginPath();
-  context.roundRect(cx - w / 2, cy - h / 2, w, h, 8);
-  context.fill();
-  context.fillStyle = ink;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  context.fillText(text, cx, cy + 1);
+  return tip;
 }
 
 function drawRing(context, [left, top], camera, part, colours) {

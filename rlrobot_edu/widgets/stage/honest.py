@@ -48,25 +48,20 @@ def compared(more: Numbers, words: tuple[str, str, str], decimals: int) -> str:
 
 def honest(numbers: Numbers) -> str:
     """The line that stands on the page, as HTML."""
-    ideal, held = numbers[IDEAL], numbers[HELD]
+    ideal = numbers[IDEAL]
     first, last = numbers["seeds"]
     metres = compared(
         ideal["metres"]["more"],
         ("m further", "m less far", "no farther that would show"),
         0,
     )
-    reward = compared(
-        ideal["reward"]["more"], ("more", "less", "no more that would show"), 1
+    bumps = compared(
+        ideal["bumps"]["more"], ("more", "fewer", "no difference shows"), 0
     )
-    bumps = [
-        compared(its["bumps"]["more"], ("more", "fewer", "no difference shows"), 0)
-        for its in (ideal, held)
-    ]
     memories = verdict(ideal["advice"]["all"])
     return (
-        f"<b>Typical, not lucky.</b> Over {last - first + 1} seeds the one that asks drives {metres} in its hour and "
-        f"earns {reward} a step. Bumps<span id='bumps'></span>: over all, {bumps[0]}; where walls hold it, {bumps[1]}. "
-        f"<b>{memories}</b>"
+        f"<b>Typical, not lucky.</b> In {last - first + 1} such hours the one that asks drives {metres}. "
+        f"Bumps<span id='bumps'></span>: {bumps}. <b>{memories}</b>"
     )
 
 
@@ -85,7 +80,14 @@ def verdict(advice: Numbers) -> str:
 def rule(numbers: Numbers) -> str:
     """How room, seed and moments are chosen, and what asking changes in states that are new, as plain text."""
     first, last = numbers["seeds"]
-    everywhere = numbers[IDEAL]["advice"]["all"]
+    ideal, held = numbers[IDEAL], numbers[HELD]
+    everywhere = ideal["advice"]["all"]
+    reward = compared(
+        ideal["reward"]["more"], ("more", "less", "no more that would show"), 1
+    )
+    bumps = compared(
+        held["bumps"]["more"], ("more bumps", "fewer bumps", "no difference shows"), 0
+    )
 
     def risen(name: str, decimals: int) -> str:
         chance = everywhere[name]
@@ -107,5 +109,7 @@ def rule(numbers: Numbers) -> str:
         "Pressed there: where asking at least doubled the favourite’s chance, the robot did that, and its next ten "
         "steps earned least. Each "
         "similar state has 1⁄20 of a say for each action, 5 inputs of 4 bins; one that was never met says 0. The page "
-        "lives both hours with the library’s own kernels. ± is half of a 95 % interval of the mean difference."
+        f"lives both hours with the library’s own kernels. Of all {last - first + 1} pairs, the one that asks earns "
+        f"{reward} a step; on a base that walls hold fast: {bumps}. ± is half of a 95 % interval of the "
+        "mean difference."
     )

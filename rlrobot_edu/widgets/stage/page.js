@@ -47,7 +47,7 @@ function placesOf(near) {
   if (isNarrow()) {
     const wide = (H - 12) / 2 / shape, one = wide * shape;
     return {
-      rooms: [mix([0, 0, wide], [W / 2 - 66, 2, 56]), mix([0, one + 12, wide], [0, UNDER, W])],
+      rooms: [mix([0, 0, wide], [W / 2 - 54, 2, 48]), mix([0, one + 12, wide], [0, UNDER, W])],
       scores: [mix([wide + 14, one / 2 - 40], [0, 0]), mix([wide + 14, one * 1.5 - 44], [W / 2, 0])], size: mixed(0.8, 0.62, near),
       clock: [wide + 14, 22, W - wide - 14],
     };
@@ -56,8 +56,8 @@ function placesOf(near) {
   const last = Math.min(0.56 * W, H / shape), panel = W - last - 28;
   const race = [[side, SCORE_HIGH, wide], [side + wide + 56, SCORE_HIGH, wide]];
   return {
-    rooms: [mix(race[0], [132, 0, 100]), mix(race[1], [W - last, 0, last])],
-    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 248), 0])], size: mixed(1, 0.8, near),
+    rooms: [mix(race[0], [156, 4, 84]), mix(race[1], [W - last, 0, last])],
+    scores: [mix([race[0][0], 0], [0, 0]), mix([race[1][0], 0], [Math.max(panel / 2, 252), 0])], size: mixed(1, 0.8, near),
     clock: null,
   };
 }
@@ -231,9 +231,9 @@ function drawMoment(context, camera, s) {
   drawUpright(context, camera, world, colours, bodies, wallChosen);
   drawBeams(context, camera, here, ghosts, s);
   const spots = [shown.robot, ...ghosts.map(([, { spot }]) => spot)], told = ghosts.filter(([i]) => ghost < 0 || i === ghost);
-  if (told.length) drawWho(context, camera, told.map(([, one]) => one), spots, colours);
+  const words = told.length ? drawWho(context, camera, told.map(([, one]) => one), spots, colours) : [];
   if (!calm.matches && s < TIMES.ring) drawRing(context, shown.robot, camera, eased(s / TIMES.ring), colours);
-  drawAnswer(context, camera, here, place, s, shown, narrow);
+  drawAnswer(context, camera, here, place, s, { ...shown, words }, narrow);
 }
 
 // All that it reads, and which reading differs; once the arrow is there, only for the ghost that is chosen.
@@ -250,12 +250,13 @@ function drawAnswer(context, camera, here, place, s, shown, narrow) {
   const grown = eased((s - TIMES.arrow) / 0.7), step = stepPart(s), rect = [camera.left, camera.top, camera.wide, camera.high];
   const motion = motions[chosen], chance = mixed(lotOf(motion), chanceOf(chancesNow(), motion), eased((s - TIMES.arrow) / 0.8));
   if (grown > 0 && step < 1) {
-    const arrow = drawArrow(context, camera, here, motion, shown, grown, 1 - step, colours, narrow, lives[1].world.bounds);
-    const middle = arrow?.middle ?? shown.robot, turn = arrow?.turn ?? 0, far = (arrow?.wide ?? 20) / 2 + (narrow ? 32 : 44);
-    const sides = [1, -1].map((side) => [middle[0] - side * far * Math.sin(turn), middle[1] + side * far * Math.cos(turn)]);
-    const aside = mostFree(sides, [...shown.ghosts, { spot: shown.robot }], rect);
+    const tip = drawArrow(context, camera, here, motion, shown, grown, 1 - step, colours, narrow, lives[1].world.bounds);
+    const badge = { text: percent(chance), small: `would ${deedOf(motion)}`, narrow };
+    const others = [...shown.ghosts.map(({ spot }) => spot), ...shown.words];
+    const { spot, end } = besideRobot(badgeSize(context, badge), shown.robot, tip ?? shown.robot, others, rect, 0.3 * camera.scale);
     context.globalAlpha = 1 - step;
-    drawBadge(context, percent(chance), aside, colours.ink, colours.back, rect, narrow);
+    if (tip) drawTether(context, spot, end, colours);
+    drawBadge(context, badge, spot, colours.ink, colours.back, rect);
     context.globalAlpha = 1;
   }
   if (step < 0.9) return;
@@ -264,7 +265,7 @@ function drawAnswer(context, camera, here, place, s, shown, narrow) {
   const text = kind === "bump" ? `bump ${numberText(r)}` : `${r > 0 ? "+" : ""}${numberText(r)}`;
   const far = 0.3 * camera.scale + (narrow ? 20 : 26), wide = 0.3 * camera.scale + (narrow ? 12 : 14) + (narrow ? 5 : 6) * text.length;
   const around = [[0, -far], [0, far], [wide, 0], [-wide, 0]].map(([dx, dy]) => [left + dx, top + dy]);
-  drawBadge(context, text, mostFree(around, shown.ghosts, rect), tone, colours.back, rect, narrow);
+  drawBadge(context, { text, narrow }, mostFree(around, shown.ghosts, rect), tone, colours.back, rect);
 }
 
 // Of some spots the one that is farthest from all robots, and inside the room.

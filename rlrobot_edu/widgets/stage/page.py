@@ -46,6 +46,7 @@ SCRIPTS = (
     "stage/life.js",
     "stage/view.js",
     "stage/asking.js",
+    "stage/badge.js",
     "stage/page.js",
     "stage/panel.js",
     "stage/hands.js",

@@ -69,8 +69,9 @@ function fillPanel() {
   find("ghosts").replaceChildren(...all);
   const heard = moment.known.filter((one) => speaks({ say: sayNow(one) }));
   const lasers = [...new Set(heard.map(({ input }) => input))].sort();
-  find("marks").replaceChildren("Which laser: ", ...lasers.map((i) => element("span", {}, markOf(i), inputName(i))));
-  find("lead").textContent = all.length ? "Pale discs: itself, earlier, where all its lasers but one read the same."
+  find("marks").replaceChildren("The laser that read another distance: ", ...lasers.map((i) => element("span", {}, markOf(i), inputName(i))));
+  find("lead").textContent = all.length
+    ? `Pale discs: itself, earlier, where all its lasers but one read the same. A number: how much that speaks for “${motions[chosen].called}”.`
     : "No similar state is known.";
   fillSlider();
   const advisers = moment.known.length;
@@ -127,7 +128,7 @@ function sentence(s, motion, rise) {
     const truth = percent(chanceOf(moment.chances, motion));
     return `<b>If it remembered that: ${motion.called}, ${rise}.</b> In truth it was ${truth}.`;
   }
-  const finding = `<b>${adviceOn(motion, n, heard)}</b>`, chance = `${capital(motion.called)}: ${rise}.`;
+  const finding = `<b>${adviceOn(motion, n, heard)}</b>`, chance = `Chance of “${motion.called}”: ${rise}.`;
   if (s < 0.9) return `${finding} It never read its lasers like this: its own table is empty.`;
   if (n && s < 2.3) return `${finding} ${n === 1 ? "Once" : `${capital(String(n))} times`} all its readings but <em>one</em> were the same; ${heard || "none"} taught it something.`;
   return stepPart(s) < 0.9 && !calm.matches ? `${finding} ${chance}` : `${finding} ${chance} ${drawn()}`;
@@ -135,12 +136,12 @@ function sentence(s, motion, rise) {
 
 // What memories say of a motion. n: how many it has; heard: how many of them say something
 function adviceOn(motion, n, heard) {
-  const { called } = motion, does = called.startsWith("ahead") ? `drive ${called}` : called;
   if (!n) return "It has no memory of a similar place: it draws lots.";
   if (!heard) return "Its memories of similar places know nothing of worth.";
   if (chanceOf(moment.chances, motion) < lotOf(motion)) return "Its memories of similar places speak more for other motions.";
-  return `${heard === 1 ? "One memory of a similar place says" : `${heard} memories of similar places say`}: ${does}.`;
+  return `${heard === 1 ? "One memory of a similar place says" : `${heard} memories of similar places say`}: ${deedOf(motion)}.`;
 }
+const deedOf = ({ called }) => (called.startsWith("ahead") ? `drive ${called}` : called);
 
 // Which step it took, and what that paid.
 function drawn() {
@@ -150,7 +151,7 @@ function drawn() {
     speaks({ say: sayNow(one) }));
   if (isAdvised && moment === least) {
     const [earned, usual] = [earnedFrom(lives[1], moment.t), usuallyEarned(lives[1])].map((x) => numberText(Math.round(x)));
-    return `Its next ten steps <span class="red">earned ${earned}</span>; ten of its hour earn ${usual}.`;
+    return `Its next ten steps <span class="red">earned ${earned}</span>; ten steps usually earn ${usual}.`;
   }
   const isWrong = isAdvised && moment.pays[favourite.actions[0]] <= BUMP, told = `<span class="${SIDE[kind]}">${paid}.</span>`;
   if (isWrong && taken === favourite) return `It did that: ${told} Its memories misled it.`;
