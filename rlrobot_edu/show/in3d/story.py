@@ -105,8 +105,8 @@ def _earned(rewards: Sequence[float]) -> str:
     """How often a robot got the largest reward."""
     most, steps = max(rewards), len(rewards)
     if most <= 0:
-        return f"{signed(sum(rewards) / steps)} a step in {steps} steps"
-    return f"{signed(most)} in {list(rewards).count(most)} of {steps} steps"
+        return f"reward {signed(sum(rewards) / steps)} a step in {steps} steps"
+    return f"reward {signed(most)} in {list(rewards).count(most)} of {steps} steps"
 
 
 def _lost(
