@@ -145,7 +145,7 @@ class Film(Displayed):
 
     @property
     def finding(self) -> str:
-        """What became of it in one sentence, such as ``+10 in 41 of 60 steps, 3 bumps (−2 each)``."""
+        """What became of it in one sentence, such as ``Reward +10 in 41 of 60 steps, 3 bumps (−2 each)``."""
         return finding(self.frames, self.rewards, self.task, self.rules)
 
     @property

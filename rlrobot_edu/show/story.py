@@ -100,11 +100,11 @@ def _earned(rewards: Sequence[float]) -> str:
     rewards = list(rewards)
     most, steps = max(rewards), len(rewards)
     if most <= 0:
-        return f"{signed(float(np.mean(rewards)))} a step in {counted(steps, 'step')}"
+        return f"reward {signed(float(np.mean(rewards)))} a step in {counted(steps, 'step')}"
     times = rewards.count(most)
     if times == 1:
-        return f"{signed(most)} in step {rewards.index(most) + 1} of {steps}"
-    return f"{signed(most)} in {times} of {steps} steps"
+        return f"reward {signed(most)} in step {rewards.index(most) + 1} of {steps}"
+    return f"reward {signed(most)} in {times} of {steps} steps"
 
 
 def _lost(scenes: Sequence[Scene], rewards: Sequence[float]) -> str:

@@ -669,7 +669,8 @@ def test_a_sign_on_the_slider_leads_to_its_moment_and_the_caption_names_it(opene
     rewards[4] = rewards[15] = -2.0
     page = opened(show_scene(SCENES, rewards, task="Wander"), 390, 800)
     until(page, "last === 19 && marks.children.length === 2")
-    assert page.inner_text("h1") == "Wander: +10 in 18 of 20 steps, 2 losses (−2 each)"
+    told = "Wander: reward +10 in 18 of 20 steps, 2 losses (−2 each)"
+    assert page.inner_text("h1") == told
     page.click("#marks span >> nth=0")
     until(page, "caption.textContent.startsWith('step 5 of 20: loss · reward −2')")
     thumb = page.evaluate(

@@ -180,15 +180,17 @@ def test_no_two_key_steps_are_alike() -> None:
 
 def test_the_title_of_a_film_says_what_became_of_it() -> None:
     drives = [room(0.02 * i, 0) for i in range(4)]
-    assert finding(drives, [1, 1, 1, 1]) == "+1 in 4 of 4 steps, no bump"
-    assert finding(drives, [1, -2, 1, 1]) == "+1 in 3 of 4 steps, 1 loss (−2)"
+    assert finding(drives, [1, 1, 1, 1]) == "Reward +1 in 4 of 4 steps, no bump"
+    assert finding(drives, [1, -2, 1, 1]) == "Reward +1 in 3 of 4 steps, 1 loss (−2)"
     bumps = [*drives[:3], drives[3]._replace(bumped=True)]
-    assert finding(bumps, [1, 1, 2, -7]) == "+2 in step 3 of 4, 1 bump (−7)"
-    assert finding(drives[:1], [-0.5]) == "−0.5 a step in 1 step, no bump"
-    assert finding(drives, [1, 1, 1, 1], "Drive").startswith("Drive: +1 in 4 of 4")
+    assert finding(bumps, [1, 1, 2, -7]) == "Reward +2 in step 3 of 4, 1 bump (−7)"
+    assert finding(drives[:1], [-0.5]) == "Reward −0.5 a step in 1 step, no bump"
+    assert finding(drives, [1, 1, 1, 1], "Drive").startswith(
+        "Drive: reward +1 in 4 of 4"
+    )
     part = Solid("robot/upper_arm", "box", (0.1, 0.1, 0.1), np.eye(4), "robot")
     arms = [one._replace(solids=(*one.solids, part)) for one in drives]
-    assert finding(arms, [-1, 10, -1, 10]) == "+10 in 2 of 4 steps"
+    assert finding(arms, [-1, 10, -1, 10]) == "Reward +10 in 2 of 4 steps"
 
 
 def test_a_page_without_scripts_shows_the_film_and_its_steps() -> None:
@@ -259,7 +261,7 @@ def test_key_steps_hold_the_goal_that_the_title_names() -> None:
     scenes = [room(-0.8 + 0.02 * i, -0.5) for i in range(20)]
     rewards = [1.0] * 20
     rewards[7] = 10.0
-    assert "+10 in step 8" in finding(scenes, rewards)
+    assert "eward +10 in step 8" in finding(scenes, rewards)
     assert 7 in key_steps(scenes, rewards, "", 4)
 
 

@@ -47,12 +47,12 @@ def test_an_arm_that_never_came_says_so_and_what_was_paid_most_is_no_arrival():
 
 def test_what_the_rules_do_not_explain_is_no_arrival():
     told = of_arm([5.0, 7.0, 7.0])
-    assert told.headline == "Reach: +7 in 2 of 3 steps"
+    assert told.headline == "Reach: reward +7 in 2 of 3 steps"
 
 
 def test_bumps_are_told_with_what_they_cost_and_marked():
     told = of_wanderer([10.0, -2.0, 10.0, -2.0], [False, True, False, True])
-    assert told.headline == "Wander: +10 in 2 of 4 steps, 2 bumps (−2 each)"
+    assert told.headline == "Wander: reward +10 in 2 of 4 steps, 2 bumps (−2 each)"
     assert told.moments == [(1, "bump"), (3, "bump")]
     told = of_wanderer([10.0, -2.0, -10.0], [False, True, True])
     assert told.headline.endswith("2 bumps (−12 in all)")
