@@ -72,6 +72,12 @@ PAIRS = (
         situation("stands at 0.45 m", 0.45),
     ),
     (PARKED, situation("drives past 0.25 m without a stop", 0.25, 0.345, ahead=0.095)),
+    (
+        PARKED,
+        situation(
+            "drives along a slanting wall, always 0.25 m ahead", 0.25, ahead=0.06
+        ),
+    ),
     (PARKED, situation("creeps through 0.25 m backward", 0.25, 0.21, ahead=-0.04)),
     (COMES, STANDS_FAR),
     (COMES, LEAVES),

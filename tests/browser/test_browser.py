@@ -637,10 +637,11 @@ def test_the_button_below_a_red_card_shows_two_robots_that_drive(
     nbformat.write(nbformat.v4.new_notebook(cells=[cell], metadata=metadata), file)
     with lesson(browser, lab, file.name) as (page, errors):
         page.get_by_role("button", name=ASKS).click()
-        film = page.frame_locator(".jp-OutputArea iframe").first
-        film.locator("canvas").first.wait_for()
+        cell = page.locator(".jp-CodeCell")
+        cell.locator("iframe").first.wait_for()
+        until(view_in(cell), "typeof viewer === 'object' && !!body()")
         page.screenshot(path=tmp_path / "driven.png")
-        assert page.locator(".jp-OutputArea iframe").count() == 2, "yours and right"
+        assert cell.locator("iframe").count() == 2, "yours and the right one"
         assert page.get_by_role("button", name=ASKS).count() == 0, "pressed once"
         assert "By your code the robot earns" in page.inner_text(".jp-Notebook")
         assert not errors
