@@ -163,6 +163,10 @@ def unlike(right: Any, mine: Any) -> str:
         if x.ndim == 1 and y.ndim == 1:
             told = f"its length is {len(y)}. What is asked has a length of {len(x)}."
             return f"{told} {_about_members(x, y)}".strip()
+        if x.ndim and y.ndim > x.ndim:
+            return "there are lists in this list. What is asked is one number in each place."
+        if x.ndim > y.ndim > 0:
+            return f"these are {len(y)} numbers. What is asked is a row of several for each."
         if x.ndim:
             return ""
         if np.asarray(mine).dtype.kind == "b":
