@@ -46,6 +46,7 @@ has one, in this order:
 8. Memory: more of a table changes than should, or always so many times too much.
 9. Code: an argument is never read.
 10. Cases: it is wrong just where an argument is True, or 0, or negative.
+11. What is left: one part of the result is right and another wrong, or all that is wrong is too large.
 
 An answer that stops with an exception has no values to compare, so `errors` says what the exception means. A verdict
 carries the id of its mistake, or the detector's name; tests ask for that and not for words. The tape needs steps in

@@ -72,8 +72,18 @@ PAIRS = (
         situation("stands at 0.45 m", 0.45),
     ),
     (PARKED, situation("drives past 0.25 m without a stop", 0.25, 0.345, ahead=0.095)),
+    (
+        PARKED,
+        situation(
+            "drives along a slanting wall, always 0.25 m ahead", 0.25, ahead=0.06
+        ),
+    ),
     (PARKED, situation("creeps through 0.25 m backward", 0.25, 0.21, ahead=-0.04)),
     (COMES, STANDS_FAR),
+    (
+        situation("comes nearer, to 0.45 m", 0.45, 0.545, ahead=0.095),
+        situation("stands 0.45 m in front of the wall", 0.45),
+    ),
     (COMES, LEAVES),
     (COMES, TURNS),
     (situation("comes nearer along −y", 0.6, 0.695, ahead=-0.095), STANDS_FAR),

@@ -163,6 +163,14 @@ check = with_pages(
             (Q, SHAPE, 5, 10.0, 0.0),
             (FINE, SHAPE, 17, 3.45678, 0.87654),
             (Q, SHAPE, 9, 4.0, 0.99),
+            # of state 7 nothing is known but one action
+            (
+                np.where(np.arange(12)[:, None] == 7, [[0.0, 2.5, 0.0, 0.0]], P),
+                OTHER,
+                7,
+                4.0,
+                0.8,
+            ),
         ),
     ),
     choose=Exercise(choose, returns="action", tape=CHOICES),

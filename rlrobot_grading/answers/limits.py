@@ -30,6 +30,7 @@ PATIENCE = 30.0  # of waiting, as in time.sleep [s]
 COMPUTES = "has not ended after {:.0f} seconds of computing"
 WAITS = "has waited for {:.0f} seconds"
 SNOOZE = 1.0  # until an alarm that was swallowed comes again [s]
+SOON = 0.05  # the same, of an alarm for an answer that computes [s]
 EVENTS = 200  # lines and calls between two looks at the clock
 
 
@@ -130,14 +131,15 @@ def ended_in_time(
     Python itself calls `look` at every line, so this works where there are neither signals nor threads; where it would
     tell of no line, since a loop stays on one, `look` asks for each step of the machine. After it has raised, Python
     looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked at, and then
-    each step of the machine, one step later every time: one of them lies outside the ``try``.
+    each step of the machine, one step later every time: one of them lies outside the ``try``. In a loop without calls
+    an alarm does so in its place, where there are alarms.
     What never ends within one call of something written in C, as ``max(itertools.count())``, is not ended.
     A profiler or a tracer that was set before is set again. A debugger wants to look at each line itself, and its user
     may take as long as they like: then there is no limit.
     """
     if _is_debugged():
         return answer(*arguments)
-    before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
+    before, before_profile, own = sys.gettrace(), sys.getprofile(), globals()
     computed, waited, countdown, swallowed = (
         time.process_time(),
         time.perf_counter(),
@@ -147,23 +149,27 @@ def ended_in_time(
 
     def look(frame: FrameType, event: str, argument: Any) -> Any:
         nonlocal countdown
+        if event == "call" and frame.f_globals is own:
+            return None  # an alarm has come
         countdown -= 1
         # at other events the learner's line would get lost
         if countdown <= 0 and event in ("line", "opcode"):
             has_computed = time.process_time() - computed > seconds
             if has_computed or time.perf_counter() - waited > patience:
                 sys.setprofile(again)
-                raise TooLong(
-                    COMPUTES.format(seconds) if has_computed else WAITS.format(patience)
-                )
+                told = COMPUTES.format(seconds)
+                if not has_computed:
+                    told = WAITS.format(patience)
+                alarm.come_soon(told)
+                raise TooLong(told)
             countdown = EVENTS
         if event == "call" and _loops_within_a_line(frame.f_code):
             frame.f_trace_opcodes = True
         return look
 
-    def again(frame: FrameType, event: str, argument: Any) -> None:
+    def again(frame: FrameType, *_: Any) -> None:
         nonlocal countdown, swallowed
-        if frame is not here and sys.gettrace() is None:
+        if frame.f_globals is not own and sys.gettrace() is None:
             swallowed += 1
             countdown = swallowed
             sys.settrace(look)
@@ -182,7 +188,7 @@ def ended_in_time(
     # nothing is looked at in what stands around the answer
     with (
         told_of_compiling(begin_to_compile, end_compiling),
-        _woken(patience) as alarm,
+        _woken(patience, again) as alarm,
     ):
         sys.settrace(look)
         try:
@@ -215,28 +221,46 @@ def _set_again(set_it: Callable[[Any], None], before: Any) -> None:
 
 @dataclass
 class Alarm:
-    """What wakes an answer that waits. is_over: whether the answer has ended, so that nothing is left to be woken"""
+    """What wakes an answer that waits, or that computes and has swallowed TooLong.
 
+    told: what it says; is_there: whether there are alarms here; is_early: whether it comes for an answer that computes
+    is_over: whether the answer has ended, so that nothing is left to be woken
+    """
+
+    told: str
+    is_there: bool = False
+    is_early: bool = False
     is_over: bool = False
+
+    def come_soon(self, told: str) -> None:
+        """Come for an answer that computes, again and again until it ends."""
+        self.told, self.is_early = told, True
+        if self.is_there and not self.is_over:
+            signal.setitimer(signal.ITIMER_REAL, SOON, SOON)
 
 
 @contextmanager
-def _woken(patience: float) -> Iterator[Alarm]:
+def _woken(patience: float, again: Callable[[FrameType], None]) -> Iterator[Alarm]:
     """Have what waits within one call, as time.sleep does, end when that is over, where the system has alarms.
 
-    An alarm that something swallows, as ``except:`` or a ``__del__`` does, comes again.
+    An alarm that something swallows, as ``except:`` or a ``__del__`` does, comes again. again: what has each step of
+    the machine looked at in an answer that computes
     """
-    alarm = Alarm()
+    alarm = Alarm(WAITS.format(patience))
     if threading.current_thread() is not threading.main_thread() or not hasattr(
         signal, "setitimer"
     ):
         yield alarm
         return
 
-    def wake(*_: Any) -> None:
-        if not alarm.is_over:
-            raise TooLong(WAITS.format(patience))
+    def wake(_: int, frame: FrameType | None) -> None:
+        if alarm.is_over:
+            return
+        if frame is not None and alarm.is_early:
+            again(frame)  # what swallows it is looked at
+        raise TooLong(alarm.told)
 
+    alarm.is_there = True
     before = signal.signal(signal.SIGALRM, wake)
     signal.setitimer(signal.ITIMER_REAL, patience, SNOOZE)
     try:

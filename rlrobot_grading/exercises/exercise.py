@@ -36,7 +36,7 @@ from rlrobot_grading.exercises.verdict import AS_GIVEN, Verdict
 from rlrobot_grading.hints.detectors import find_hint
 from rlrobot_grading.hints.errors import error_hint
 from rlrobot_grading.hints.evidence import Evidence, Half, Hint, Known, Pair
-from rlrobot_grading.hints.first_event import first_event
+from rlrobot_grading.hints.first_change import first_that_differs
 
 # of the mistakes, the frequent ones first, that are also tried two at a time
 MOST_PAIRED = 20
@@ -277,10 +277,10 @@ class Exercise:
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
         seen = self.evidence(answer, got)
-        event = first_event(seen)
-        if event:
-            rows = event
-            where += " The table has the first call in it that differs."
+        what, first_rows = first_that_differs(seen)
+        if what:
+            rows = first_rows
+            where += f" The table has {what}."
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
         id, told = self.hint_on(seen)

@@ -17,6 +17,7 @@ from rlrobot_grading.hints.events import order_of_events
 from rlrobot_grading.hints.evidence import Evidence, Hint
 from rlrobot_grading.hints.in_place import not_in_place
 from rlrobot_grading.hints.mistakes import known_mistake, two_mistakes
+from rlrobot_grading.hints.remainders import what_is_left
 from rlrobot_grading.hints.suspicions import (
     about_the_cases,
     about_the_code,
@@ -69,6 +70,7 @@ DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
     "memory": about_the_memory,
     "code": about_the_code,
     "cases": about_the_cases,
+    "left": what_is_left,
 }
 
 

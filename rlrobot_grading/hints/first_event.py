@@ -176,8 +176,8 @@ def _table(seen: Evidence, event: Event) -> Rows:
     rows: list[tuple[bool, tuple[str, str, str]]] = []
     for name in {**right, **mine}:
         if name in both and not same(right[name], mine[name]):
-            entries = _entries(name, right[name], mine[name])[:MOST_ENTRIES]
-            rows += [(True, entry) for entry in entries]
+            differ = entries(name, right[name], mine[name])[:MOST_ENTRIES]
+            rows += [(True, entry) for entry in differ]
         elif name not in seen.parameters:
             shown = [
                 _in_brief(side[name]) if name in side else "" for side in (right, mine)
@@ -208,7 +208,7 @@ def _arguments(seen: Evidence, call: Call) -> dict[str, Any]:
     return {**before, **dict(zip(names, call.given, strict=False))}
 
 
-def _entries(name: str, right: Any, mine: Any) -> Rows:
+def entries(name: str, right: Any, mine: Any) -> Rows:
     """What differs in two values of one argument: entries of arrays, of lists and of dictionaries; or the whole."""
     if isinstance(right, list | tuple) and isinstance(mine, list | tuple):
         if len(right) != len(mine):

@@ -161,7 +161,12 @@ def unlike(right: Any, mine: Any) -> str:
         if x.ndim == 1 and y.ndim == 0:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
         if x.ndim == 1 and y.ndim == 1:
-            return f"its length is {len(y)}. What is asked has a length of {len(x)}."
+            told = f"its length is {len(y)}. What is asked has a length of {len(x)}."
+            return f"{told} {_about_members(x, y)}".strip()
+        if x.ndim and y.ndim > x.ndim:
+            return "there are lists in this list. What is asked is one number in each place."
+        if x.ndim > y.ndim > 0:
+            return f"these are {len(y)} numbers. What is asked is a row of several for each."
         if x.ndim:
             return ""
         if np.asarray(mine).dtype.kind == "b":
@@ -170,8 +175,23 @@ def unlike(right: Any, mine: Any) -> str:
                 "sum(…) counts them."
             )
         return f"these are {y.size} numbers. What is asked is one: which of them, or their largest, their sum?"
+    if isinstance(mine, bool) and np.asarray(right).dtype.kind == "f":
+        return f"this is {mine}, which says yes or no. What is asked is a number."
     if np.isnan(y).any() and not np.isnan(x).any():
         return NAN
+    return ""
+
+
+def _about_members(right: np.ndarray, mine: np.ndarray) -> str:
+    """Of whole numbers, as those of states are: which one is too many, or missing."""
+    if (right % 1).any() or (mine % 1).any():
+        return ""
+    for number in mine:
+        if number not in right:
+            return f"{show(int(number))}, for one, should not be there."
+    for number in right:
+        if number not in mine:
+            return f"{show(int(number))}, for one, is missing."
     return ""
 
 

@@ -24,6 +24,7 @@ from PIL import Image
 from waiting import until
 
 import rlrobot_edu as rl
+from rlrobot_course.drives.button import ASKS
 from rlrobot_course.learner.my_course import PREFERENCES
 from rlrobot_course.learner.saving import ASKED_FOR
 from rlrobot_course.questions.old_questions import due
@@ -614,6 +615,36 @@ def test_a_notebook_that_was_saved_comes_back_whole(browser, lab, tmp_path, rest
         assert "Error displaying widget" not in page.inner_text(".jp-Notebook")
         shown = page.locator(".rl-stepper" if not restarts else ".jp-OutputArea img")
         assert shown.count()
+
+
+WRONG = """
+from rlrobot_course.lesson_03 import check
+
+def target(q, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * min(q[s_next])
+
+check.target(target)
+"""
+
+
+def test_the_button_below_a_red_card_shows_two_robots_that_drive(
+    browser, lab, tmp_path
+):
+    file = Path(lab.folder, "notebooks", "red.ipynb")
+    cell = nbformat.v4.new_code_cell(WRONG)
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    metadata = {"kernelspec": kernel}
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell], metadata=metadata), file)
+    with lesson(browser, lab, file.name) as (page, errors):
+        page.get_by_role("button", name=ASKS).click()
+        cell = page.locator(".jp-CodeCell")
+        cell.locator("iframe").first.wait_for()
+        until(view_in(cell), "typeof viewer === 'object' && !!body()")
+        page.screenshot(path=tmp_path / "driven.png")
+        assert cell.locator("iframe").count() == 2, "yours and the right one"
+        assert page.get_by_role("button", name=ASKS).count() == 0, "pressed once"
+        assert "By your code the robot earns" in page.inner_text(".jp-Notebook")
+        assert not errors
 
 
 def save(page, notebook):

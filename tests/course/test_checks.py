@@ -377,6 +377,20 @@ def answer(q, *_):
         try: q.max()
         except: pass
 """
+WITHOUT_CALLS = """
+def answer(*_):
+    while True:
+        try: pass
+        except BaseException: pass
+"""
+LOOP_IN_A_TRY = """
+def answer(*_):
+    while True:
+        try:
+            while True: x = 1
+        except BaseException:
+            continue
+"""
 
 
 @pytest.mark.parametrize(
@@ -385,6 +399,8 @@ def answer(q, *_):
         "def answer(*_):\n    while True: pass",
         "def answer(*_):\n    while True:\n        pass",
         STUBBORN,
+        WITHOUT_CALLS,
+        LOOP_IN_A_TRY,
     ],
 )
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):

@@ -9,9 +9,9 @@ from test_checks import exercises, learner
 from rlrobot_course.lesson_09.exercises import new_temperature
 from rlrobot_course.lesson_10.exercises import choose, true_online_update
 from rlrobot_grading.answers.limits import Elsewhere
-from rlrobot_grading.hints import first_event
+from rlrobot_grading.hints import first_change, first_event
 
-# the exercises that are judged by whole runs, and how many of the first known mistakes show such a table
+# the exercises that are judged by whole runs, and how many of the first known mistakes show a call that differs
 RUNS = {
     ("lesson_03", "learn"): 10,
     ("lesson_06", "sarsa_learn"): 10,
@@ -28,11 +28,12 @@ RUNS = {
 @pytest.mark.parametrize(("lesson", "name"), RUNS)
 def test_known_mistakes_show_the_first_call_that_differs(lesson, name):
     check = exercises(lesson)[name]
-    n = 0
+    n = n_others = 0
     for wrong in check.wrong_functions[:10]:
         with np.errstate(all="ignore"):
             verdict = check(wrong)
         assert verdict.status == "wrong" and verdict.rows
+        n_others += "The table has the first" not in verdict.text
         if "first call in it that differs" not in verdict.text:
             continue
         n += 1
@@ -40,6 +41,7 @@ def test_known_mistakes_show_the_first_call_that_differs(lesson, name):
         assert names[:2] == ["steps so far", "call"] and len(names) <= 8
         assert any(expected != got for _, expected, got in verdict.rows)
     assert n >= RUNS[lesson, name]
+    assert n_others <= 1, "a result of another kind shows itself"
 
 
 LOOP = """
@@ -110,14 +112,90 @@ def test_an_event_is_one_small_table(which):
     assert verdict.rows == rows
 
 
-def test_what_no_call_shows_is_told_by_the_numbers_as_before():
+TRAINS = """
+def answer(env, q, choose, episodes, alpha, gamma):
+    sums = []
+    for _ in range(episodes):
+        s, total, over = env.reset(), 0.0, False
+        while not over:
+            a = choose(q, s)
+            s_next, r, terminated, truncated = env.step(a)
+            target = r if terminated else r + gamma * max(q[s_next])
+            q[s, a] += alpha * (target - q[s, a])
+            s, total, over = s_next, total + r, terminated or truncated
+        sums.append(total)
+    return sums
+"""
+
+
+def trains(old, new):
+    """The verdict on the right learner of assignment 1 with one piece written otherwise."""
+    assert old in TRAINS
+    return exercises("assignment_1")["train"](learner(TRAINS.replace(old, new)))
+
+
+def test_of_a_loop_that_learns_itself_the_first_step_with_another_table_is_shown():
+    verdict = trains("r if terminated else", "r if truncated else")
+    assert (
+        "The table has the first step after which a table is another." in verdict.text
+    )
+    assert verdict.rows == (
+        ("steps so far", "3", "3"),
+        ("s", "1", "1"),
+        ("a", "0", "0"),
+        ("s_next", "3", "3"),
+        ("r", "-2", "-2"),
+        ("terminated", "True", "True"),
+        ("truncated", "False", "False"),
+        ("q[1, 0]", "0.7375", "3.8875"),
+    )
+
+
+def test_of_a_dictionary_that_a_loop_fills_the_first_other_entry_is_shown():
+    keeps = "seen.setdefault((s, a), (r, s_next, terminated))"
+    answer = learner(DYNA.replace("seen[s, a] = (r, s_next, terminated)", keeps))
+    rows = exercises("lesson_17")["dyna"](answer).rows
+    assert rows[0] == ("steps so far", "4", "4")
+    assert ("seen[1, 2]", "[10, 0, False]", "[10, 2, False]") in rows
+
+
+DYNA = """
+def answer(env, q, seen, choose, update, pick, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        seen[s, a] = (r, s_next, terminated)
+        for pair in pick(seen):
+            update(q, *pair, *seen[pair])
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+"""
+
+
+def test_of_a_result_that_alone_is_wrong_the_first_other_entry_is_shown():
+    verdict = trains("total + r,", "total + r * gamma,")
+    assert "The table has the first entry that differs." in verdict.text
+    assert verdict.rows == (("sums[0]", "6", "5.4"),)
+    assert trains("return sums", "return sums[:1] + sums").rows[0][0] == "sums"
+
+
+def test_an_answer_of_which_nothing_can_be_told_so_is_shown_as_before(monkeypatch):
+    monkeypatch.setattr(first_change, "_run", lambda *_: 1 / 0)
+    assert trains("r if terminated else", "r if truncated else").rows[0][0] == "q[1, 0]"
+
+
+def test_a_copy_of_the_table_that_learns_is_told_by_what_the_other_lacks():
     source = LOOP.format("update(q, s, a, r, s_next, terminated)")
     source = source.replace(
         "    s = env.reset()\n    for",
         "    kept = q; q = q.copy(); s = env.reset()\n    for",
     )
     verdict = exercises("lesson_03")["learn"](learner(source))
-    assert verdict.rows[0][0].startswith("q[") and "call" not in verdict.text
+    assert verdict.rows[0] == ("steps so far", "1", "1")
+    assert verdict.rows[-1][0].startswith("q[") and "call" not in verdict.text
 
 
 EVADES = """

@@ -30,8 +30,10 @@ EXACT = [one for one in FUNCTIONS if not isinstance(exercises(one[0])[one[1]], D
 
 # Mistakes that are given as a whole program although one change makes it: each hint speaks of this change.
 SAME_THING = {
+    ("assignment_1", "replay", "ends_after_an_end"),
     ("assignment_3", "td_episode", "fades_before_update"),
     ("assignment_3", "td_episode", "no_fading"),
+    ("assignment_3", "trace_after", "counts_visits_alone"),
     ("assignment_3", "trace_after", "fades_after_the_last"),
     ("assignment_3", "true_online_episode", "forgets_v_old"),
     ("assignment_3", "true_online_episode", "no_second_line"),
