@@ -2,6 +2,7 @@
 
 import difflib
 import math
+import re
 import traceback
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import islice
@@ -17,20 +18,37 @@ MOST_BINS = 100_000  # of one variable
 MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
 
 
-def did_you_mean(name: object, names: Iterable[str]) -> str:
-    """``did you mean 'x'? `` with the nearest of `names`; empty if none is similar."""
-    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=0.6)
-    return f"did you mean {near[0]!r}? " if near else ""
+def did_you_mean(
+    name: object, names: Iterable[str], meanings: Mapping[str, str] | None = None
+) -> str:
+    """``; did you mean 'x'?`` with the nearest of `names`, or a full stop if none is similar: a sentence can follow.
+
+    Capitals, hyphens, spaces and underscores do not count. meanings: other words, each with the name that it means
+    """
+    written = {_bare(word): meant for word, meant in (meanings or {}).items()}
+    written |= {_bare(each): each for each in names}
+    near = difflib.get_close_matches(_bare(str(name)[:100]), written, n=1, cutoff=0.6)
+    return f"; did you mean {written[near[0]]!r}?" if near else "."
 
 
-def check_name(name: object, names: Collection[str], kind: str, owner: str) -> str:
-    """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
+def _bare(name: str) -> str:
+    return re.sub(r"[-_\s]", "", name).lower()
+
+
+def check_name(
+    name: object,
+    names: Collection[str],
+    kind: str,
+    owner: str,
+    meanings: Mapping[str, str] | None = None,
+) -> str:
+    """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest, see `did_you_mean`."""
     if isinstance(name, str) and name in names:
         return name
-    suggestion = did_you_mean(name, names)
-    mark = ";" if suggestion else "."
-    advice = f"{suggestion}It has: {', '.join(names)}"
-    raise ValueError(f"{owner} has no {kind} {name!r:.200}{mark} {advice}")
+    nearest = did_you_mean(name, names, meanings)
+    raise ValueError(
+        f"{owner} has no {kind} {name!r:.200}{nearest} It has: {', '.join(names)}"
+    )
 
 
 def check_index(kind: str, number: int, n: int) -> int:
@@ -169,8 +187,9 @@ def file_and_line(path: str | Path, error: BaseException) -> str:
 def describe_error(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the existing `names`."""
     if isinstance(error, KeyError) and names is not None:
-        known = ", ".join(str(name) for name in names)
-        return f"there is no {error}; there are {in_a_line(known)}"
+        known = [in_a_line(name) for name in names]
+        nearest = did_you_mean(error.args[0] if error.args else "", known)
+        return f"there is no {error}{nearest} There are {', '.join(known)}"
     return f"{type(error).__name__}: {in_a_line(error):.500}"
 
 

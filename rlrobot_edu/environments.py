@@ -2,15 +2,13 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
 from rlrobot_edu.learning.resolve import resolve
-from rlrobot_edu.models.model_env import SampleModelEnv
-from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.robot_env import RenderMode, RobotEnv
@@ -18,7 +16,11 @@ from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
-World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
+# Models are loaded where one is given: a robot in its scene needs none of their ten modules
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
+
+World = Union[Task, "SampleModel", EnvSpec, Callable[..., gymnasium.Env[Any, Any]]]
 
 
 def as_world(world: World | str | Path) -> World:
@@ -32,7 +34,11 @@ def as_world(world: World | str | Path) -> World:
         raise ValueError(
             f"{world} must be a new one each time: give its id, or a function that makes it"
         )
-    if isinstance(world, Task | SampleModel | EnvSpec) or callable(world):
+    if isinstance(world, Task | EnvSpec) or callable(world):
+        return world
+    from rlrobot_edu.models.sample_model import SampleModel
+
+    if isinstance(world, SampleModel):
         return world
     raise ValueError(
         f"a world is a task, a sample model, an id of Gymnasium or a function, not {world!r:.200}"
@@ -93,7 +99,8 @@ def make_env(
             f"realism must be None or an rl.Realism(...), got {realism!r:.200}"
         )
     world = as_world(task)
-    if "max_episode_steps" in options and isinstance(world, Task | SampleModel):
+    is_gymnasiums = isinstance(world, EnvSpec) or callable(world)
+    if "max_episode_steps" in options and not is_gymnasiums:
         raise ValueError(
             "a world's time limit is a wrapper: gymnasium.wrappers.TimeLimit(rl.make_env(…), max_episode_steps=…)"
         )
@@ -105,13 +112,14 @@ def make_env(
         )
     if render_mode is not None:
         options["render_mode"] = render_mode
-    if isinstance(world, SampleModel):
+    if isinstance(world, EnvSpec):
+        env = gymnasium.make(world, **options)
+    elif callable(world):
+        env = world(**options)
+    else:
+        from rlrobot_edu.models.model_env import SampleModelEnv
+
         return SampleModelEnv(world, seed, **options)
-    env = (
-        gymnasium.make(world, **options)
-        if isinstance(world, EnvSpec)
-        else world(**options)
-    )
     if not isinstance(env, gymnasium.Env):
         raise ValueError(
             f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}"

@@ -65,8 +65,10 @@ def _suggesting(function: Any, name: str, others: Sequence[str] = ()) -> Any:
     def suggesting(*arguments: Any, **named: Any) -> Any:
         for given in named:
             if given not in names:
-                advice = f"{did_you_mean(given, names)}It has: {', '.join(names)}"
-                raise TypeError(f"{name}() has no argument {given!r}; {advice}")
+                nearest = did_you_mean(given, names)
+                raise TypeError(
+                    f"{name}() has no argument {given!r}{nearest} It has: {', '.join(names)}"
+                )
         by_name = required[len(arguments) :]
         missing = [needed for needed in by_name if needed not in named]
         if missing and others:

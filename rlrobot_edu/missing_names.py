@@ -1,6 +1,5 @@
 """The errors for names and modules that the package does not have, or cannot load."""
 
-import difflib
 from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any, NoReturn
@@ -58,10 +57,8 @@ def _where(name: str, public: Collection[str]) -> str:
         return f"{name} is in {module}: from {module} import {name}"
     if name in ONCE:
         return f"rlrobot_edu has no name {name!r} any more; {ONCE[name]}"
-    advice = did_you_mean(name, [*public, *ELSEWHERE]).strip()
-    return (
-        f"rlrobot_edu has no name {name!r}; {advice or 'dir(rlrobot_edu) lists them'}"
-    )
+    nearest = did_you_mean(name, [*public, *ELSEWHERE])
+    return f"rlrobot_edu has no name {name!r}{nearest} dir(rlrobot_edu) lists all"
 
 
 class MissingModules:
@@ -82,12 +79,11 @@ class MissingModules:
             raise ModuleNotFoundError(_where(last, self.public))
         there = Path(__file__).parent.parent.joinpath(*folder.split("."))
         modules = [path.stem for path in there.glob("[a-z]*")]
-        near = difflib.get_close_matches(last, modules, n=1, cutoff=0.8)
+        nearest = did_you_mean(last, modules)
         page = "/".join([*folder.split("."), "__init__.py"])
-        advice = f"{page} says what is there"
-        if near:
-            advice = f"did you mean {folder}.{near[0]}?"
-        raise ModuleNotFoundError(f"there is no module {name}; {advice}")
+        raise ModuleNotFoundError(
+            f"there is no module {name}{nearest} {page} says what is there"
+        )
 
 
 def without_extra(missing: ImportError) -> Callable[..., NoReturn]:

@@ -11,6 +11,7 @@ from rlrobot_course.authoring.lists import (
     notebook_of,
     write_table,
 )
+from rlrobot_edu.checks import did_you_mean
 
 
 def run(words: Sequence[str]) -> int:
@@ -33,9 +34,9 @@ def run(words: Sequence[str]) -> int:
         case ["table"]:
             write_table(root)
             return 0
-    command = " ".join(words)
+    nearest = did_you_mean(words[0], ("check", "new", "table", "mistakes"))
     raise ValueError(
-        f"'course {command}' is not known: write course check 04, course new 23 \"Title of the lesson\","
+        f"there is no 'course {' '.join(words)}'{nearest} Write course check 04, course new 23 \"Title of the lesson\","
         " course table or course mistakes"
     )
 

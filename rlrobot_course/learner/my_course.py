@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_course.learner.saving import ASKED_FOR
+from rlrobot_edu.checks import did_you_mean
 from rlrobot_edu.files import shipped, write_whole
 from rlrobot_edu.installing import to_install
 from rlrobot_grading.answers.values import safely
@@ -107,7 +108,7 @@ def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> st
     name = f"0{lesson}" if f"0{lesson}" in known else lesson
     if name not in known:
         raise ValueError(
-            f"there is no lesson {lesson!r}; the lessons are {', '.join(known)}"
+            f"there is no lesson {lesson!r}{did_you_mean(lesson, known)} The lessons are {', '.join(known)}"
         )
     original, mine = known[name]
     told = ""

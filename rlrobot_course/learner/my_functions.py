@@ -30,6 +30,7 @@ from rlrobot_course.learner.learners_files import (
     put_aside,
 )
 from rlrobot_course.learner.sections import NOT_KEPT, Key, sources, with_source
+from rlrobot_edu.checks import did_you_mean
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.progress import watched
 from rlrobot_grading.answers.values import Function, one_line, safely
@@ -126,11 +127,14 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
 
 def _lesson_with(lesson: str, name: str) -> str:
     """The lesson, or the part of it, that has an exercise of this name. Raises ValueError if none has."""
+    there: list[str] = []
     for number in LESSONS:
-        if number.startswith(lesson) and name in vars(check_of(number)):
-            return number
+        if number.startswith(lesson):
+            if name in vars(check_of(number)):
+                return number
+            there += vars(check_of(number))
     raise ValueError(
-        f"lesson {lesson} has no function {name!r:.200} that could be taken from there"
+        f"lesson {lesson} has no function {name!r:.200} to take from there{did_you_mean(name, there)}"
     )
 
 

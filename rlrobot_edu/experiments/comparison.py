@@ -53,8 +53,10 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def __getitem__(self, label: str) -> Runs:
         if label not in self._runs:
-            known = f"{did_you_mean(label, self._runs)}It has: {', '.join(self._runs)}"
-            raise KeyError(f"this comparison has no method {label!r:.200}; {known}")
+            nearest = did_you_mean(label, self._runs)
+            raise KeyError(
+                f"this comparison has no method {label!r:.200}{nearest} It has: {', '.join(self._runs)}"
+            )
         return self._runs[label]
 
     def __iter__(self) -> Iterator[str]:

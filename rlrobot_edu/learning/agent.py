@@ -22,7 +22,7 @@ from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, made_of, parse_method
-from rlrobot_edu.learning.own_code import guarded
+from rlrobot_edu.learning.own_code import Before, guarded
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import (
     Experience,
@@ -148,6 +148,7 @@ class Agent:
         self.pending: tuple[int, int] | None = None
         # Where it can go on; None within a step
         self.resume_point: ResumePoint | None = None
+        self._before = Before()
 
     def __repr__(self) -> str:
         n_states, n_actions = self.q.shape
@@ -304,7 +305,14 @@ class Agent:
         return self.experience
 
     def _guarded(self, one_step: Callable[[StepKernels], T]) -> T:
-        return guarded(self.method, self.memory, self.experience, self.rng, one_step)
+        return guarded(
+            self.method,
+            self.memory,
+            self.experience,
+            self.rng,
+            self._before,
+            one_step,
+        )
 
     def frozen(self) -> "Agent":
         """A copy that acts as this agent does and learns no more: its Q stays.
@@ -318,7 +326,9 @@ class Agent:
             The copy.
         """
         without_planner = copy(self)
-        without_planner.experience = None  # it may be large
+        # these may be large
+        without_planner.experience = None
+        without_planner._before = Before()
         still = deepcopy(without_planner)
         algorithm = self.method.algorithm._replace(update=no_update)
         still.method = Method(algorithm, self.method.selection)

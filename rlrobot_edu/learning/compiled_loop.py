@@ -96,7 +96,8 @@ def _run(
     if not own_parts(agent.method):
         run(*given, log)
         return
-    before = Before(agent.memory, agent.experience, agent.rng)
+    before = Before()
+    before.take(agent.memory, agent.experience, agent.rng)
     place = [array.copy() for array in (*world.state, at)]
     world_rng = env.np_random.bit_generator.state
     try:

@@ -118,21 +118,22 @@ def new_record(dtype: np.dtype) -> Any:
     return np.zeros(1, dtype).view(np.recarray)[0]
 
 
-def copies(arrays: tuple[Any, ...]) -> list[Any]:
+def copies(arrays: tuple[Any, ...]) -> tuple[Any, ...]:
     """Copies of what is in a named tuple of arrays, records and such tuples."""
-    return [
+    return tuple(
         copies(each) if isinstance(each, tuple) else deepcopy(each) for each in arrays
-    ]
+    )
 
 
-def put_back(arrays: tuple[Any, ...], saved: list[Any]) -> None:
-    """Give the arrays the values of their copies again."""
-    for each, old in zip(arrays, saved, strict=True):
+def copy_into(arrays: tuple[Any, ...], source: tuple[Any, ...]) -> None:
+    """Give the arrays the values of others of the same kinds: of their copies, for example."""
+    for each, other in zip(arrays, source, strict=True):
         if isinstance(each, tuple):
-            put_back(each, old)
+            copy_into(each, other)
         elif isinstance(each, np.ndarray):
-            each[...] = old
+            each[...] = other
+        elif isinstance(each, SimpleNamespace):
+            for name, value in vars(other).items():
+                setattr(each, name, value)
         else:
-            is_plain = isinstance(each, SimpleNamespace)
-            for name in vars(each) if is_plain else each.dtype.names:
-                setattr(each, name, getattr(old, name))
+            each.setfield(other, each.dtype)  # the whole record at once

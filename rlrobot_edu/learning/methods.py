@@ -28,6 +28,20 @@ PLANNERS = {p.name: p for p in (DYNA,)}
 NAMES = [
     f"{algorithm}+{selection}" for algorithm in ALGORITHMS for selection in SELECTIONS
 ]
+# What the literature calls the parts
+IN_WORDS = {
+    "Q-learning": "Q",
+    "expected SARSA": "ESARSA",
+    "SARSA(λ)": "SL",
+    "SARSA(lambda)": "SL",
+    "true online SARSA(λ)": "TOSL",
+    "true online SARSA(lambda)": "TOSL",
+    "softmax": "SR",
+    "Q-biased softmax": "QBIASSR",
+    "ε-greedy": "EG",
+    "epsilon-greedy": "EG",
+    "e-greedy": "EG",
+}
 T = TypeVar("T")
 
 
@@ -111,21 +125,37 @@ def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
     if isinstance(given, kind):
         _check_facts(given)
         return given
-    return toolkits[check_name(given, toolkits, kind.__name__.lower(), "the toolkit")]
+    what = kind.__name__.lower()
+    meanings = {word: name for word, name in IN_WORDS.items() if name in toolkits}
+    return toolkits[check_name(given, toolkits, what, "the toolkit", meanings)]
 
 
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
         if method not in NAMES:
-            parts = f"{' or '.join(ALGORITHMS)}, and {' or '.join(SELECTIONS)}; or an rl.Method"
-            hint = did_you_mean(str(method).upper(), NAMES)
+            algorithms, selections = ", ".join(ALGORITHMS), ", ".join(SELECTIONS)
             raise ValueError(
-                f"unknown method {method!r:.200}; {hint}Write ALGORITHM+SELECTION: {parts}"
+                f"unknown method {method!r:.200}{did_you_mean(method, NAMES, _meanings())} A method is "
+                f"ALGORITHM+SELECTION, one of {algorithms} and one of {selections}; or an rl.Method"
             )
         method = Method(*method.split("+"))
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now
+
+
+def _meanings() -> dict[str, str]:
+    """Other words for methods, each with the method's name; a part that is not said is TOSL or SR."""
+    words = IN_WORDS | {name: name for name in (*ALGORITHMS, *SELECTIONS)}
+    algorithms = {word: name for word, name in words.items() if name in ALGORITHMS}
+    selections = {word: name for word, name in words.items() if name in SELECTIONS}
+    meanings = {}
+    for selection, selected in selections.items():
+        meanings[selection] = f"TOSL+{selected}"
+        for algorithm, updated in algorithms.items():
+            meanings[algorithm] = f"{updated}+SR"
+            meanings[f"{algorithm}+{selection}"] = f"{updated}+{selected}"
+    return meanings
 
 
 def made_of(method: Method) -> dict[str, str | None]:

@@ -99,9 +99,9 @@ def _check_names(
     known = dict.fromkeys([*needed, *after, *COUNTERS, *FLAGS])
     unknown = [name for name in table.columns if name not in known]
     if unknown:
-        near = did_you_mean(unknown[0], known)
+        nearest = did_you_mean(unknown[0], known)
         raise ValueError(
-            f"{table.name}: there is no use for column {unknown[0]!r:.100}; {near}leave it out, "
+            f"{table.name}: there is no use for column {unknown[0]!r:.100}{nearest} Leave it out, "
             f"or rename it to one of {', '.join(known)}"
         )
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.checks import did_you_mean
 from rlrobot_edu.files import shipped
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.learning.transitions import Transitions
@@ -91,9 +92,10 @@ def read_recording(
     if str(path) in names:
         return Recording.load(shipped("datasets") / path, task)
     named = " ".join(str(path).split())  # in one line
-    hint = "give its folder, for rows of your own a CSV file and task=, for the paper's own array legacy=True and task="
+    nearest = did_you_mean(named, names)
+    hint = "Give its folder, for rows of your own a CSV file and task=, for the paper's own array legacy=True and task="
     raise FileNotFoundError(
-        f"{named}: there is no such recording; {hint}, or one of the toolkit's: {', '.join(names) or 'none'}"
+        f"{named}: there is no such recording{nearest} {hint}, or one of the toolkit's: {', '.join(names) or 'none'}"
     )
 
 

@@ -13,6 +13,7 @@ from rlrobot_edu.checks import (
     LARGEST_NUMBER,
     all_in_range,
     check_index,
+    check_name,
     check_parts,
     check_table,
 )
@@ -94,10 +95,9 @@ class SampleModel:
     task: Task | None = None
 
     def __post_init__(self) -> None:
-        if self.unseen not in UNSEEN:
-            raise ValueError(
-                f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}"
-            )
+        check_name(
+            self.unseen, UNSEEN, "rule for unseen pairs called", "a sample model"
+        )
         # The dataclass is frozen: only object.__setattr__ can still set its fields.
         object.__setattr__(self, "shape", tuple(self.shape))  # a file holds a list
         check_parts("sample model", self._numbers())

@@ -329,11 +329,7 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
     engine is not installed.
     """
     engines = ROBOTS[task.robot].engines
-    if not isinstance(engine, str) or engine not in engines:
-        robot = f"{task.path}: robot {task.robot!r}"
-        raise ValueError(
-            f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}"
-        )
+    check_name(engine, engines, "engine", f"{task.path}: robot {task.robot!r}")
     module, class_name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), class_name)
     settings = ["task", "seed", "engine", "realism", "render_mode", "link"]

@@ -6,7 +6,12 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
-from rlrobot_edu.checks import check_name, describe_error, file_and_line
+from rlrobot_edu.checks import (
+    check_name,
+    describe_error,
+    did_you_mean,
+    file_and_line,
+)
 from rlrobot_edu.files import sha256, shipped
 from rlrobot_edu.keywords import suggests_keywords
 from rlrobot_edu.task.task import Task
@@ -61,15 +66,22 @@ def load_task(task: str | Path | Task) -> Task:
     if not is_own and (path.suffix or len(path.parts) > 1):
         if path.exists():
             raise ValueError(f"{path}: the name of a task's file ends in .py")
-        raise FileNotFoundError(f"{path}: there is no such task file")
+        raise _no_such_file(path)
     if not is_own:
         name = check_name(str(task), available_tasks(), "task", "the toolkit")
         path = shipped("tasks") / f"{name}.py"
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: there is no such task file")
+        raise _no_such_file(path)
     # A file of the user's own is run each time, because its imports may have been edited, too.
     define = _task_of if is_own else _shipped_task
     return define(path, path.read_bytes())
+
+
+def _no_such_file(path: Path) -> FileNotFoundError:
+    """The error that suggests the nearest file of the same folder, or the nearest of the toolkit's tasks."""
+    beside = [file.name for file in path.parent.glob("*.py")]
+    nearest = did_you_mean(path.name, [*available_tasks(), *beside])
+    return FileNotFoundError(f"{path}: there is no such task file{nearest}")
 
 
 def _task_of(path: Path, text: bytes) -> Task:

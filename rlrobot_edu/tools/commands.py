@@ -5,6 +5,7 @@ The other packages add theirs: a function that takes `Commands`, named in pyproj
 
 import io
 import os
+import re
 import sys
 from argparse import ArgumentParser
 from argparse import RawDescriptionHelpFormatter as AsWritten
@@ -102,8 +103,19 @@ class Commands:
         word = given[0]
         names = list(self._commands.choices)
         if word not in names and not word.startswith("-"):
-            advice = did_you_mean(word, names) or f"there are {', '.join(names)}"
-            self.parser.error(f"there is no command {word!r:.200}; {advice.strip()}")
+            nearest = did_you_mean(word, names)
+            self.parser.error(
+                f"there is no command {word!r:.200}{nearest} There are {', '.join(names)}"
+            )
+
+    def refuse(self, given: Sequence[str], unknown: Sequence[str]) -> None:
+        """End the program for the words that the given command does not know, with the nearest of its options."""
+        command = next(word for word in given if word in self._commands.choices)
+        options = re.findall(r"--[\w-]+", self._commands.choices[command].format_help())
+        nearest = did_you_mean(unknown[0], options)
+        self.parser.error(
+            f"{command} does not know {' '.join(unknown)}{nearest} rlrobot-edu {command} --help says what it knows"
+        )
 
 
 def add_commands(commands: Commands) -> None:
@@ -149,7 +161,7 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     if passes_on:
         arguments[passes_on] = unknown
     elif unknown:
-        commands.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+        commands.refuse(words, unknown)
     return run, arguments
 
 

@@ -44,6 +44,30 @@ def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(
 
 
 @pytest.mark.parametrize(
+    "given, meant",
+    [
+        ("q-learning", "Q+SR"), ("Q", "Q+SR"), ("tosl", "TOSL+SR"), ("SARSA(λ)", "SL+SR"),
+        ("sarsa lambda", "SL+SR"), ("expected_sarsa", "ESARSA+SR"), ("Q-Learning + softmax", "Q+SR"),
+        ("TOSL-QBIASSR", "TOSL+QBIASSR"), ("true online SARSA(λ)+ε-greedy", "TOSL+EG"), ("e greedy", "TOSL+EG"),
+    ],
+)  # fmt: skip
+def test_the_words_of_the_literature_are_answered_with_the_name_that_they_have_here(
+    given, meant
+):
+    with pytest.raises(ValueError, match="unknown method") as error:
+        rl.Agent("wander_simple", given)
+    assert f"{given!r}; did you mean {meant!r}? A method is" in str(error.value)
+
+
+@pytest.mark.parametrize("given", ["zebra", "", None, 3])
+def test_what_resembles_no_method_is_answered_with_whole_sentences(given):
+    with pytest.raises(
+        ValueError, match=f"^unknown method {given!r}. A method is ALGORITHM"
+    ):
+        rl.Agent("wander_simple", given)
+
+
+@pytest.mark.parametrize(
     "settings",
     [
         {"alpha": 0}, {"alpha": 1.1}, {"alpha": float("nan")}, {"gamma": 1}, {"gamma": -0.1}, {"lam": 1.01},

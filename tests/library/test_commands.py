@@ -133,6 +133,22 @@ def test_the_version_can_be_asked_for(capsys):
     assert capsys.readouterr().out == f"rlrobot-edu {rl.__version__}\n"
 
 
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        ("grade --contaner x handed_in", "--container"), ("new-task reach --robt arm", "--robot"),
+        ("new-task reach --robot mobilebase", "mobile_base"), ("check-task Wander-1k", "wander_1k"),
+        ("fresh homwork 1", "homework 1"), ("course chek 04", "check"),
+    ],
+)  # fmt: skip
+def test_a_slip_in_any_word_of_a_command_is_answered_with_what_was_meant(
+    capsys, words, meant
+):
+    with pytest.raises(SystemExit) as end:
+        commands.main(words.split())
+    assert f"did you mean {meant!r}?" in f"{end.value} {capsys.readouterr().err}"
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("slip", ["left out", "changed", "doubled", "exchanged"])
 def test_a_slip_in_a_command_gets_the_command_that_was_meant(capsys, name, slip):
@@ -168,7 +184,7 @@ def test_an_option_that_is_not_known_is_refused(capsys):
         commands.main(["tasks", "--quick"])
     assert (
         end.value.code == 2
-        and "unrecognized arguments: --quick" in capsys.readouterr().err
+        and "tasks does not know --quick." in capsys.readouterr().err
     )
 
 

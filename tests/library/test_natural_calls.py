@@ -410,8 +410,8 @@ PACKAGES = {"rl": "rlrobot_edu", "Recording": "rlrobot_edu.Recording"}
     [
         ("import rlrobot_edu.course.lesson_02", "lessons are in rlrobot_course"),
         ("from rlrobot_edu.ros import recording_from_bag", "are in rlrobot_ros$"),
-        ("import rlrobot_edu.learning.histroy", r"did you mean .*learning\.history\?"),
-        ("from rlrobot_edu.learning import Agent", r"mean .*learning\.agent\?"),
+        ("import rlrobot_edu.learning.histroy", r"did you mean 'history'\?"),
+        ("from rlrobot_edu.learning import Agent", r"did you mean 'agent'\?"),
         ("import rlrobot_edu.show.scenes", "rlrobot_edu/show/__init__.py says what is"),
     ],
 )

@@ -155,6 +155,10 @@ def test_unknown_parts_are_named_and_the_nearest_suggested():
         rl.Method(MINE, "QBIASR")
     with pytest.raises(ValueError, match="no algorithm 'TOSLL'; did you mean 'TOSL'"):
         rl.Method("TOSLL", "SR")
+    with pytest.raises(ValueError, match="'sarsa lambda'; did you mean 'SL'"):
+        rl.Method("sarsa lambda", "SR")
+    with pytest.raises(ValueError, match="no selection 'Softmax'; did you mean 'SR'"):
+        rl.Method("Q", "Softmax")
 
 
 PLAIN = """

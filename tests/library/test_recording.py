@@ -339,7 +339,7 @@ def test_a_missing_file_of_the_pair_is_named(saved, missing):
 
 def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
     assert refusal("wander_1kk", FileNotFoundError).startswith(
-        "wander_1kk: there is no such recording"
+        "wander_1kk: there is no such recording; did you mean 'wander_1k'? Give"
     )
     assert "legacy=True" in refusal("file.npy", FileNotFoundError)
 
@@ -1098,10 +1098,10 @@ def changed_row(number, rows=DRIVE, **cells):
          "laser_front_right), the action (a, or left_wheel, right_wheel) and the reward (r)"),
         ([{"state": 3}], "rows: there is no column s, only 'state'"),
         (changed_row(1, done=1),
-         "rows: there is no use for column 'done'; leave it out, or rename it to one of s, a, r, s_next, "
+         "rows: there is no use for column 'done'. Leave it out, or rename it to one of s, a, r, s_next, "
          "episode, step, terminated, truncated"),
         (changed_row(1, terminatd=1),
-         "there is no use for column 'terminatd'; did you mean 'terminated'? leave it out"),
+         "there is no use for column 'terminatd'; did you mean 'terminated'? Leave it out"),
         (changed_row(1, s=4),
          "row 1 (counted from 0): s is 4, expected a whole number from 0 to 3; correct it, or is it a row of "
          "another task than wander_simple?"),

@@ -103,7 +103,8 @@ def test_siblings_lend_their_outcomes_to_a_pair_that_was_never_tried():
 
 def test_an_unknown_policy_for_the_unseen_is_refused():
     with pytest.raises(
-        ValueError, match="unseen must be one of uniform, stay, siblings, got"
+        ValueError,
+        match=r"unseen pairs called 'guess'\. It has: uniform, stay, siblings$",
     ):
         rl.SampleModel.from_recording(recording_of(ROWS), unseen="guess")
 

@@ -110,7 +110,7 @@ FAULTS = {
     "1 / 0": "ZeroDivisionError: division by zero",
     "__import__('sys').exit()": "SystemExit",
     "after_all": "NameError",
-    "readings['lasr']": "there is no 'lasr'; there are ",
+    "readings['lasr']": r"there is no 'lasr'(\.|; did you mean 'laser_\w+'\?) There are ",
 }
 
 

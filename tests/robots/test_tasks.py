@@ -122,3 +122,9 @@ def test_a_task_that_does_not_exist_is_named_and_the_nearest_one_suggested(tmp_p
         rl.load_task("wander_1kk")
     with pytest.raises(FileNotFoundError, match="nowhere"):
         rl.load_task(tmp_path / "nowhere.py")
+    for slip in ("Wander-1K", "WANDER 1k", "wander1k"):
+        with pytest.raises(ValueError, match="did you mean 'wander_1k'"):
+            rl.load_task(slip)
+    write(tmp_path)
+    with pytest.raises(FileNotFoundError, match="did you mean 'my_own"):
+        rl.load_task(tmp_path / "my-own.py")

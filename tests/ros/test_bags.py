@@ -696,7 +696,7 @@ def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
     task = replace(rl.load_task(TASK), reward=lambda before, after: after["laser_rear"])
     with pytest.raises(
         ValueError,
-        match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, ",
+        match=r"mcap: .*reward failed: there is no 'laser_rear'; did you mean .*There are laser_front, ",
     ):
         recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
 
