@@ -14,7 +14,7 @@ def number(x: float) -> str:
         text = f"{x:.1f}" if size < 1e4 else f"{x:.1e}"
     else:
         text = f"{x:.3f}" if size >= 0.01 else f"{x:.2g}"
-    return _tidy(text)
+    return short_exponent(text)
 
 
 def short(x: float) -> str:
@@ -32,13 +32,14 @@ def short(x: float) -> str:
         text = f"{x:.1f}"
     else:
         text = f"{x:.0f}"
-    return _tidy(text)
+    return short_exponent(text)
 
 
 def given(x: float) -> str:
     """A number that somebody set, such as α or a reward: 0.1, 10, −0.02."""
-    return _tidy(f"{x:g}")
+    return short_exponent(f"{x:g}")
 
 
-def _tidy(text: str) -> str:
+def short_exponent(text: str) -> str:
+    """A number as Python writes it, with a true minus and no more of an exponent than it needs: 4e−5."""
     return text.replace("e-0", "e-").replace("e+0", "e").replace("-", MINUS)
