@@ -539,6 +539,7 @@ def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
 
 LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
          ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", rl.Method("TOSL", VBIASSR), {}),
+         ("worked_example", "TOSL+SR", {"traces": "full"}), ("navigation_1k", "TOSL+SR", {"traces": "full", "loop_evasion": True}),
          ("navigation_1k", "Q+SR", {"loop_evasion": True})]  # fmt: skip
 
 

@@ -38,7 +38,7 @@ class RobotView:
     def __init__(self, robot: Any, marks: CellValues | None, task: Task | None) -> None:
         self.heading = "The world from above"
         if marks is not None:
-            self.heading = "From above: the robot, the box, the value of each heading"
+            self.heading = "From above: at each edge the best action, and its value"
         self._robot = robot
         self._marks = marks
         self._task = task
