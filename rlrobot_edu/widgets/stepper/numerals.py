@@ -17,6 +17,23 @@ def number(x: float) -> str:
     return short_exponent(text)
 
 
+def told_apart(was: float, now: float) -> tuple[str, str]:
+    """Two numbers as `number` writes them, or with more decimals where both would look the same."""
+    if was == now or number(was) != number(now):
+        return number(was), number(now)
+    decimals = 4
+    while decimals < 12 and f"{was:.{decimals}f}" == f"{now:.{decimals}f}":
+        decimals += 1
+    return short_exponent(f"{was:.{decimals}f}"), short_exponent(f"{now:.{decimals}f}")
+
+
+def before_it(was: float, now: float) -> str:
+    """What stands before the new value of a change: the old one, or by how much where both look the same."""
+    if short(was) != short(now):
+        return f"{short(was)} →"
+    return f"{'+' if now > was else ''}{short(now - was)}"
+
+
 def short(x: float) -> str:
     """`x` in six signs at most, for the cells of a table: 12.3, 0.90, −0.021, 4e−5; a plain 0 is exactly 0."""
     size = abs(x)
