@@ -507,7 +507,9 @@ def expect_bias(page, q, s):
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
     shown = " ".join(amount(x) for x in np.transpose(means).flat)
     actions = "[...document.querySelectorAll('.rl-action')].sort((one, other) => one.dataset.a - other.dataset.a)"
-    means_of = "[...action.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
+    means_of = (
+        "[...action.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
+    )
     numbers = f"{actions}.flatMap((action) => {means_of}).join(' ')"
     page.wait_for_function(f"{numbers} === '{shown}'")
     page.wait_for_function(

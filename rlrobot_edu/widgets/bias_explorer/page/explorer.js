@@ -46,7 +46,7 @@ function actionHtml({ inputs, shape }, name, a) {
   const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
   const chances = `<span class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</span>`;
   return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}">` +
-    `<button class="rl-columns rl-fold" name="fold" value="${a}"><span class="rl-name">${escaped(name)}</span>` +
+    `<button class="rl-columns rl-fold" name="fold"><span class="rl-name">${escaped(name)}</span>` +
     `<b class="rl-bias-of" data-from="3"></b>${chances}</button>` +
     `<div class="rl-columns rl-open" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${all.map(mean).join("")}</div>` +
@@ -75,7 +75,7 @@ class Explorer {
     this.root.onclick = ({ target }) => {
       const steps = { back: -1, next: 1, all: 4 };
       const fold = target.closest("[name=fold]");
-      if (fold) this.open(+fold.value);
+      if (fold) this.open(+fold.parentNode.dataset.a);
       else if (target.name === "reset") this.set("tables", this.withTable(this.about.originals[model.get("table")].q));
       else if (target.name === "next" && model.get("stage") === 4) this.set("stage", 0);
       else if (target.name in steps) this.step(steps[target.name]);

@@ -77,7 +77,7 @@ function paintRooms(element, rooms) {
 }
 
 // What the agent thinks of a place: the icons of the best actions there, above their value. Where the step has changed a
-// value, that one is told: what was done, its old value struck out, and the new one.
+// value, that one is told: what was done, its old value struck out (or by how much, where both look the same), and the new one.
 function chipHtml({ at: [x, y], s, icons }, tape, most) {
   const { value: highest, best } = bestIn(tape, s), { frame, nActions } = tape, isIts = frame?.s === s, [wide, high] = isIts ? ITS_CHIP : CHIP;
   if (highest === null) return "";
@@ -85,7 +85,8 @@ function chipHtml({ at: [x, y], s, icons }, tape, most) {
   const text = isIts ? icons[frame.a] : best.map((a) => icons[a]).join("");
   const rect = `<rect x="${(x - wide / 2).toFixed(3)}" y="${(-y - high / 2).toFixed(3)}" width="${wide}" height="${high}" rx="0.03"`;
   const line = (down, words) => `<text x="${x.toFixed(2)}" y="${(-y + down).toFixed(2)}">${words}</text>`;
-  const first = isNew ? `${text} <tspan class="old">${beforeIt(was, now).replace(" → ", "")}</tspan>` : text;
+  const kind = short(was) === short(now) ? "by" : "old", before = beforeIt(was, now).replace(" → ", "");
+  const first = isNew ? `${text} <tspan class="${kind}">${before}</tspan>` : text;
   return `<g class="chip${isIts ? " its" : ""}"><title>state ${s}: ${text} ${short(value)}</title>${rect} class="under"/>` +
     `${rect} fill="${tint(value, most)}"/>${line(-0.02, first)}${line(0.08, (isNew ? `${arrow(was, now)} ` : "") + short(value))}</g>`;
 }
