@@ -473,7 +473,7 @@ def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     right = "document.activeElement.getBoundingClientRect().right"
     until(
         page,
-        f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 1, left_wheel')",
+        f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 0, left_wheel')",
     )
     assert picture.evaluate("(e) => e.scrollWidth <= e.clientWidth"), (
         "nothing of the picture is hidden"

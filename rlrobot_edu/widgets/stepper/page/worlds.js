@@ -1,7 +1,7 @@
 // The world of a tape as it was: a robot from above, or a state by its inputs.
 
 const MOST_BINS = 12; // an input with more is written as a number
-const CHIP = [0.3, 0.25], ITS_CHIP = [0.33, 0.27]; // of a mark [m], and of that of the step; two lines of small letters fit into it
+const CHIP = [0.3, 0.25]; // of a mark [m]; two lines of small letters fit into it
 const AMONG_MARKS = 0.6; // size of a robot that is drawn between marks, so that none lies on it
 
 const worldHtml = (about, tape, most) => ({ robot: robotHtml, state: stateHtml })[about.view.kind](about, tape, most);
@@ -79,7 +79,7 @@ function paintRooms(element, rooms) {
 // What the agent thinks of a place: the icons of the best actions there, above their value. Where the step has changed a
 // value, that one is told: what was done, its old value struck out (or by how much, where both look the same), and the new one.
 function chipHtml({ at: [x, y], s, icons }, tape, most) {
-  const { value: highest, best } = bestIn(tape, s), { frame, nActions } = tape, isIts = frame?.s === s, [wide, high] = isIts ? ITS_CHIP : CHIP;
+  const { value: highest, best } = bestIn(tape, s), { frame, nActions } = tape, isIts = frame?.s === s, [wide, high] = CHIP;
   if (highest === null) return "";
   const [was, now] = isIts ? valuesOf(nActions, frame) : [highest, highest], isNew = was !== now, value = isIts ? now : highest;
   const text = isIts ? icons[frame.a] : best.map((a) => icons[a]).join("");
