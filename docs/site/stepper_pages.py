@@ -19,8 +19,8 @@ def write_steppers(source: Path, extra: Path) -> None:
     text = [
         "# Steppers\n",
         f"`rl.Stepper(agent, env)` walks through an agent's learning, forward and back. Here are its first {STEPS} "
-        "steps in the worked example, by four methods. Keys ← and →, Home and End work, too. *What if?* below the "
-        "tables learns them anew, in the page, with another α, γ, λ or temperature.\n",
+        "steps in the worked example, by four methods. Keys ← and →, Home and End work, too. *What if?* below "
+        "learns them anew, in the page, with another α, γ, λ or temperature.\n",
     ]
     for method, about in METHODS.items():
         name = f"steppers/{method.lower().replace('+', '_')}.html"

@@ -21,9 +21,9 @@ from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
+    amount,
     name_text,
     state_words,
-    two_decimals,
     value_text,
     value_words,
 )
@@ -100,13 +100,13 @@ def _mean(terms: Sequence[str]) -> str:
 
 
 def _mean_of(values: np.ndarray) -> str:
-    terms = [two_decimals(value) for value in values]
-    return f"= {_mean(terms)} = {two_decimals(values.mean())}".replace("+ −", "− ")
+    terms = [amount(value) for value in values]
+    return f"= {_mean(terms)} = {amount(values.mean())}".replace("+ −", "− ")
 
 
 def advice(action: str, bias: float) -> str:
     """What the similar states say of an action, as a sentence."""
-    number = two_decimals(bias)
+    number = amount(bias)
     does = "recommend" if bias > 0 else "warn of"
     if number == "0.00":
         does = "say nothing of"

@@ -3,11 +3,12 @@
 
 const EDGE = 6, NAME = 20, LINE = 16; // of a picture, of a cell's first line, of a line of letters [px]
 const BARS = 50, CURVE = 64; // heights of the bars and of the curve [px]
-const WIDE = 120; // a cell that has room for more letters [px]
+const WIDE = 120; // a cell that has room for two numbers side by side [px]; in a narrower one they stand below each other
+const SMALL = "font-size:11px";
 
 function grid(found, width, feed, values) {
   const { path, step } = values, { rows, columns, cells } = feed;
-  const wide = (width - 2 * EDGE) / columns, high = NAME + BARS + (feed.againstIdeal ? 2 : 1) * LINE + 14;
+  const wide = (width - 2 * EDGE) / columns, lines = (wide > WIDE ? 1 : 2) + (feed.againstIdeal ? 1 : 0), high = NAME + BARS + lines * LINE + 14;
   const corner = (cell) => [EDGE + (cell % columns) * wide, EDGE + Math.floor(cell / columns) * high];
   const middle = (cell) => corner(cell).map((x, i) => x + (i ? high : wide) / 2);
   const scale = scaleOf(found), left = step ? path[step - 1] : path[0], marks = [];
@@ -43,9 +44,11 @@ function content(cell, [x, y], wide, scale, found, feed, { step, alpha }) {
   const { visits, ideal } = found, { cells, pays } = feed, top = y + NAME + 4, bottom = top + BARS;
   const e = found.e[step][cell], q = found.q[step][cell], ghost = ideal?.[step][cell], marks = [];
   marks.push(letters(x + 9, y + 18, cells[cell], "start", "ink", { class: "rl-large" }));
-  if (visits[cell] > 1) marks.push(letters(x + 24, y + 18, `×${visits[cell]}`, "start", "faint"));
-  const paid = pays[cell] > 0 ? `+${pays[cell]}` : tidy(String(pays[cell])), look = wide > WIDE ? { class: "rl-large" } : {};
-  if (pays[cell]) marks.push(letters(x + wide - 8, y + 18, paid, "end", pays[cell] > 0 ? "green" : "red", look));
+  const isWide = wide > WIDE, small = (colour) => (isWide ? {} : { style: `fill:${ink(colour)};${SMALL}` });
+  if (visits[cell] > 1) marks.push(letters(x + (isWide ? 24 : 21), y + 18, `×${visits[cell]}`, "start", "faint", small("faint")));
+  const paid = pays[cell] > 0 ? `+${pays[cell]}` : tidy(String(pays[cell])), colour = pays[cell] > 0 ? "green" : "red";
+  const look = isWide ? { class: "rl-large" } : small(colour);
+  if (pays[cell]) marks.push(letters(x + wide - 8, y + 18, paid, "end", colour, look));
   if (!visits[cell]) return marks.join("");
   const bars = Math.min(wide * 0.3, 44), first = x + wide * 0.27 - bars / 2, second = x + wide * 0.73 - bars / 2;
   marks.push(bar(first, bars, bottom, bottom - scale.trace(e), "orange", { rx: 2 }));
@@ -56,10 +59,12 @@ function content(cell, [x, y], wide, scale, found, feed, { step, alpha }) {
   if (ghost !== undefined) {
     const frame = { "stroke-width": 2, "stroke-dasharray": "4 3", style: `fill:none;stroke:${ink("ink")}` };
     marks.push(bar(second - 4, bars + 8, zero, top + scale.worth(ghost), "ink", frame));
-    if (Math.abs(ghost - q) >= SEEN) marks.push(letters(x + wide - 8, bottom + 2 * LINE, `ideal ${amount(ghost)}`, "end", "ink"));
+    const below = bottom + (isWide ? 2 : 3) * LINE;
+    if (Math.abs(ghost - q) >= SEEN) marks.push(letters(x + wide - 8, below, `ideal ${amount(ghost)}`, "end", "ink", small("ink")));
   }
-  const trace = wide > WIDE ? `e = ${amount(e)}` : amount(e), worth = wide > WIDE ? `Q = ${amount(q)}` : amount(q);
-  marks.push(letters(x + wide * 0.27, bottom + LINE, trace, "middle"), letters(x + wide * 0.73, bottom + LINE, worth, "middle"));
+  const trace = `e = ${amount(e)}`, worth = `Q = ${amount(q)}`;
+  if (isWide) marks.push(letters(x + wide * 0.27, bottom + LINE, trace, "middle"), letters(x + wide * 0.73, bottom + LINE, worth, "middle"));
+  else marks.push(...[trace, worth].map((text, i) => letters(x + wide - 8, bottom + (i + 1) * LINE, text, "end", "ink", small("ink"))));
   return marks.join("");
 }
 

@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Motion(NamedTuple):
-    """A motion as a sign, as a name, and as what the robot did: "It stood still"."""
+    """A motion as a sign, as a name, and as what the robot did: it "stood still"."""
 
     icon: str
     name: str
@@ -17,15 +17,15 @@ class Motion(NamedTuple):
 
 # By the signs of the robot's speed ahead and of its turn to the left
 _MOTIONS = {
-    (1, 0): Motion("↑", "ahead", "It drove ahead"),
-    (1, 1): Motion("↖", "arc left", "It drove an arc to the left"),
-    (1, -1): Motion("↗", "arc right", "It drove an arc to the right"),
-    (0, 1): Motion("↺", "spin left", "It spun to the left"),
-    (0, -1): Motion("↻", "spin right", "It spun to the right"),
-    (0, 0): Motion("■", "stand still", "It stood still"),
-    (-1, 0): Motion("↓", "back", "It drove back"),
-    (-1, -1): Motion("↙", "back, to the left", "It drove back to the left"),
-    (-1, 1): Motion("↘", "back, to the right", "It drove back to the right"),
+    (1, 0): Motion("↑", "ahead", "drove ahead"),
+    (1, 1): Motion("↖", "arc left", "drove an arc to the left"),
+    (1, -1): Motion("↗", "arc right", "drove an arc to the right"),
+    (0, 1): Motion("↺", "spin left", "spun to the left"),
+    (0, -1): Motion("↻", "spin right", "spun to the right"),
+    (0, 0): Motion("■", "stand still", "stood still"),
+    (-1, 0): Motion("↓", "back", "drove back"),
+    (-1, -1): Motion("↙", "back, to the left", "drove back to the left"),
+    (-1, 1): Motion("↘", "back, to the right", "drove back to the right"),
 }
 SPIN_LEFT, SPIN_RIGHT, AHEAD, STILL = (
     _MOTIONS[signs] for signs in ((0, 1), (0, -1), (1, 0), (0, 0))

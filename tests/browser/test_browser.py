@@ -28,7 +28,7 @@ from rlrobot_course.drives.button import ASKS
 from rlrobot_course.learner.my_course import PREFERENCES
 from rlrobot_course.learner.saving import ASKED_FOR
 from rlrobot_course.questions.old_questions import due
-from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
+from rlrobot_edu.widgets.bias_explorer.words import amount, vector
 from rlrobot_edu.widgets.driving.page import Keyboard
 from rlrobot_edu.widgets.stepper.numerals import short
 
@@ -351,6 +351,7 @@ def test_lesson_05_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
         page.get_by_role("button", name=re.compile(r"^13\b")).click()
         expect_bias(page, q, 13)
         page.screenshot(path=tmp_path / "explorer.png")
+        page.locator(".rl-fold", has_text="spin right").click()
         page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("-20")
         page.keyboard.press("Enter")
         q[19, 2] = -20
@@ -505,8 +506,12 @@ def expect_bias(page, q, s):
     shape, place = (2, 2, 3, 2), np.unravel_index(s, (2, 2, 3, 2))
     table = q.reshape(*shape, 3)
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
-    shown = " ".join(two_decimals(x) for x in np.transpose(means).flat)
-    numbers = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent).join(' ')"
+    shown = " ".join(amount(x) for x in np.transpose(means).flat)
+    actions = "[...document.querySelectorAll('.rl-action')].sort((one, other) => one.dataset.a - other.dataset.a)"
+    means_of = (
+        "[...action.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
+    )
+    numbers = f"{actions}.flatMap((action) => {means_of}).join(' ')"
     page.wait_for_function(f"{numbers} === '{shown}'")
     page.wait_for_function(
         f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')"

@@ -17,7 +17,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
-from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
+from rlrobot_edu.widgets.bias_explorer.words import amount, finding, percents, vector
 
 TABLES = {
     name: np.random.default_rng(seed).normal(scale=5, size=(24, 3))
@@ -154,48 +154,60 @@ def explored(page, numbers, link: str) -> None:
     assert said.startswith(f"State {numbers.s} (") and vector(numbers.bias) in said
     for a, name in enumerate(("advance", "spin left", "spin right")):
         block = page.get_by_role("group", name=name)
-        means = block.locator(".rl-means data").all_inner_texts()
-        assert means == [two_decimals(mean) for mean in numbers.means[:, a]]
-        assert block.locator(".rl-sum b").inner_text() == two_decimals(numbers.bias[a])
-        chances = block.locator(".rl-chances data").all_inner_texts()
-        assert chances == [f"{100 * p[a]:.1f} %" for p in (numbers.sr, numbers.qbiassr)]
+        means = block.locator(".rl-means data").all_text_contents()
+        assert means == [amount(mean) for mean in numbers.means[:, a]]
+        folded, opened = block.locator(".rl-bias-of"), block.locator(".rl-sum b")
+        assert folded.text_content() == opened.text_content() == amount(numbers.bias[a])
+        chances = block.locator(".rl-chances data").all_text_contents()
+        assert chances == 2 * [*percents(numbers.sr[a], numbers.qbiassr[a], 1)]
         bars = "[...e.querySelectorAll('.rl-track')].map((e) => e.firstChild.offsetWidth / e.clientWidth)"
-        drawn = block.locator(".rl-chances").evaluate(f"(e) => {bars}")
+        drawn = block.locator(".rl-chances:visible").evaluate(f"(e) => {bars}")
         assert np.allclose(drawn, [numbers.sr[a], numbers.qbiassr[a]], atol=0.02)
 
 
-def test_the_explorer_opens_with_all_columns_and_its_finding_in_large_type(opened):
-    """Without a state, at the one of the paper's example; the probability that the bias changes most is told."""
+def test_the_explorer_opens_with_its_finding_in_large_type_and_the_columns_of_one_action(
+    opened,
+):
+    """Without a state, at the one of the paper's example; the action is that whose chance the bias changes most."""
     explorer = BiasExplorer("worked_example", TABLES)
     numbers = explorer.numbers
     assert explorer.task.states.decode(explorer.state)["theta"].reading == 90
     page = opened(explorer)
     explored(page, numbers, "21-1")
     a = int(np.abs(numbers.qbiassr - numbers.sr).argmax())
-    name = ("advance", "spin left", "spin right")[a]
-    finding = page.locator(".rl-finding b")
-    shares = f"{100 * numbers.sr[a]:.0f} % → {100 * numbers.qbiassr[a]:.0f} %"
-    assert finding.inner_text().endswith(f" “{name}”: {shares}")
-    size = finding.evaluate("(e) => parseFloat(getComputedStyle(e).fontSize)")
+    names = ("advance", "spin left", "spin right")
+    title = page.locator(".rl-finding b")
+    assert title.inner_text() == finding(names, explorer.q, numbers)
+    assert f"“{names[a]}”" in title.inner_text()
+    assert opened_actions(page) == [names[a]]
+    assert page.locator(".rl-action h3, .rl-name").first.inner_text().endswith(names[a])
+    other = names[a - 1]
+    page.get_by_role("button", name=other).click()
+    assert opened_actions(page) == [other]
+    page.get_by_role("spinbutton", name=f"Q of state 21, {other}").fill("40")
+    page.keyboard.press("Enter")
+    assert opened_actions(page) == [other], "an edit opens no other action"
+    size = title.evaluate("(e) => parseFloat(getComputedStyle(e).fontSize)")
     body = page.locator(".said").evaluate(
         "(e) => parseFloat(getComputedStyle(e).fontSize)"
     )
     assert size >= 1.8 * body
 
 
-def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(
-    opened,
-):
+def opened_actions(page) -> list[str]:
+    """The actions of which the columns are seen."""
+    opened = page.locator(".rl-action:has(.rl-open:visible)")
+    return [block.get_attribute("aria-label") for block in opened.all()]
+
+
+def test_four_clicks_or_keys_build_the_columns_up_and_at_last_the_choice(opened):
     explorer = BiasExplorer("worked_example", TABLES, state=13)
     numbers, names = explorer.numbers, ("advance", "spin left", "spin right")
-    best = int(numbers.bias.argmax())
+    best = numbers.most_changed
     page = opened(explorer)
     page.get_by_role("button", name="Build it up").click()
     for stage in range(5):
-        blocks = [
-            name for name in names if page.get_by_role("group", name=name).is_visible()
-        ]
-        assert blocks == ([names[best]] if stage < 4 else list(names))
+        assert opened_actions(page) == [names[best]]
         block = page.get_by_role("group", name=names[best])
         rows, means = (
             block.locator("input:visible").count(),
@@ -207,7 +219,8 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
             "the state itself is in every set"
         )
         assert block.locator(".rl-sum b").is_visible() == (stage > 2)
-        assert block.locator(".rl-chances").is_visible() == (stage > 3)
+        shares = page.locator(".rl-chances:visible").count()
+        assert shares == (3 if stage > 3 else 0)
         assert page.locator("button[value='1']").inner_text() == (
             "1●" if stage else "1"
         )
@@ -222,11 +235,11 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
     explored(page, numbers, "13-1")
     page.get_by_role("button", name="Back").click()
     other = (best + 1) % 3
-    page.get_by_role("combobox", name="action").select_option(names[other])
+    page.get_by_role("button", name=names[other]).click()
     assert (
         page.get_by_role("status")
         .inner_text()
-        .endswith(f" / 4 = {two_decimals(numbers.bias[other])}.")
+        .endswith(f" / 4 = {amount(numbers.bias[other])}.")
     )
     field = page.get_by_role("spinbutton", name=f"Q of state 13, {names[other]}")
     field.focus()
@@ -238,9 +251,13 @@ def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_
 
 def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(opened):
     page = opened(BiasExplorer("worked_example", TABLES, state=13))
+    page.locator(".rl-fold").nth(1).click()
     # of each curve its ends on the screen, and beside it the middle of what it should meet
-    ends = page.locator(".rl-action").first.evaluate(
-        """(block) => {
+    ends = (
+        page.locator(".rl-action")
+        .nth(1)
+        .evaluate(
+            """(block) => {
           const middle = (e) => { const r = e.getBoundingClientRect(); return (r.top + r.bottom) / 2; };
           return {
             curves: [...block.querySelectorAll("svg")].map((svg) => [...svg.querySelectorAll("path")].map((path) => {
@@ -252,6 +269,7 @@ def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(ope
             bias: middle(block.querySelector(".rl-sum b")),
           };
         }"""
+        )
     )
     rows, means, (first, second) = ends["rows"], ends["means"], ends["curves"]
     pairs = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (2, 1), (3, 2), (4, 2), (5, 3)]
@@ -298,7 +316,7 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     page.keyboard.press("Enter")
     buttons = "[...document.querySelectorAll('[aria-pressed]')]"
     labels = page.evaluate(f"{buttons}.map((e) => [+e.value, e.textContent])")
-    marked = {13: "13●▲■◆", 1: "1●", 19: "19▲", 15: "15■", 17: "17■", 12: "12◆"}
+    marked = {13: "13here", 1: "1●", 19: "19▲", 15: "15■", 17: "17■", 12: "12◆"}
     assert dict(labels) == {s: marked.get(s, str(s)) for s in range(24)}
     colours = dict(
         page.evaluate(
@@ -326,6 +344,7 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     explored(page, explorer.numbers, "13-1")
     before = page.inner_text("main")
     for s, name, a in ((13, "advance", 0), (19, "spin right", 2)):
+        page.get_by_role("button", name=name).click()
         page.get_by_role("spinbutton", name=f"Q of state {s}, {name}").fill("-20.125")
         page.keyboard.press("Enter")
         q[s, a] = -20.125
@@ -354,14 +373,16 @@ def test_a_value_follows_the_pointer_and_the_lines_are_as_wide_as_what_they_carr
     explorer = BiasExplorer("worked_example", {"mine": q}, state=1)
     page = opened(explorer)
     asks = page.locator(".rl-asks")
-    assert asks.inner_text() == "It has learned nothing here. Who can advise it?"
+    nothing = "The robot has learned nothing here. Who can advise it?"
+    assert asks.inner_text() == nothing
     lines = "(e) => [...e.querySelectorAll('path')].map((path) => parseFloat(path.style.strokeWidth))"
-    blocks = page.locator(".rl-action")
-    widest = [max(blocks.nth(a).evaluate(lines)) for a in range(3)]
+    blocks = [page.locator(f".rl-action[data-a='{a}']") for a in range(3)]
+    widest = [max(block.evaluate(lines)) for block in blocks]
     assert widest[1] > widest[2] > widest[0]
-    assert [blocks.nth(a).locator(".rl-against").count() for a in range(3)] == [0, 0, 2]
+    assert [block.locator(".rl-against").count() for block in blocks] == [0, 0, 2]
 
-    row = blocks.nth(1).locator(".rl-row").first
+    blocks[1].locator(".rl-fold").click()
+    row = blocks[1].locator(".rl-row").first
     box = row.bounding_box()
     x, y = box["x"] + 25, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
@@ -372,7 +393,7 @@ def test_a_value_follows_the_pointer_and_the_lines_are_as_wide_as_what_they_carr
     page.mouse.move(x, y)
     value = float(row.locator("input").input_value())
     assert value == pytest.approx(4, abs=0.2)
-    assert asks.inner_text() == "What do similar states advise it here?"
+    assert asks.inner_text() == "What do similar states advise the robot here?"
     q[1, 1] = value
     explorer.widget.tables = [q.tolist()]
     explored(page, explorer.numbers, "1")
@@ -446,12 +467,13 @@ def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     page = opened(nine_actions(), viewport={"width": width, "height": 800})
     assert page.evaluate("document.documentElement.scrollWidth") == width
     picture = page.get_by_role("region", name="Four columns")
-    picture.get_by_role("spinbutton").nth(7).focus()
+    picture.locator(".rl-fold").nth(7).focus()
+    page.keyboard.press("Enter")
     page.keyboard.press("Tab")
     right = "document.activeElement.getBoundingClientRect().right"
     until(
         page,
-        f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 1, left_wheel')",
+        f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 0, left_wheel')",
     )
     assert picture.evaluate("(e) => e.scrollWidth <= e.clientWidth"), (
         "nothing of the picture is hidden"

@@ -96,7 +96,7 @@ def test_buttons_keys_and_slider_lead_through_the_steps(opened):
     ]
     assert page.evaluate(Q) == numbers
     page.focus("summary")
-    page.keyboard.press(" ")  # opens the code of the update, and plays nothing
+    page.keyboard.press(" ")  # opens the whole table, and plays nothing
     until(page, "document.querySelector('details').open && !stepper.player")
 
 
@@ -107,7 +107,7 @@ def test_the_buttons_do_not_cover_what_is_focused_and_a_phone_has_no_keys(
     width, height = viewport
     page = opened(stepper_of(at=5), viewport={"width": width, "height": height})
     assert page.locator(".rl-keys").is_visible() == (width > 560)
-    page.click("details:first-of-type summary")
+    page.locator("summary", has_text="Why?").click()
     hidden = """() => {
       const { top, bottom } = document.activeElement.getBoundingClientRect();
       const bar = document.querySelector(".rl-bar"), { top: from, bottom: to } = bar.getBoundingClientRect();
@@ -170,7 +170,7 @@ def test_a_change_is_written_so_that_it_can_be_seen(opened):
     """Where the old and the new value look the same, the cell says by how much they differ."""
     env = rl.make_env("wander_1k", seed=0, engine="kinematic")
     page = opened(rl.Stepper(rl.Agent("wander_1k", "TOSL+SR", seed=0), env, at=40))
-    cells = """[...document.querySelectorAll("td.new")].map((e) => {
+    cells = """[...document.querySelectorAll("section.q td.new")].map((e) => {
       const [told, now] = [e.querySelector("small").textContent, e.lastChild.textContent];
       return [told, now];
     })"""
@@ -247,6 +247,7 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
 ):
     page = opened(stepper_of(method="TOSL+SR", at=200))
     assert page.inner_text(".rl-paid") == ""
+    page.locator("details.all summary").click()
     page.click(f"section.q td[data-at='{13 * 3 + 1}']")
     page.get_by_role("combobox", name="rather than").select_option("0")
     said = page.inner_text(".rl-paid p[role=status]")
@@ -392,7 +393,7 @@ def notebook(browser):
 def test_held_keys_wait_for_the_kernel_and_what_is_there_needs_none(notebook):
     one = notebook(stepper_of(at=12))
     page = one.page
-    page.click(".rl-view .q h2")
+    page.click(".rl-view .choice h2")
     assert page.evaluate("document.activeElement.className") == "rl-keys"
     for _ in range(5):
         page.keyboard.down("ArrowRight")  # held
@@ -456,7 +457,7 @@ def test_nothing_is_cut_off_at_any_width_and_terms_point_at_their_cells(notebook
     page.hover(".line .to-pair")
     assert (
         page.evaluate(
-            "getComputedStyle(document.querySelector('.q td.pair')).outlineWidth"
+            "getComputedStyle(document.querySelector('.choice td.pair')).outlineWidth"
         )
         == "4px"
     )

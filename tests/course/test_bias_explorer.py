@@ -5,11 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from in_node import explored
+from in_node import explored, run
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
-from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
+from rlrobot_edu.widgets.bias_explorer.widget import script
+from rlrobot_edu.widgets.bias_explorer.words import amount, finding, percents, vector
 
 TASK = rl.load_task("worked_example")
 SHAPE = TASK.states.shape
@@ -59,15 +60,17 @@ def test_every_number_shown_is_a_mean_along_an_axis_or_a_softmax():
         for a, (own, _, means_said, bias_said, choice) in enumerate(
             map(plain, stages) for stages in said
         ):
-            assert f"says {two_decimals(Q[s, a])} for {TASK.actions.label(a)}" in own
-            assert re.findall(r" = ([−\d.]+)[;.]", means_said) == [
-                two_decimals(mean) for mean in means[:, a]
+            assert f"says {amount(Q[s, a])} for {TASK.actions.label(a)}" in own
+            assert re.findall(r" = ([−\d.e]+)[;.]", means_said) == [
+                amount(mean) for mean in means[:, a]
             ]
-            assert bias_said.endswith(f") / 4 = {two_decimals(bias[a])}.")
+            assert bias_said.endswith(f") / 4 = {amount(bias[a])}.")
             assert vector(bias) in choice and vector(Q[s] + bias) in choice
-            assert choice.endswith(
-                f"P = {', '.join(f'{100 * p:.1f} %' for p in numbers.qbiassr)}."
+            shares = ", ".join(
+                percents(p, sr, 1)[0]
+                for p, sr in zip(numbers.qbiassr, numbers.sr, strict=True)
             )
+            assert choice.endswith(f"P = {shares}.")
 
 
 def test_the_title_blames_similar_states_only_where_their_values_made_the_change():
@@ -75,16 +78,17 @@ def test_the_title_blames_similar_states_only_where_their_values_made_the_change
     told = set()
     for s, found in enumerate(explored(explorer())):
         title = plain(found["finding"])
+        assert title.startswith(finding(TASK.actions.labels, Q, explorer(s).numbers))
         change = softmax(Q[s] + axis_means(Q, s).mean(axis=0)) - softmax(Q[s])
         a = int(np.abs(change).argmax())
         without = Q.copy()
         without[s] = 0
         theirs = axis_means(without, s).mean(axis=0)[a]
         own = axis_means(Q, s).mean(axis=0)[a] - theirs
-        cause = "Similar states advise on"
+        cause = "With its bias, the chance of"
         if abs(theirs) >= abs(own) and theirs * change[a] > 0:
-            cause = f"Similar states {'gained' if theirs > 0 else 'lost'} by"
-        assert title.startswith(f"{cause} “{TASK.actions.label(a)}”: ")
+            cause = f"Similar states speak {'for' if theirs > 0 else 'against'}"
+        assert title.startswith(f"{cause} “{TASK.actions.label(a)}”")
         told.add(cause)
     assert len(told) == 3
 
@@ -102,7 +106,7 @@ def test_the_sums_are_those_of_the_papers_example():
         assert (
             f"{name}: {', '.join(f'{k} {text}' for k, text in members.items())}" in sets
         )
-        terms = [two_decimals(q[k, 1]) for k in members]
+        terms = [amount(q[k, 1]) for k in members]
         brackets = [
             terms[0],
             *(f"({term})" if term.startswith("−") else term for term in terms[1:]),
@@ -226,10 +230,10 @@ def drawn(figure) -> list[str]:
 
 def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
     shown = explorer()
-    numbers, best = shown.numbers, int(shown.numbers.bias.argmax())
+    numbers, best = shown.numbers, shown.numbers.most_changed
     means, bias = (
-        [two_decimals(mean) for mean in numbers.means[:, best]],
-        two_decimals(numbers.bias[best]),
+        [amount(mean) for mean in numbers.means[:, best]],
+        amount(numbers.bias[best]),
     )
     for stage in (1, 2, 3):
         texts = drawn(shown.picture(stage))
@@ -237,7 +241,7 @@ def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
             TASK.actions.label(best)
         ]
         own = [text for text in texts if text.startswith(f"{PAPER_STATE} ")]
-        assert own == [f"{PAPER_STATE} {two_decimals(Q[PAPER_STATE, best]):>15}"], (
+        assert own == [f"{PAPER_STATE} {amount(Q[PAPER_STATE, best]):>15}"], (
             "a row of its own, once"
         )
         assert [text for text in texts if text in "●▲■◆"] == list("●▲■◆"), (
@@ -250,13 +254,16 @@ def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
         assert (bias in texts) == (stage == 3)
         assert (vector(numbers.bias) in shown.picture(stage).alt) == (stage == 3)
         assert not any(text.endswith("%") for text in texts)
-    texts = drawn(shown.picture())
-    assert [text for text in texts if text.endswith(" %")][1:] == [
-        f"{100 * p:.0f} %"
-        for pair in zip(numbers.sr, numbers.qbiassr, strict=True)
-        for p in pair
+    picture = shown.picture()
+    texts = drawn(picture)
+    assert picture.finding == finding(TASK.actions.labels, Q, numbers)
+    order = [best, *(a for a in range(3) if a != best)]  # the others, a row each
+    assert [text for text in texts if re.fullmatch(r"[\d.]+ %", text)] == [
+        text for a in order for text in percents(numbers.sr[a], numbers.qbiassr[a], 0)
     ]
-    assert all(two_decimals(x) in texts for x in numbers.bias)
+    assert all(amount(x) in texts for x in numbers.bias)
+    rows = [text for text in texts if re.match(rf"{PAPER_STATE} ", text)]
+    assert len(rows) == 1, "one action is opened"
 
 
 def test_in_the_picture_a_line_leads_from_each_state_to_each_of_its_sets_and_from_these_to_the_bias():
@@ -281,9 +288,33 @@ def test_a_stage_that_does_not_exist_is_refused(stage):
         explorer().picture(stage)
 
 
-def test_numbers_have_a_true_minus_and_no_negative_zero():
-    assert (two_decimals(-1.5), two_decimals(-0.001), two_decimals(0.125001)) == (
-        "−1.50",
-        "0.00",
-        "0.13",
+def test_a_number_shows_its_sign_and_what_differs_from_0_never_reads_0():
+    written = {-1.5: "−1.50", 0.125001: "0.13", -0.0075: "−0.0075", 4e-5: "4e−5"}
+    written |= {-0.0: "0.00", 5e-18: "0.00", 476.97: "477.0"}
+    written |= {12345.6: "1.2e4", -0.01: "−0.01", 0.03149: "0.031"}
+    assert [amount(x) for x in written] == list(written.values())
+    told = run(f"{script()}\nconsole.log(JSON.stringify({list(written)}.map(amount)))")
+    assert told == list(written.values())
+
+
+def test_two_probabilities_have_the_decimals_that_tell_them_apart():
+    pairs = [(1 / 3, 0.6142), (0.333, 0.3321), (0.99999, 1.0), (1.0, 1.0)]
+    said = [percents(p, other, 0) for p, other in pairs]
+    assert said == [
+        ("33 %", "61 %"),
+        ("33.3 %", "33.2 %"),
+        ("99.999 %", "100.000 %"),
+        ("100 %", "100 %"),
+    ]
+    told = run(
+        f"{script()}\nconsole.log(JSON.stringify({[list(pair) for pair in pairs]}"
+        ".map(([p, other]) => percents(p, other, 0))))"
     )
+    assert told == [list(texts) for texts in said]
+
+
+def test_where_the_bias_changes_nothing_the_title_says_so():
+    shown = BiasExplorer(TASK, {"zeros": np.zeros((24, 3))})
+    title = "Similar states change nothing here: “advance” keeps 33 %"
+    assert shown.picture().finding == title
+    assert plain(explored(shown)[PAPER_STATE]["finding"]).startswith(title)

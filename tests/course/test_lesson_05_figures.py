@@ -91,7 +91,7 @@ def test_the_lesson_says_what_the_robot_knows_beside_the_papers_state(new_there)
 def test_the_finding_says_whether_similar_states_recommend_or_warn():
     assert "recommend spin left: bias 1.20" in advice("spin left", 1.2)
     assert "warn of advance: bias −0.29" in advice("advance", -0.29)
-    assert "say nothing of advance" in advice("advance", -0.001)
+    assert "say nothing of advance" in advice("advance", -0.0)
 
 
 def pose(ax) -> tuple:

@@ -23,8 +23,9 @@ from rlrobot_edu.widgets.stepper.colours import STRONGEST, scale_limit, tint
 from rlrobot_edu.widgets.stepper.environment_view import view_of
 from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
 from rlrobot_edu.widgets.stepper.names import Names
-from rlrobot_edu.widgets.stepper.numerals import given, number, short
+from rlrobot_edu.widgets.stepper.numerals import before_it, given, number, short
 from rlrobot_edu.widgets.stepper.page_data import frame_data
+from rlrobot_edu.widgets.stepper.sentences import simply
 from rlrobot_edu.widgets.stepper.state_view import StateView
 from rlrobot_edu.widgets.stepper.still_tables import rows_of_step
 from rlrobot_edu.widgets.stepper.symbols import SYMBOLS
@@ -249,7 +250,8 @@ def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_ha
     stepper = stepper_of(method=method, at=12)
     _, old, new = stepper._tape.frame.q_change
     cell = r'<td class="[^"]*\bnew\b[^"]*" data-at="\d+" title="by (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
-    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", view(stepper))
+    table = view(stepper).split('<section class="q">')[1]
+    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", table)
     assert sorted((by, *rest) for by, _, *rest in told) == sorted(
         (number(y - x), "▲" if y > x else "▼", short(x), short(y))
         for x, y in zip(old.tolist(), new.tolist(), strict=True)
@@ -357,7 +359,7 @@ def test_the_traces_on_the_page_are_those_by_which_the_update_learned(settings):
 
 
 def test_a_next_is_not_spoken_of_by_methods_that_do_not_learn_from_it():
-    said = re.compile(r'<div class="said">.*?<span>(.*?)</span>')
+    said = re.compile(r'<div class="said"><span>(.*?)</span>')
     assert "a′ = " in said.search(view(stepper_of(method="SARSA+SR", at=3)))[1]
     assert "a′" not in said.search(view(stepper_of(method="Q+SR", at=3)))[1]
 
@@ -390,11 +392,20 @@ def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited(
         for s, drawn in zip(world["seen"], world["drawn"], strict=True)
         if tuple(drawn["box"]) == box
     }
-    marks = re.findall(r"<title>state (\d+): (?:\S) (\S+)</title>", view(stepper))
+    panes = view(stepper)
+    marks = re.findall(r"<title>state (\d+): (?:\S) (\S+)</title>", panes)
     assert [int(s) for s, _ in marks] == sorted(
         here & {*np.flatnonzero(tape.visits.any(axis=1))}
     )
-    assert all(value == short(tape.q[int(s)].max()) for s, value in marks)
+    frame = tape.frame
+    its = frame.step.s
+    assert all(
+        value == short(tape.q[int(s)].max()) for s, value in marks if int(s) != its
+    )
+    (changed,) = re.findall(r'<g class="chip its">.*?</g>', panes)
+    told = re.search(r'<tspan class="(?:old|by)">(.*?)<', changed)[1]
+    assert told == before_it(frame.q_sa, frame.q_sa_new).removesuffix(" →")
+    assert dict(marks)[str(its)] == short(frame.q_sa_new)
 
 
 def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
@@ -408,7 +419,7 @@ def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
     assert names.row(0) == "↑ 0 ahead, 0.2 m/s"
     assert names.row(3) == "■ 3 stand still"
     assert names.action(3) == "stand still (0, −1)", "two others are stand still, too"
-    assert names.told(3) == "It stood still"
+    assert names.told(3) == "The robot stood still"
     simple = stepper_of("wander_simple", at=2)._names
     assert [simple.column(a) for a in range(4)] == list("■↺↻↑") and simple.row(
         3
@@ -475,17 +486,21 @@ def test_the_page_says_why_a_value_rose_or_fell_at_every_step(method):
         "[...Array(200).keys()].map((t) => (stepper.tape.go(t + 1), [simply, why].map((say) => "
         "say(stepper.about, stepper.tape.frame))))",
     )
+    names = stepper._names
     kinds = set()
     for t, (what, reason) in enumerate(told):
         stepper.jump(t + 1)
         frame = stepper._tape.frame
         change = frame.q_sa_new - frame.q_sa
         word = "rises" if change > 0 else "falls"
+        assert what == simply(stepper._tape, names), "the picture says the same"
+        action = names.quoted(frame.step.a)
         if change:
             news = "yet" if change * frame.step.r < 0 else "and"
-            assert f", {news} its value {word}: " in what
+            thinks = "better" if change > 0 else "worse"
+            assert f", {news} it now thinks {thinks} of {action} here: " in what
         else:
-            assert what.endswith(". Its value here stays as it was.")
+            assert what.endswith(f". It thinks of {action} here as before.")
         paid = re.match(r"Why: the step paid (\S+) and ", reason)[1]
         assert paid == given(frame.step.r)
         than = "just"
@@ -539,6 +554,8 @@ def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
 
 LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
          ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", rl.Method("TOSL", VBIASSR), {}),
+         ("worked_example", "TOSL+SR", {"traces": "full"}),
+         ("navigation_1k", "TOSL+SR", {"traces": "full", "loop_evasion": True}),
          ("navigation_1k", "Q+SR", {"loop_evasion": True})]  # fmt: skip
 
 
@@ -717,5 +734,6 @@ def test_no_value_in_the_still_lies_on_the_robot():
         mark.get_bbox().contains(*xy) for mark in marks for xy in robot.get_xy()
     )
     assert picture.finding == (
-        "It spun to the left and was paid −0.02: Q(0, 1) rises from −0.002 to 0.167"
+        "The robot spun to the left. That cost 0.02, yet it now thinks better of\n"
+        "“spin left” here: −0.002 → 0.167."
     )

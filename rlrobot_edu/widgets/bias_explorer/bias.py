@@ -25,6 +25,11 @@ class BiasNumbers(NamedTuple):
     sr: np.ndarray
     qbiassr: np.ndarray
 
+    @property
+    def most_changed(self) -> int:
+        """The action whose probability the bias changes most."""
+        return int(np.abs(self.qbiassr - self.sr).argmax())
+
 
 def bias_numbers(
     task: Task, q: np.ndarray, s: int, scale: float, temperature: float

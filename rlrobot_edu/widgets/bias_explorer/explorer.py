@@ -39,9 +39,9 @@ PAPER_STATE = {"X": 1, "Y": 1, "theta": 90, "d": 1}  # below algorithm 2
 class BiasExplorer(Displayed):
     """One state of a small task in four columns: values, means of the sets, bias and probabilities; choose and edit.
 
-    It opens with all columns and, in large type, the action whose probability the bias raises most. A reader builds the
-    columns up with a button or the keys ← and →: the first three for one action, the fourth for all, because a
-    probability compares all actions.
+    It opens with the action whose probability the bias changes most: a sentence in large type, and its four columns. Of
+    each other action it shows bias and probabilities; a click opens its columns. A reader builds the columns up with a
+    button or the keys ← and →.
 
     Parameters
     ----------
@@ -139,8 +139,8 @@ class BiasExplorer(Displayed):
         Parameters
         ----------
         stage : int
-            How many columns: 1 the values, 2 and the means, 3 and the bias, each for the action that the bias
-            favours; 4 all columns for all actions.
+            How many columns of the action whose probability the bias changes most: 1 the values, 2 and the means, 3
+            and the bias; 4 all columns, and the choice among all actions.
 
         Returns
         -------

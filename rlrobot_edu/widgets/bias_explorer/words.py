@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+
+import numpy as np
 
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import Bin
+from rlrobot_edu.widgets.bias_explorer.bias import BiasNumbers
+from rlrobot_edu.widgets.stepper.numerals import number, short_exponent
+
+SMALLEST = 1e-9  # less is what rounding leaves of a sum
+SAME = 1e-6  # probabilities that differ by less count as the same
 
 
 def name_text(name: str) -> str:
@@ -21,7 +28,7 @@ def value_words(value: Bin) -> str:
 def value_text(value: Bin) -> str:
     """A bin in as few signs as possible: its value without the unit if it has a single one, else its limits."""
     if value.low != value.high:
-        return str(value)
+        return str(value).replace("-", "−")
     return f"{value.reading:g}".replace("-", "−")
 
 
@@ -39,12 +46,45 @@ def state_words(task: Task, s: int) -> str:
     return ", ".join(words)
 
 
-def two_decimals(x: float) -> str:
-    """`x` with a true minus sign, which never stands before zero."""
-    text = f"{x:.2f}"
-    return "0.00" if float(text) == 0 else text.replace("-", "−")
+def amount(x: float) -> str:
+    """A value: two decimals, or two digits that count where these would hide it: −0.30, −0.0075; only 0 is 0.00."""
+    size = abs(x)
+    if size < SMALLEST:
+        return "0.00"
+    if size < 0.1:
+        return short_exponent(f"{x:.2g}")
+    return short_exponent(f"{x:.2f}") if size < 100 else number(x)
+
+
+def percents(p: float, other: float, decimals: int) -> tuple[str, str]:
+    """Two probabilities in percent, with as many decimals as it takes to tell them apart."""
+    one, two = f"{100 * p:.{decimals}f} %", f"{100 * other:.{decimals}f} %"
+    if one == two and abs(p - other) > SAME:
+        return percents(p, other, decimals + 1)
+    return one, two
 
 
 def vector(x: Iterable[float]) -> str:
     """One number an action: ``(1.00, −0.50, 0.00)``."""
-    return f"({', '.join(two_decimals(value) for value in x)})"
+    return f"({', '.join(amount(value) for value in x)})"
+
+
+def finding(actions: Sequence[str], q: np.ndarray, numbers: BiasNumbers) -> str:
+    """The action whose probability the bias changes most, and whether that is the similar states' doing.
+
+    actions: the name of each; q: array (n_states, n_actions)
+    """
+    a = numbers.most_changed
+    before, now = percents(numbers.sr[a], numbers.qbiassr[a], 0)
+    name = f"“{actions[a]}”"
+    if before == now:
+        return f"Similar states change nothing here: {name} keeps {now}"
+    rises = numbers.qbiassr[a] > numbers.sr[a]
+    change = f"{'rises' if rises else 'falls'} from {before} to {now}"
+    in_sets = np.mean([1 / len(states) for states in numbers.sets.values()])
+    own = q[numbers.s, a] * in_sets  # the state itself is in every set
+    theirs = numbers.bias[a] - own
+    if abs(theirs) < abs(own) or rises != (theirs > 0):
+        return f"With its bias, the chance of {name} {change}"
+    speak = "for" if rises else "against"
+    return f"Similar states speak {speak} {name}: its chance {change}"

@@ -32,7 +32,7 @@ const scaleOf = ({ r_max, gamma }) => 100 / (r_max / (1 - gamma));
 function newMemory(shape, nActions, parameters, kernels) {
   const { gamma, lam, smallest_trace, temperature } = parameters;
   const nStates = shape.reduce((n, bins) => n * bins, 1), n = kernels.trace_steps(gamma, lam, smallest_trace);
-  const queue = Math.max(4, Math.min(n, Math.floor(nStates / 4)));
+  const reduced = kernels.trace_steps(gamma, lam, 0.01), queue = Math.max(4, Math.min(reduced, Math.floor(nStates / 4))); // as memory.py, also for full traces
   const table = (kind) => Array.from({ length: nStates }, () => new kind(nActions));
   return {
     q: table(Float64Array), e: table(Float64Array), visits: table(Int32Array),

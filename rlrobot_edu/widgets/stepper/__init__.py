@@ -12,8 +12,8 @@ Data
 
 Begin with `tape`, which records `rl.steps` and does not depend on the page. Two views of an environment follow
 (`robot_view` with `cell_values`, `state_view`); `environment_view` chooses the better one. `still` draws a position as
-a picture, with `still_tables` and `equations`; `code_view` shows the lines of the update rule; `symbols` has the
-equations of each algorithm, `colours` are those of values.
+a picture, with `still_tables`, `sentences` and `equations`; `code_view` shows the lines of the update rule;
+`symbols` has the equations of each algorithm, `colours` are those of values.
 
 The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws the view (with tables.js,
 worlds.js and numerals.js), stepper.js reacts to the reader. `page_data` gives it the steps. If a page can compute the

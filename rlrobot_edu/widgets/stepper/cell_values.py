@@ -24,12 +24,18 @@ INPUTS = {
 
 
 class Mark(NamedTuple):
-    """A value at a place (x, y) [m]: the icons of the best actions there, and what they are worth."""
+    """A value at a place (x, y) [m]: the icons of the best actions there, and what they are worth.
+
+    Where the robot was before the step, is_its: the icon and the value of what it did; was: its value before, if the
+    step has changed it
+    """
 
     x: float
     y: float
     icons: str
     value: float
+    is_its: bool = False
+    was: float | None = None
 
 
 class Place(NamedTuple):
@@ -67,8 +73,13 @@ class CellValues:
         box = next(solid for solid in scene.solids if solid.name == "box")
         cell_x, cell_y = box.pose[:2, 3] + 0.5
         found = []
+        frame = tape.frame
         for x, y, s, icons in self._places[round(cell_x), round(cell_y)]:
-            if tape.visits[s].any():
+            if frame is not None and s == frame.step.s:
+                now = frame.q_sa_new
+                was = None if now == frame.q_sa else frame.q_sa
+                found.append(Mark(x, y, icons[frame.step.a], now, True, was))
+            elif tape.visits[s].any():
                 value = tape.q[s].max()
                 best = np.flatnonzero(tape.q[s] == value).tolist()
                 their_icons = "".join(icons[a] for a in best)

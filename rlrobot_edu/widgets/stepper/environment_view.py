@@ -22,4 +22,4 @@ def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
         inputs = set(names.inputs)
         if inputs <= INPUTS:
             marks = CellValues(names.task)
-    return RobotView(robot, marks, names.task)
+    return RobotView(robot, marks, names)

@@ -87,19 +87,24 @@ class Names:
         return name if name.startswith(self.column(a)) else f"{a}: {name}"
 
     def told(self, a: int) -> str:
-        """What a robot did that took action `a`: "It stood still"."""
+        """What a robot did that took action `a`: "The robot stood still"."""
         if self.task is None:
-            return f"It took action {a}"
+            return f"The agent took action {a}"
         command = self.task.command_for(a)
+        did = f"did “{self.action(a)}”"
         if self._icons:
-            return motion_of(*command.values()).told
-        if set(command) == CELL_COMMAND:
-            if command["advance"]:
-                return AHEAD.told
-            return SPIN_LEFT.told if command["spin"] > 0 else SPIN_RIGHT.told
-        if not any(command.values()):
-            return STILL.told
-        return f"It did “{self.action(a)}”"
+            did = motion_of(*command.values()).told
+        elif set(command) == CELL_COMMAND:
+            spin = SPIN_LEFT if command["spin"] > 0 else SPIN_RIGHT
+            did = AHEAD.told if command["advance"] else spin.told
+        elif not any(command.values()):
+            did = STILL.told
+        return f"The robot {did}"
+
+    def quoted(self, a: int) -> str:
+        """Action `a` in a sentence: “spin left”, or action 2 if it has no name."""
+        name = self.action(a)
+        return f"action {a}" if name == str(a) else f"“{name}”"
 
     def _state(self, s: int) -> str:
         """State `s` in words: ``X = 0, Y = 1, theta = 90 deg, d = 0``."""

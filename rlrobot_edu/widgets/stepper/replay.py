@@ -84,10 +84,9 @@ class ReplayStart:
 
     def _kernels(self) -> Kernels:
         agent = self._agent
-        has_full_traces = agent.parameters.traces == "full"
-        if agent.method.planner or has_full_traces or None in self._random.values():
+        if agent.method.planner or None in self._random.values():
             raise ValueError(
-                "a page knows no planner, no full traces, and only NumPy's usual random numbers."
+                "a page knows no planner, and only NumPy's usual random numbers."
             )
         kernels: Kernels = {"begin_episode": begin_episode, "trace_steps": trace_steps}
         for i, algorithm in enumerate(algorithms_for(agent)):

@@ -11,17 +11,18 @@ from matplotlib.patches import Rectangle
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.describe import loss_of, path_of
 from rlrobot_edu.show.palette import GREY
+from rlrobot_edu.show.picture import plain
 from rlrobot_edu.show.room.scene_data import (
     constant_data,
     moving_data,
     near_of,
 )
 from rlrobot_edu.show.top_down import TopDown
-from rlrobot_edu.task.task import Task
 from rlrobot_edu.widgets.stepper.cell_values import ASIDE, CellValues, Mark
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint
-from rlrobot_edu.widgets.stepper.numerals import short
-from rlrobot_edu.widgets.stepper.tape import PATH, Tape
+from rlrobot_edu.widgets.stepper.names import Names
+from rlrobot_edu.widgets.stepper.numerals import before_it, short, told_apart
+from rlrobot_edu.widgets.stepper.tape import PATH, Frame, Tape
 
 WIDE, HIGH = 0.26, 0.19  # of a mark [m]; two lines of small letters fit into it
 # of a mark in the still from the middle of its cell [m], across and upwards: beside the robot, not on it
@@ -32,16 +33,16 @@ class RobotView:
     """Pictures of what `robot` does; the walls are drawn once.
 
     marks: the values of places in the scene, if they can be drawn there
-    task: what the robot does, which says what is near and what is lost
+    names: the words of the task, and the task itself, which says what is near and what is lost
     """
 
-    def __init__(self, robot: Any, marks: CellValues | None, task: Task | None) -> None:
+    def __init__(self, robot: Any, marks: CellValues | None, names: Names) -> None:
         self.heading = "The world from above"
         if marks is not None:
-            self.heading = "From above: the robot, the box, the value of each heading"
+            self.heading = "From above: at each edge the best action, and its value"
         self._robot = robot
         self._marks = marks
-        self._task = task
+        self._names = names
         self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
@@ -56,9 +57,10 @@ class RobotView:
     def constant_data(self) -> dict[str, Any]:
         """What stays in the scenes; and, if there are marks, their places for each cell of the box."""
         near, loss = None, None
-        if self._task is not None:
-            near = near_of(self._task)
-            loss = loss_of(self._task.rewards or ())
+        task = self._names.task
+        if task is not None:
+            near = near_of(task)
+            loss = loss_of(task.rewards or ())
         return {
             "kind": "robot",
             "scene": self._constant,
@@ -98,19 +100,39 @@ class RobotView:
         most = scale_limit(tape.q, tape.agent.parameters.r_max)
         for mark in marks:
             _draw_mark(ax, mark, most)
+        if tape.frame is not None and not any(mark.is_its for mark in marks):
+            self._draw_change(ax, tape.frame)
+
+    def _draw_change(self, ax: Axes, frame: Frame) -> None:
+        """In a corner of the room, what the step has changed."""
+        was, now = told_apart(frame.q_sa, frame.q_sa_new)
+        change = f"stays {now}" if was == now else f"{was} → {now}"
+        text = f"{self._names.quoted(frame.step.a)} here:\n{change}"
+        box = {"facecolor": "white", "edgecolor": "black", "boxstyle": "round"}
+        corner = {"transform": ax.transAxes, "va": "top", "zorder": 22, "bbox": box}
+        ax.text(0.03, 0.97, plain(text), fontsize=9.6, **corner)
 
 
 def _draw_mark(ax: Axes, mark: Mark, most: float) -> None:
-    """A value and its best actions, on white and the value's colour."""
+    """A value and its best actions, on white and the value's colour; what the step has changed is framed."""
     colour, opacity = tint(mark.value, most)
-    x, y = _pushed_out(mark.x, OUT[0]), _pushed_out(mark.y, OUT[1])
-    corner = (x - WIDE / 2, y - HIGH / 2)
+    lines = [mark.icons, short(mark.value)]
+    if mark.was is not None:
+        lines.insert(1, before_it(mark.was, mark.value))
+    high = HIGH * len(lines) / 2
+    aside = OUT[1] + (high - HIGH) / 2  # a higher mark grows away from the robot
+    x, y = _pushed_out(mark.x, OUT[0]), _pushed_out(mark.y, aside)
+    corner = (x - WIDE / 2, y - high / 2)
     for ink, alpha in (("white", 1), (colour, opacity)):
-        box = Rectangle(corner, WIDE, HIGH, color=ink, alpha=alpha, linewidth=0)
+        box = Rectangle(corner, WIDE, high, color=ink, alpha=alpha, linewidth=0)
         box.set_zorder(20)
         ax.add_patch(box)
-    text = f"{mark.icons}\n{short(mark.value)}"
-    letters = ax.text(x, y, text, ha="center", va="center", fontsize=9.6)
+    if mark.is_its:
+        frame = Rectangle(corner, WIDE, high, fill=False, linewidth=2.2)
+        frame.set_zorder(20.5)
+        ax.add_patch(frame)
+    size = 9.6 if len(lines) == 2 else 8.6
+    letters = ax.text(x, y, "\n".join(lines), ha="center", va="center", fontsize=size)
     letters.set(linespacing=0.9, zorder=21)
 
 

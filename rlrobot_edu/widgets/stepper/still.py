@@ -11,20 +11,21 @@ from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import given, number
+from rlrobot_edu.widgets.stepper.sentences import sentence, simply
 from rlrobot_edu.widgets.stepper.still_tables import (
     draw_q,
     draw_traces,
     n_rows,
     rows_of_step,
 )
-from rlrobot_edu.widgets.stepper.symbols import in_symbols
 from rlrobot_edu.widgets.stepper.tables import Window
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
 WIDTH = 7.8  # of the picture [inch]
 WORLD = 4.1  # height of the world in it [inch]
 ROW = 0.22  # height of a row of a table, and of a line of the note [inch]
-LINE = 92  # signs
+LINE = 92  # signs of a line of the note
+TITLE = 74  # and of the title
 
 
 def still(tape: Tape, names: Names) -> Picture:
@@ -39,13 +40,15 @@ def still(tape: Tape, names: Names) -> Picture:
     table = n_rows(window) * ROW + 0.75
     choice = 0.3 * len(window.actions) + 1.2
     above = max(WORLD, choice)
-    n_lines = sum(len(line) // LINE + 1 for line in equations)
+    title = "\n".join(textwrap.wrap(simply(tape, names), TITLE))
+    n_lines = 1 + sum(len(line) // LINE + 1 for line in equations)
+    n_lines += 1.3 * title.count("\n")
     head = 0.45 + ROW * (n_lines + 1)
     figure = Picture(figsize=(WIDTH, head + above + n_tables * table))
     sentences = [sentence(tape, names)]
     sentences += [f"{line}." for line in equations]
     figure.alt = " ".join(sentences)
-    figure.headline(_title(tape, names), note)
+    figure.headline(title, note)
     heights = [above] + [table] * n_tables
     grid = figure.add_gridspec(
         1 + n_tables, 2, height_ratios=heights, width_ratios=(3, 2)
@@ -58,47 +61,6 @@ def still(tape: Tape, names: Names) -> Picture:
     if n_tables == 2:
         draw_traces(figure.add_subplot(grid[2, :]), tape, window, names)
     return figure
-
-
-def _title(tape: Tape, names: Names) -> str:
-    """What the robot did, what that paid, and what became of Q(s, a)."""
-    frame = tape.frame
-    if frame is None:
-        return "Before the first step"
-    step = frame.step
-    change = "stays at"
-    if frame.q_sa_new > frame.q_sa:
-        change = f"rises from {number(frame.q_sa)} to"
-    elif frame.q_sa_new < frame.q_sa:
-        change = f"falls from {number(frame.q_sa)} to"
-    did = f"{names.told(step.a)} and was paid {given(step.r)}"
-    return f"{did}: Q({step.s}, {step.a}) {change} {number(frame.q_sa_new)}"
-
-
-def sentence(tape: Tape, names: Names) -> str:
-    """The step in one sentence, with a′ if the update of this algorithm learns from it."""
-    frame = tape.frame
-    if frame is None:
-        return "Before the first step."
-    step = frame.step
-    text = (
-        f"Step {step.t + 1} (episode {frame.episode}, its step {frame.number}): in state s = {step.s} the agent took "
-        f"action a = {_named(step.a, names)} and got r = {given(step.r)}; now it is in s′ = {step.s_next}"
-    )
-    if step.terminated:
-        return f"{text}, where the episode ends."
-    if step.truncated:
-        return f"{text}; the time of this episode is up."
-    agent = tape.agent
-    symbols = in_symbols(agent.method.algorithm.name, agent.parameters)
-    if "{Q(s′, a′)}" in "".join(symbols.equation):
-        text += f", where it will take a′ = {_named(step.a_next, names)}"
-    return f"{text}."
-
-
-def _named(a: int, names: Names) -> str:
-    name = names.action(a)
-    return name if name == str(a) else f"{a} ({name})"
 
 
 def _draw_choice(
@@ -133,7 +95,7 @@ def _draw_choice(
         heat = f", at T = {given(step.temperature)},"
     title = (
         f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); "
-        f"r = {given(step.r)}"
+        f"r\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{given(step.r)}"
     )
     ax.set_title(plain(textwrap.fill(title, 36)))
 

@@ -13,13 +13,14 @@ from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.show.picture import plain
 from rlrobot_edu.widgets.stepper.colours import scale_limit, tint, trace_tint
 from rlrobot_edu.widgets.stepper.names import Names
-from rlrobot_edu.widgets.stepper.numerals import short
+from rlrobot_edu.widgets.stepper.numerals import before_it, short
 from rlrobot_edu.widgets.stepper.tables import Window, traces_of
 from rlrobot_edu.widgets.stepper.tape import Frame, Tape
 
 COLUMNS = 10  # that fit side by side, with numbers in letters of SIZE points
 SIZE, SMALL = 11.2, 9.6
 MOST_ROWS = 8  # of the states that a step changed
+FEW = 4  # actions whose cells have room for the old value
 GAP = 1.3  # cells between two blocks
 UNTRIED = "·"
 
@@ -67,7 +68,9 @@ def draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
         return UNTRIED if is_untried else short(value), colour, opacity
 
     places = _draw(ax, tape, window, names, look)
-    ax.set_title(f"Q: {window.says}; · never tried; framed: changed, bold: (s, a)")
+    ax.set_title(
+        f"What it has learned, Q: {window.says}; · never tried; framed: changed"
+    )
     if tape.frame is not None:
         _mark_changes(ax, tape.frame, tape.q.shape[1], places)
 
@@ -89,6 +92,8 @@ def _mark_changes(ax: Axes, frame: Frame, n_actions: int, places: Places) -> Non
             border.set(linewidth=1.1, linestyle="--")
         ax.add_patch(border)
         arrow = "▲" if new > old else "▼"
+        if n_actions <= FEW:
+            arrow = f"{arrow}  {before_it(old, new)}"
         ax.text(x + 0.05, y + 0.5, arrow, va="center", fontsize=SMALL - 2)
 
 

@@ -232,11 +232,11 @@ class Stepper(Displayed):
             for name in frames[0]:
                 columns[name] = [frame[name] for frame in frames]
         data["frames"] = columns
+        learner = "A robot" if self._names.task else "An agent"
         world = f" in {self._names.task.name}" if self._names.task else ""
-        method = self._tape.agent.method.name
-        title = f"How an agent learns, step by step (method {method}{world})"
+        title = f"{learner} learns, one step at a time"
         description = (
-            f"Each step of a robot that learns by {self._tape.agent.method.name}: its world, its choice, the update "
+            f"Each step of what learns by {self._tape.agent.method.name}{world}: its world, its choice, the update "
             "with the numbers of the step, and its tables."
         )
         return page_html(title, description, data, self._script(), style())

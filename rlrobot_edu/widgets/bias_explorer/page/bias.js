@@ -24,14 +24,25 @@ function biasOf({ shape, states, temperature }, q, scale, s) {
   return { sets, members, means, bias: m.bias, sr, qbiassr: m.probabilities, flows };
 }
 
-function twoDecimals(x) { // with a true minus sign, which never stands before zero
-  const text = x.toFixed(2);
-  return +text === 0 ? "0.00" : text.replace("-", "−");
+// A value: two decimals, or two digits that count where two decimals would hide it: −0.30, −0.0075, 476.9. Only 0 is 0.00.
+function amount(x) {
+  const size = Math.abs(x);
+  if (size < SMALLEST) return "0.00";
+  if (size < 0.1) return tidy(general(x, 2));
+  return size < 100 ? tidy(x.toFixed(2)) : number(x);
 }
+const SMALLEST = 1e-9; // less is what rounding leaves of a sum
 
-const summand = (x, i) => (i && x < -0.005 ? `(${twoDecimals(x)})` : twoDecimals(x));
+// Two probabilities in percent, with as many decimals as it takes to tell them apart.
+function percents(p, other, decimals) {
+  const [one, two] = [p, other].map((x) => `${(100 * x).toFixed(decimals)} %`);
+  return one === two && Math.abs(p - other) > SAME ? percents(p, other, decimals + 1) : [one, two];
+}
+const SAME = 1e-6; // probabilities that differ by less count as the same
+
+const summand = (x, i) => (i && x <= -SMALLEST ? `(${amount(x)})` : amount(x));
 const whole = (text) => `<span class="rl-whole">${text}</span>`;
-const vector = (x) => whole(`(${Array.from(x, twoDecimals).join(", ")})`);
+const vector = (x) => whole(`(${Array.from(x, amount).join(", ")})`);
 
 // The mark of an input on its colour; the state itself, which is in every set, has the marks of all.
 function marksHtml({ inputs }, input) {
@@ -39,39 +50,47 @@ function marksHtml({ inputs }, input) {
     `<span class="rl-mark" style="background:${colour}">${sign}</span>`).join("");
 }
 
-// The page's title, by the state's own row of Q.
-const question = (row) => (row.some(Boolean) ? "What do similar states advise it here?" : "It has learned nothing here. Who can advise it?");
+// Above the title, by the state's own row of Q.
+const question = (row) => (row.some(Boolean) ? "What do similar states advise the robot here?"
+  : "The robot has learned nothing here. Who can advise it?");
+
+// The action whose probability the bias changes most.
+function mostChanged({ sr, qbiassr }) {
+  const changes = qbiassr.map((p, a) => Math.abs(p - sr[a]));
+  return changes.indexOf(Math.max(...changes));
+}
 
 // What the similar states bring into the bias of action a, without the state's own value, which is in every set.
 const fromOthers = (a, q, { sets, bias }, s) => bias[a] - (q[s][a] * sets.reduce((sum, set) => sum + 1 / set.length, 0)) / sets.length;
 
-// In large type: the action whose probability the bias changes most, and why, if it is the similar states' doing.
+// In large type: the action whose probability the bias changes most, and whether that is the similar states' doing.
 function findingHtml({ actions }, q, s, found) {
-  const { sr, qbiassr, bias, members } = found, changes = qbiassr.map((p, a) => Math.abs(p - sr[a]));
-  const a = changes.indexOf(Math.max(...changes)), whole = (p) => (100 * p).toFixed(0), rises = qbiassr[a] > sr[a];
-  const same = whole(sr[a]) === whole(qbiassr[a]), decimals = same ? 1 : 0, percent = (p) => `${(100 * p).toFixed(decimals)} %`;
-  const advice = fromOthers(a, q, found, s), isTheirs = changes[a] > 0 && Math.abs(advice) >= Math.abs(bias[a] - advice);
-  const cause = isTheirs && advice > 0 && rises ? "Similar states gained by" : isTheirs && advice < 0 && !rises ? "Similar states lost by" : "Similar states advise on";
-  return `<b>${cause} “${escaped(actions[a])}”: <span>${percent(sr[a])} → ${percent(qbiassr[a])}</span></b>` +
-    `how likely the robot is to choose it, without and with what ${members.length - 1} similar states learned`;
+  const { sr, qbiassr, bias, members } = found, a = mostChanged(found), [before, now] = percents(sr[a], qbiassr[a], 0);
+  const rises = qbiassr[a] > sr[a], advice = fromOthers(a, q, found, s), isTheirs = Math.abs(advice) >= Math.abs(bias[a] - advice);
+  const name = `“${escaped(actions[a])}”`, change = `${rises ? "rises" : "falls"} from <span>${before} to ${now}</span>`;
+  const told = before === now ? `Similar states change nothing here: ${name} keeps <span>${now}</span>`
+    : isTheirs && advice > 0 && rises ? `Similar states speak for ${name}: its chance ${change}`
+      : isTheirs && advice < 0 && !rises ? `Similar states speak against ${name}: its chance ${change}`
+        : `With its bias, the chance of ${name} ${change}`;
+  return `<b>${told}</b>How likely the robot is to choose it here, without and with the advice of ${members.length - 1} similar states.`;
 }
 
 // What the reader sees, in words: stage is the number of columns, and a the action of the first three.
-function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
+function saidHtml(about, q, s, a, stage, { sets, means, bias, sr, qbiassr }) {
   const { inputs, states, actions } = about, action = `<b>${escaped(actions[a])}</b>`;
   const named = (i) => `${marksHtml(about, i)}&nbsp;${escaped(inputs[i].name)}`;
   const mean = (terms, result) => whole(`(${terms.map(summand).join(" + ")}) / ${terms.length}`) +
-    ` = <b>${twoDecimals(result)}</b>`;
+    ` = <b>${amount(result)}</b>`;
   const each = (what) => sets.map((set, i) => `${named(i)}: ${what(set, i)}`).join("; ");
   const text = [
-    () => `its own row of <i>Q</i> says ${twoDecimals(q[s][a])} for ${action}.`,
+    () => `its own row of <i>Q</i> says ${amount(q[s][a])} for ${action}.`,
     () => "similar states share all inputs with it but one. The state itself is in every set. " +
       `${each((set) => set.map((k) => whole(`${k} ${escaped(states[k].text)}`)).join(", "))}.`,
     () => `the mean of each set for ${action}. ${each((set, i) => mean(set.map((k) => q[k][a]), means[i][a]))}.`,
     () => `the bias for ${action} is the mean of the means, ${mean(means.map((x) => x[a]), bias[a])}.`,
     () => `bias ${vector(bias)} for ${escaped(actions.join(", "))}; added to <i>Q</i>(<i>s</i>): ` +
       `${vector(bias.map((x, i) => x + q[s][i]))}. The softmax compares all actions: ` +
-      `<i>P</i> = ${Array.from(qbiassr, (p) => `${(100 * p).toFixed(1)} %`).join(", ")}.`,
+      `<i>P</i> = ${Array.from(qbiassr, (p, b) => percents(p, sr[b], 1)[0]).join(", ")}.`,
   ];
   return `State ${s} (${escaped(states[s].words)}): ${text[stage]()}`;
 }
@@ -80,14 +99,14 @@ function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
 function legendHtml(about, s, stage) {
   const meanings = isRoom(about) ? [" place", " place", " heading", " something ahead"] : [];
   const names = about.inputs.map(({ name }, i) => `${marksHtml(about, i)}&nbsp;${escaped(name)}${meanings[i] ?? ""}`).join(", ");
-  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}. ` +
-    (stage < 2 ? "" : "A dashed line brings less than 0.");
+  return `The robot is in state ${s}. A similar state differs from it in one input alone: ${names}. ` +
+    (stage < 2 ? "" : "The wider a line, the more it brings; a dashed one brings less than 0.");
 }
 
 // What the bars mean, below the columns.
 function barsHtml({ temperature }, scale) {
   const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
-  return `${bar("rl-sr")}without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
-    `${bar("rl-qbiassr")}with it: of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>); both times ` +
-    `100⁄<i>Q</i><sub>max</sub>&nbsp;=&nbsp;${given(scale)}, at <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
+  return `${bar("rl-sr")}without the bias, ${bar("rl-qbiassr")}with it. The chances are the softmax of <i>Q</i>(<i>s</i>), and of ` +
+    `<i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>), both times <span class="rl-whole">100 / <i>Q</i><sub>max</sub> = ${given(scale)}</span>, ` +
+    `at <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
 }

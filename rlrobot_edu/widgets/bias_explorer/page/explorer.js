@@ -2,9 +2,10 @@
 // or of a file alone; `state`, `table` (the number of one), `tables` (the values of all) and `stage` change.
 
 const ROW = 26; // height of a state's row [px]
+const LEAST_ROWS = 5; // so high are the columns at least, for what stands below the bias
 const WIDEST = 10; // of a line from a state to its mean, and on to the bias [px]
-const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice",
-  "Build it up, column by column"];
+const NEXT = ["Next: similar states", "Next: the mean of each set", "Next: the bias", "Next: the choice",
+  "Build it up, step by step"];
 
 // All that stays while the numbers change: the states, a block of columns for each action, the inputs.
 function explorerHtml(about) {
@@ -14,25 +15,26 @@ function explorerHtml(about) {
   const where = isRoom(about) ? "in the room" : "in the tables";
   return '<div class="rl-bias rl-look"><h2 class="rl-asks"></h2><p class="rl-finding" data-from="4"></p><div class="rl-top"><div class="rl-chooser">' +
     `<div class="rl-states${isRoom(about) ? " rl-room" : ""}" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
-    `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value of <i>Q</i>: the choice changes.</p>` +
+    '<div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> <button name="next" title="Next (key →)"></button> ' +
+    '<button name="all">All columns</button></div>' +
+    `<p class="rl-do"><b>Click</b> another state ${where}. <b>Drag</b> a value: the choice changes.</p>` +
     '<p class="rl-legend" data-from="1"></p>' +
     `<div class="rl-inputs">${choices.join(" ")} <label>Q-table <select name="table">` +
     `${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
     '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div>' +
-    '<div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> <button name="next" title="Next (key →)"></button> ' +
-    `<button name="all">All columns</button> <label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
     '<p class="said" role="status"></p></div><div class="rl-shown">' +
     '<div class="rl-picture" role="region" aria-label="Four columns">' +
-    '<div class="rl-columns rl-heads"><b><i>Q</i><span> of the state and of similar ones</span></b>' +
+    '<div class="rl-columns rl-heads"><b>learned<span>, <i>Q</i>: here and in similar states</span></b>' +
     '<b data-from="2">mean<span> of each set</span></b><b data-from="3">bias<span>: mean of means</span></b>' +
     '<b data-from="4">chance</b></div>' +
     `${actions.map((name, a) => actionHtml(about, name, a)).join("")}</div><p class="rl-bars" data-from="4"></p></div></div></div>`;
 }
 
-// The columns of one action, and between them lines; which row belongs to which set is the same in all states.
+// One action: a row with its bias and its chances, which opens its columns, and between these lines; which row belongs to
+// which set is the same in all states.
 function actionHtml({ inputs, shape }, name, a) {
   const others = inputs.flatMap((_, i) => Array(shape[i] - 1).fill(i)), rows = [null, ...others];
-  const height = Math.max(rows.length, inputs.length) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
+  const height = Math.max(rows.length, inputs.length, LEAST_ROWS) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
   const own = (i) => `style="--own:${i === null ? "" : inputs[i].colour}"`;
   const lines = (from, ends) => `<svg data-from="${from}" viewBox="0 0 1 ${height}" preserveAspectRatio="none" aria-hidden="true">` +
     `${ends.map(([y, to, i]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" ${own(i)}/>`).join("")}</svg>`;
@@ -42,17 +44,20 @@ function actionHtml({ inputs, shape }, name, a) {
     '<input type="number" step="any"></div>';
   const mean = (i) => `<span ${own(i)}>${marksHtml({ inputs }, i)} <data></data></span>`;
   const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
-  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h3>${escaped(name)}</h3>` +
-    `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
+  const chances = `<span class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</span>`;
+  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}">` +
+    `<button class="rl-columns rl-fold" name="fold"><span class="rl-name">${escaped(name)}</span>` +
+    `<b class="rl-bias-of" data-from="3"></b>${chances}</button>` +
+    `<div class="rl-columns rl-open" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${all.map(mean).join("")}</div>` +
     `${lines(3, all.map((i) => [meanOf(i), height / 2, i]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
-    `<div class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</div></div></div>`;
+    `${chances}</div></div>`;
 }
 
-// A value in a field: two decimals, or three where that is all of it.
+// A value in a field, as exact as it is shown; three decimals where that is all of it.
 function typed(x) {
-  const text = x.toFixed(3), short = x.toFixed(2);
-  return +text === x && !text.endsWith("0") ? text : +short === 0 ? "0.00" : short;
+  const text = x.toFixed(3);
+  return +text === x && !text.endsWith("0") ? text : amount(x).replaceAll("−", "-");
 }
 
 class Explorer {
@@ -67,11 +72,11 @@ class Explorer {
     this.blocks = all(".rl-action");
     this.later = all("[data-from]");
     this.named = Object.fromEntries(all("[name]").map((control) => [control.name, control]));
-    const { bias } = this.found();
-    this.action = bias.indexOf(Math.max(...bias));
     this.root.onclick = ({ target }) => {
       const steps = { back: -1, next: 1, all: 4 };
-      if (target.name === "reset") this.set("tables", this.withTable(this.about.originals[model.get("table")].q));
+      const fold = target.closest("[name=fold]");
+      if (fold) this.open(+fold.parentNode.dataset.a);
+      else if (target.name === "reset") this.set("tables", this.withTable(this.about.originals[model.get("table")].q));
       else if (target.name === "next" && model.get("stage") === 4) this.set("stage", 0);
       else if (target.name in steps) this.step(steps[target.name]);
       else if (target.closest(".rl-states button")) this.set("state", +target.closest("button").value);
@@ -98,6 +103,12 @@ class Explorer {
   set(name, value) {
     this.model.set(name, value);
     this.model.save_changes();
+  }
+
+  // Show the columns of this action.
+  open(action) {
+    this.action = action;
+    this.show();
   }
 
   step(by) {
@@ -146,10 +157,6 @@ class Explorer {
   // A list or a field was changed.
   take(control) {
     if (control.name === "table") return this.set("table", +control.value);
-    if (control.name === "action") {
-      this.action = +control.value;
-      return this.show();
-    }
     if (control.dataset.input) {
       const bins = this.inputs.map(({ value }) => +value), { shape } = this.about;
       return this.set("state", bins.reduce((s, bin, i) => s * shape[i] + bin, 0));
@@ -161,8 +168,14 @@ class Explorer {
 
   // Bring everything in line with the model.
   show() {
-    const { about, q, model, action, named } = this, found = this.found();
-    const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s, null]]);
+    const { about, q, model, named } = this, found = this.found();
+    const [s, stage, table] = ["state", "stage", "table"].map((name) => model.get(name)), at = `${s} of ${table}`;
+    if (at !== this.at) { // an edit opens no other action
+      this.action = mostChanged(found);
+      this.root.querySelector(".rl-heads").after(this.blocks[this.action], ...this.blocks.filter((_, a) => a !== this.action));
+    }
+    this.at = at;
+    const inputOf = new Map(stage ? found.members : [[s, null]]);
     this.buttons.forEach((button, k) => showState(button, about, k, inputOf.get(k)));
     this.inputs.forEach((select, i) => { select.value = about.states[s].bins[i]; });
     const largest = Math.max(1e-9, ...found.flows.flat(2).map(Math.abs));
@@ -180,11 +193,10 @@ class Explorer {
     this.root.querySelector(".rl-asks").textContent = question(q[s]);
     this.root.querySelector(".rl-finding").innerHTML = findingHtml(about, q, s, found);
     named.back.disabled = !stage;
-    named.action.value = action;
-    for (const each of [named.all, named.action.parentNode]) each.hidden = stage === 4;
-    named.table.value = model.get("table");
+    named.all.hidden = stage === 4;
+    named.table.value = table;
     const said = this.root.querySelector(".said");
-    said.innerHTML = saidHtml(about, q, s, action, stage, found);
+    said.innerHTML = saidHtml(about, q, s, this.action, stage, found);
     said.classList.toggle("rl-heard", stage === 4); // then all columns show the same
     this.root.querySelector(".rl-legend").innerHTML = legendHtml(about, s, stage);
     this.root.querySelector(".rl-bars").innerHTML = barsHtml(about, this.scale);
@@ -193,7 +205,10 @@ class Explorer {
   // The numbers of one action, into the block of its columns.
   showAction(block, a, s, stage, { members, means, bias, sr, qbiassr }) {
     const { about, q } = this, write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
-    block.hidden = stage < 4 && a !== this.action;
+    const isOpen = a === this.action;
+    block.classList.toggle("rl-opened", isOpen);
+    block.querySelector(".rl-open").hidden = !isOpen;
+    block.firstChild.setAttribute("aria-expanded", isOpen);
     write(".rl-row span:first-child", members.map(([k, input]) => `<b>${k}</b>${stage ? marksHtml(about, input) : ""}`));
     block.querySelectorAll("input").forEach((field, i) => {
       const [k] = members[i];
@@ -202,11 +217,12 @@ class Explorer {
       field.parentNode.title = `state ${k}: ${about.states[k].words}`;
       field.value = typed(q[k][a]);
     });
-    write(".rl-means data", means.map((mean) => twoDecimals(mean[a])));
-    write(".rl-sum b", [twoDecimals(bias[a])]);
-    write(".rl-sum span", [`<i>Q</i>(<i>s</i>) + bias = ${whole(twoDecimals(q[s][a] + bias[a]))}`]);
-    write(".rl-chances data", [sr, qbiassr].map((p) => `${(100 * p[a]).toFixed(1)} %`));
-    block.querySelectorAll(".rl-track i").forEach((bar, i) => { bar.style.width = `${100 * [sr, qbiassr][i][a]}%`; });
+    write(".rl-means data", means.map((mean) => amount(mean[a])));
+    write(".rl-sum b, .rl-bias-of", [amount(bias[a]), amount(bias[a])]);
+    write(".rl-sum span", [`<i>Q</i>(<i>s</i>) + bias = ${whole(amount(q[s][a] + bias[a]))}`]);
+    const told = percents(sr[a], qbiassr[a], 1), chances = [sr[a], qbiassr[a]];
+    write(".rl-chances data", [...told, ...told]); // folded and open
+    block.querySelectorAll(".rl-track i").forEach((bar, i) => { bar.style.width = `${100 * chances[i % 2]}%`; });
   }
 }
 

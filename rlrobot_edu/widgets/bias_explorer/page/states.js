@@ -31,9 +31,10 @@ function statesHtml({ shape, inputs, states }) {
 }
 
 // What stands on the button of state k; input: in which it differs, null in the state itself, undefined if it has no say.
+// The state itself, which is in every set, has a word in place of all marks.
 function showState(button, about, k, input) {
   button.innerHTML = (isRoom(about) ? robotSvg(about.states[k], about.inputs) : "") + k +
-    (input === undefined ? "" : `<span>${marksHtml(about, input)}</span>`);
+    (input === undefined ? "" : `<span>${input === null ? "here" : marksHtml(about, input)}</span>`);
   button.setAttribute("aria-pressed", input === null);
   button.className = input === undefined ? "rl-silent" : "";
   button.style.setProperty("--own", about.inputs[input]?.colour ?? "");

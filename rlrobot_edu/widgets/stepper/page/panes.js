@@ -22,12 +22,15 @@ function stepInWords(about, frame) {
     ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
 }
 
-// The same for a beginner: what the robot did, what that paid, and what became of its value.
+// The same for a beginner: what the robot did, what that paid, and whether it now thinks better of it.
 function simply({ names, view, nActions }, frame) {
   if (!frame) return "";
   const { a, r } = frame, paid = r < 0 ? `cost ${given(-r)}` : r > 0 ? `earned ${given(r)}` : "brought nothing";
-  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}${learned(nActions, frame)}`;
+  return `${names.told[a]}${bumped(view, frame) ? " and bumped" : ""}. That ${paid}${learned(names, nActions, frame)}`;
 }
+
+// An action in a sentence.
+const quoted = ({ actions }, a) => (actions[a] === String(a) ? `action ${a}` : `“${actions[a]}”`);
 
 // The value of what it did before and after the update.
 function valuesOf(nActions, { s, a, q, old, qsa }) {
@@ -36,10 +39,11 @@ function valuesOf(nActions, { s, a, q, old, qsa }) {
 }
 
 // How the update has changed the value of what it did; a value that goes against the reward is news.
-function learned(nActions, frame) {
-  const [was, now] = valuesOf(nActions, frame), written = writerFor(was, now);
-  if (was === now) return ". Its value here stays as it was.";
-  return `${frame.r * (now - was) < 0 ? ", yet" : ", and"} its value ${now > was ? "rises" : "falls"}: ${written(was)} → ${written(now)}.`;
+function learned(names, nActions, frame) {
+  const [was, now] = valuesOf(nActions, frame), written = writerFor(was, now), what = `${quoted(names, frame.a)} here`;
+  if (was === now) return `. It thinks of ${what} as before.`;
+  return `${frame.r * (now - was) < 0 ? ", yet" : ", and"} it now thinks ${now > was ? "better" : "worse"} of ${what}: ` +
+    `${written(was)} → ${written(now)}.`;
 }
 
 // Why: what the step was worth, beside what was expected of it; empty for an update whose target is not known.
@@ -54,19 +58,21 @@ function why({ equation, parameters, nActions }, frame) {
   return `${told} The value ${now > was ? "rises" : "falls"} all the same: the update also carries on what the step before changed.`;
 }
 
+const percent = (x) => `${general(100 * x, 3)} %`;
+
 // The choice as a sentence: the chance of the action, and whether another had more.
 function chosen({ names }, { a, p }) {
-  const best = p.indexOf(Math.max(...p)), percent = (x) => `${general(100 * x, 3)} %`, likelier = p.filter((x) => x > p[a]).length;
+  const best = p.indexOf(Math.max(...p)), likelier = p.filter((x) => x > p[a]).length;
   const name = (b) => `“${escaped(names.actions[b])}”`;
   if (!likelier) return `${name(a)} had a chance of ${percent(p[a])}; no action had more`;
   return `${name(a)} had a chance of ${percent(p[a])}; ${name(best)} had more, ${percent(p[best])}`;
 }
 
 function viewHtml(always, tape) {
-  const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
+  const { frame } = tape, about = aboutAt(always, frame), { names, nStates } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
   const plainly = `<b class="simply">${escaped(frame ? simply(about, frame) : "Before the first step.")}</b>`;
-  const reason = why(about, frame), because = reason && `<b class="why">${escaped(reason)}</b>`;
-  const said = `<span>${escaped(stepInWords(about, frame))}</span>`;
+  const reason = why(about, frame), because = reason && `<p class="why">${escaped(reason)}</p>`;
+  const said = `<div class="said"><span>${escaped(stepInWords(about, frame))}</span></div>`;
   const begins = frame && frame.n === 1, ends = frame && over(frame);
   const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
     (ends ? '<span class="badge">episode ends</span>' : "");
@@ -74,19 +80,31 @@ function viewHtml(always, tape) {
   const world = pane("world", about.view.heading, worldHtml(about, tape, most) + rewards(tape, most));
   const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` +
     (frame.temperature > about.parameters.temperature ? " (loop evasion)" : "") : "";
-  const heading = frame ? `Choice in state ${frame.s}${heat}: ${chosen(about, frame)}` : "How the action is chosen";
-  const choice = pane("choice", heading, choiceHtml(about, frame, shown));
+  const choice = pane("choice", "What it has learned here, <i>Q</i>, and how it chose", choiceHtml(about, tape, shown),
+    frame && `In state ${frame.s}${heat}, ${chosen(about, frame)}.`);
   const update = pane("update", "The update with this step’s numbers", updateHtml(about, frame, most));
-  const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, follows(about, tape)),
-    `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new, or by how much where both look the same; double frame: (s, a).`);
+  const q = folded(about, "all", `All ${nStates} states: ${othersChanged(frame)}`, pane("q", `Q: ${shown.says}`,
+    qHtml(about, tape, shown, follows(about, tape)), `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ` +
+    "▲ up, ▼ down, old → new, or by how much where both look the same; double frame: (s, a)."));
   const traces = about.hasTraces
-    ? `<details class="traces" data-kept${about.open ? " open" : ""}><summary>Traces e, as this update used them: how much each pair ` +
-      `shares in what is learned in this step</summary><section class="traces">${tracesHtml(about, tape, shown)}</section></details>`
+    ? folded(about, "traces", "Traces e, as this update used them: how much each pair shares in what is learned in this step",
+      `<section class="traces">${tracesHtml(about, tape, shown)}</section>`)
     : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
-  // what happened and where come first; then the choice, the reason, the equation and the table
-  const left = world + choice, right = `<div class="said">${because}${said}</div>${update}${q}${traces}`;
+  // what happened and where come first; then what it knew, the reason, the equation and the tables
+  const right = `${choice}${because}${update}${said}${q}${traces}`;
   return `<div class="did">${plainly} ${badge}</div><div class="panes">` +
-    `<div class="left">${left}</div><div class="right">${right}</div></div>`;
+    `<div class="left">${world}</div><div class="right">${right}</div></div>`;
+}
+
+// What a reader unfolds, and finds unfolded at the next step.
+function folded({ open = {} }, name, summary, content) {
+  return `<details class="${name}" data-kept="${name}"${open[name] ? " open" : ""}><summary>${summary}</summary>${content}</details>`;
+}
+
+// How many values the step changed beside that of what it did.
+function othersChanged(frame) {
+  const n = frame ? frame.q[0].length - 1 : 0;
+  return n > 0 ? `${n} other value${n > 1 ? "s" : ""} changed, too` : "no other value changed";
 }
 
 // The pairs whose value the update took for what follows: (s′, a′), the best one, or all of s′.
@@ -104,17 +122,24 @@ function rewards(tape, most) {
   return `<p class="rewards" title="The latest rewards; | an episode begins">latest rewards: ${chips}</p>`;
 }
 
-// Bars with numbers, the chosen one marked; with a biased selection also the bias of each action.
-function choiceHtml({ names, isBiased }, frame, { actions }) {
+// Each action, the chosen one marked: its chance, with a biased selection its bias, and its value where the robot was
+// and where it is now.
+function choiceHtml(about, tape, { actions }) {
+  const { names, isBiased } = about, { frame } = tape, states = frame ? [...new Set([frame.s, frame.s2])] : [];
+  const value = qCells(about, tape, follows(about, tape));
+  const place = (s) => (s !== frame.s ? "where it is now" : frame.s === frame.s2 ? "where it was and is" : "where it was");
+  const heads = states.map((s) => `<th title="${escaped(stateInWords(names, s))}">state ${s},<br>${place(s)}</th>`).join("");
   const row = (a) => {
     const p = frame ? frame.p[a] : 0, chosen = frame && a === frame.a;
     const bias = isBiased ? `<td${frame ? ` data-bias="${a}">${number(frame.bias[a])}` : ">"}</td>` : "";
     return `<tr${chosen ? " class=on" : ""}><th>${chosen ? "▶ " : ""}${escaped(names.rows[a])}</th>` +
-      `<td class="bar"><b style="width:${(100 * p).toFixed(1)}%"></b></td><td>${frame ? p.toFixed(3) : ""}</td>${bias}</tr>`;
+      `<td class="bar"><b style="width:${(100 * p).toFixed(1)}%"></b></td><td>${frame ? percent(p) : ""}</td>${bias}` +
+      `${states.map((s) => value(s, a)).join("")}</tr>`;
   };
   const rest = frame && actions.length < frame.p.length ? 1 - actions.reduce((sum, a) => sum + frame.p[a], 0) : null;
-  const note = rest === null ? "" : `<p class="note">all other actions together: ${Math.max(0, rest).toFixed(3)}</p>`;
-  return `<table><tr><th>a</th><th colspan=2>p</th>${isBiased ? "<th>bias</th>" : ""}</tr>${actions.map(row).join("")}</table>${note}`;
+  const note = rest === null ? "" : `<p class="note">all other actions together: ${percent(Math.max(0, rest))}</p>`;
+  return `<table><tr><th>action</th><th colspan=2>chance</th>${isBiased ? "<th>bias</th>" : ""}${heads}</tr>` +
+    `${actions.map(row).join("")}</table>${note}`;
 }
 
 // The equations of a step, each a list of terms: a symbol, the number below it, and its exact value; and a note.

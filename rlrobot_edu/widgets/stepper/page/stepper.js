@@ -49,7 +49,7 @@ class Stepper {
       `Keyboard${link ? "" : " (click the view, or come here with Tab)"}: <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> play or ` +
       "pause &nbsp; <kbd>Home</kbd> <kbd>End</kbd> first and last step</div>" +
       '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><details><summary><b>Why?</b> ' +
-      "Click a value in Q, or ask here who paid for it</summary>" +
+      "Click a value, or ask here who paid for it</summary>" +
       '<div class="rl-why rl-ask" role="group" aria-label="Who paid for a value?"></div><div class="rl-view rl-paid"></div></details>' +
       "<details><summary><b>What if?</b> Learn again with other settings, another action or another reward</summary>" +
       '<div class="rl-what-if rl-ask" role="group" aria-label="What if?"></div><div class="rl-view rl-futures"></div></details>' +
@@ -69,7 +69,9 @@ class Stepper {
       this.whyOf(target);
       if (!target.closest("summary")) this.find("keys").focus({ preventScroll: true });
     };
-    this.find("view").addEventListener("toggle", ({ target }) => { this.about.open = target.open; }, true); // the next step keeps it
+    this.find("view").addEventListener("toggle", ({ target }) => {
+      this.about.open = { ...this.about.open, [target.dataset.kept]: target.open };
+    }, true); // the next step keeps it
     this.root.onkeydown = (event) => this.key(event);
     this.show();
     const repaint = () => paintRooms(this.root, this.about.rooms);

@@ -23,9 +23,12 @@ function windowOf(tape) {
   return { states, actions, says: says.join("; ") || `all ${nStates} states` };
 }
 
-// Q as a heatmap with numbers, a dot where nothing was tried. What the step changed is framed: ▲ 38.0 → 48.5; the
+// Q as a heatmap with numbers, in the cells of qCells.
+const qHtml = (about, tape, shown, pointsAt) => blocks(about, qCells(about, tape, pointsAt), shown, tape.frame);
+
+// The cells of Q by state and action, a dot where nothing was tried. What the step changed is framed: ▲ 38.0 → 48.5; the
 // frame is the stronger the more it changed. pointsAt: the pairs whose value the update took for what follows.
-function qHtml(about, tape, shown, pointsAt) {
+function qCells(about, tape, pointsAt) {
   const most = largest(tape.q, about.rMax), { frame, nActions } = tape, old = new Map();
   let mostChanged = 0;
   if (frame) {
@@ -34,13 +37,11 @@ function qHtml(about, tape, shown, pointsAt) {
       mostChanged = Math.max(mostChanged, Math.abs(frame.q[1][i] - frame.old[i]));
     });
   }
-  const cell = (s, a) => {
+  return (s, a) => {
     const value = tape.q[s][a], was = old.get(s * nActions + a), kinds = [];
     let sign = "", title = "", strength = "";
     if (was !== undefined) {
-      const isSame = short(was) === short(value); // when rounded: then the change itself is written
-      const told = isSame ? `${value > was ? "+" : ""}${short(value - was)}` : `${short(was)} → `;
-      sign = `<u>${value > was ? "▲" : "▼"}</u><small>${told}</small>`;
+      sign = `<u>${arrow(was, value)}</u><small>${beforeIt(was, value)}</small>`;
       title = ` title="by ${number(value - was)}"`;
       strength = `;--strength:${Math.max(FAINTEST_FRAME, Math.abs(value - was) / mostChanged).toFixed(1)}`;
       kinds.push("new");
@@ -52,8 +53,11 @@ function qHtml(about, tape, shown, pointsAt) {
     const kind = kinds.length ? ` class="${kinds.join(" ")}"` : "";
     return `<td${kind}${place}${title} style="background:${tint(value, most)}${strength}">${sign}${short(value)}</td>`;
   };
-  return blocks(about, cell, shown, frame);
 }
+
+// How a change is written before the new value: the old one, or by how much where both look the same.
+const arrow = (was, value) => (value > was ? "▲" : "▼");
+const beforeIt = (was, value) => (short(was) === short(value) ? `${value > was ? "+" : ""}${short(value - was)}` : `${short(was)} → `);
 
 // What the colours mean.
 function scaleHtml(most) {
