@@ -223,7 +223,6 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_08": {
         "dutch": lambda e, alpha: e - alpha * e + 1,
-        "settles": 1.649,
         "true_online_update": true_online_update,
     },
     "lesson_05": {

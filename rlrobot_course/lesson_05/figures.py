@@ -1,6 +1,5 @@
-"""The figures of lesson 05: which states have a say in one state, and how often their advice is right."""
+"""The figure of lesson 05: which states have a say in one state."""
 
-from collections.abc import Mapping, Sequence
 from itertools import zip_longest
 
 import numpy as np
@@ -9,108 +8,17 @@ from matplotlib.patches import Rectangle
 
 from rlrobot_course.figures.plots import (
     BLACK,
-    BLUE,
     GREY,
-    RED,
     Picture,
-    chart,
-    name_rows,
 )
 from rlrobot_edu import load_task
-from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
     name_text,
     state_words,
-    two_decimals,
-    value_text,
     value_words,
 )
-from rlrobot_edu.widgets.kernels import bias_of
-
-# Of states that are new to a robot, in how many per cent the bias favours so, and half of the 95 % interval:
-# studies/lesson_numbers.csv
-FAVOURED = {
-    "way free:\nit is the best action": (64.5032, 4.3557),
-    "something ahead:\nit is the best action": (32.1475, 1.8779),
-    "something ahead, never\nadvanced there: it is the bump": (23.1217, 2.1715),
-    "something ahead, has\nadvanced there: it is the bump": (87.3656, 3.3413),
-}
-
-
-def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
-    """The robot in state `s` of worked_example, and beside it the bias as the paper writes it, line by line.
-
-    q: array (n_states, n_actions); a: the action whose numbers stand below each line
-    """
-    task = load_task("worked_example")
-    action = task.actions.label(a)
-    bias = float(bias_of(q, task.states.shape, s)[a])
-    figure = Picture(figsize=(5.2, 4.2))
-    figure.headline(
-        advice(action, bias),
-        f"the paper's five lines; in grey: the numbers of this robot for {action}",
-    )
-    room, lines = figure.subplots(1, 2, width_ratios=(1, 2.9))
-    _draw_pose(room, task.states.decode(s), BLUE)
-    room.set_title("thick bar: a wall or\nthe box is ahead", fontsize=10)
-    room.set_axis_off()
-    signs = [(mark.sign, mark.colour) for mark in marks_of(task).values()]
-    signs.append(("", BLACK))  # the mean has none
-    told = []
-    for y, ((sign, colour), (symbols, numbers)) in enumerate(
-        zip(signs, five_lines(q, s, a), strict=True)
-    ):
-        lines.text(0, y, sign, color=colour)
-        lines.text(0.06, y, symbols)
-        lines.text(0.06, y + 0.4, numbers, color=LIGHT["faint"])
-        told.append(f"{symbols} {numbers}")
-    lines.set(xlim=(0, 1), ylim=(4.6, -0.3))
-    lines.set_axis_off()
-    figure.alt = (
-        f"The robot in state {s} ({state_words(task, s)}), and its bias for {action} in five lines. "
-        f"{'; '.join(told)}."
-    )
-    return figure
-
-
-def five_lines(q: np.ndarray, s: int, a: int) -> list[tuple[str, str]]:
-    """The bias of state `s` of worked_example: the line of each input, and of their mean; in symbols and in numbers."""
-    task = load_task("worked_example")
-    names, means, lines = [], [], []
-    for name, states in task.states.siblings(s).items():
-        names.append(f"bias_{name_text(name).lower()}(s)")
-        means.append(float(q[states, a].mean()))
-        symbols = [f"Q({as_in_the_paper(task.states.decode(int(k)))})" for k in states]
-        lines.append((f"{names[-1]} = {_mean(symbols)}", _mean_of(q[states, a])))
-    lines.append((f"bias(s) = {_mean(names)}", _mean_of(np.array(means))))
-    return lines
-
-
-def as_in_the_paper(bins: Mapping[str, Bin]) -> str:
-    """A state of worked_example as the paper writes it: ``1,1,90,T``."""
-    texts = [value_text(value) for value in bins.values()]
-    texts[-1] = "T" if bins["d"].reading else "F"
-    return ",".join(texts)
-
-
-def _mean(terms: Sequence[str]) -> str:
-    return f"({' + '.join(terms)}) / {len(terms)}"
-
-
-def _mean_of(values: np.ndarray) -> str:
-    terms = [two_decimals(value) for value in values]
-    return f"= {_mean(terms)} = {two_decimals(values.mean())}".replace("+ −", "− ")
-
-
-def advice(action: str, bias: float) -> str:
-    """What the similar states say of an action, as a sentence."""
-    number = two_decimals(bias)
-    does = "recommend" if bias > 0 else "warn of"
-    if number == "0.00":
-        does = "say nothing of"
-    return f"The similar states {does} {action}: bias {number}"
 
 
 def plot_similar_states(s: int) -> Picture:
@@ -172,38 +80,3 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], colour: str) -> None:
         linestyle="-" if blocked else ":",
     )
     ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
-
-
-def plot_advice(shares: Mapping[str, tuple[float, float]] = FAVOURED) -> Picture:
-    """How often the bias favours the best action, or the bump, in states that are new to a robot.
-
-    shares: as `FAVOURED`
-    """
-    figure, ax = chart(
-        (7.2, 3.6),
-        "share of the new states (%)",
-        "",
-        who_is_right(shares),
-        grid="x",
-        note="400 robots, 300 steps each; black: 95 % intervals, dotted: a guess",
-    )
-    told = []
-    for row, (name, (share, half)) in enumerate(shares.items()):
-        ax.barh(row, share, 0.6, color=BLUE if "best" in name else RED)
-        ax.errorbar(share, row, xerr=half, color=BLACK)
-        ax.text(share + half + 1.5, row, f"{share:.0f} %", va="center", weight="bold")
-        told.append(f"{name}: {share:.1f} ± {half:.1f}".replace("\n", " "))
-    ax.axvline(100 / 3, color=BLACK, linestyle=":", linewidth=1.2)
-    ax.set_xlim(0, 100)
-    name_rows(ax, list(shares))
-    figure.alt = f"How often the bias favours an action, in per cent of the new states. {'; '.join(told)}."
-    return figure
-
-
-def who_is_right(shares: Mapping[str, tuple[float, float]]) -> str:
-    """In how many of the new states the favourite is the best action, as a sentence; shares: as `FAVOURED`."""
-    free, ahead, *_ = (share for share, _ in shares.values())
-    return (
-        f"The favourite is the best action in {free:.0f} % of new states with the way free, "
-        f"and in {ahead:.0f} % with something ahead"
-    )

@@ -19,7 +19,6 @@ def dutch(e, alpha):
     return (1 - alpha) * e + 1
 
 
-SETTLES = Formula("1 / (1 - (1 - α) * left)", α=0.4, γ=0.9, λ=0.9, left="(γ * λ) ** 2")
 BY_HAND = Formula(
     "first_line - α * (Q - Q_old)", Q=6, Q_old=1, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
     e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
@@ -65,9 +64,7 @@ check = with_pages(
             (0.12345, 0.54321),
         ),
     ),
-    settles=Question(SETTLES),
     true_online_by_hand=Question(BY_HAND),
-    largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),
     true_online_update=Exercise(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},

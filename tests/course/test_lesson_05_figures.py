@@ -1,97 +1,41 @@
-"""Lesson 05's figures: similar states differ in one input, and its bars are those of the study."""
-
-import csv
-import re
-from pathlib import Path
+"""Lesson 05's figures: similar states differ in one input alone."""
 
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_05.figures import (
-    FAVOURED,
-    advice,
-    five_lines,
-    plot_advice,
-    plot_five_lines,
-    plot_similar_states,
-    who_is_right,
-)
+from rlrobot_course.lesson_05.figures import plot_similar_states
 from rlrobot_edu.widgets.kernels import bias_of
 
 TASK = rl.load_task("worked_example")
 STATES = TASK.states
 
 
-# The paper's example in section 3.3: of each input of the state (1, 1, 90, T), the states whose Q it averages.
-FIVE_LINES = {
-    "bias_x(s)": ["0,1,90,T", "1,1,90,T"],
-    "bias_y(s)": ["1,0,90,T", "1,1,90,T"],
-    "bias_θ(s)": ["1,1,0,T", "1,1,90,T", "1,1,-90,T"],
-    "bias_d(s)": ["1,1,90,T", "1,1,90,F"],
-}
+# The paper's example in section 3.3, state (1, 1, 90°, T): of each input, the states whose Q it averages, as bins.
 PAPERS_STATE = STATES.number((1, 1, 1, 1))
+PAPERS_SETS = {
+    "X": [(0, 1, 1, 1), (1, 1, 1, 1)],
+    "Y": [(1, 0, 1, 1), (1, 1, 1, 1)],
+    "theta": [(1, 1, 0, 1), (1, 1, 1, 1), (1, 1, 2, 1)],
+    "d": [(1, 1, 1, 0), (1, 1, 1, 1)],
+}
 
 
-@pytest.fixture(scope="module")
-def new_there() -> rl.Agent:
-    """The robot of the lesson that comes to the paper's state for the first time."""
-    agent = rl.Agent(TASK, "Q+SR", alpha=0.3, seed=138, loop_evasion=False)
-    rl.learn(agent, rl.make_env(TASK, seed=138), steps=71, progress=False)
-    return agent
-
-
-def test_the_five_lines_are_the_papers():
-    lines = [symbols for symbols, _ in five_lines(np.zeros((24, 3)), PAPERS_STATE, 0)]
-    for line, (name, states) in zip(lines, FIVE_LINES.items(), strict=False):
-        assert line.startswith(f"{name} = (") and line.endswith(f") / {len(states)}")
-        shown = re.findall(r"Q\((.+?)\)", line.replace("−", "-"))
-        assert sorted(shown) == sorted(states)
-    assert lines[4] == f"bias(s) = ({' + '.join(FIVE_LINES)}) / 4"
+def test_the_sets_of_the_papers_state_are_the_papers():
+    sets = STATES.siblings(PAPERS_STATE)
+    for name, bins in PAPERS_SETS.items():
+        assert [STATES.bins(int(k)) for k in sets[name]] == bins
 
 
 @pytest.mark.parametrize("a", [0, 1, 2])
-def test_the_numbers_of_the_five_lines_are_what_the_papers_lines_make_of_q(a):
+def test_the_bias_of_the_papers_state_is_the_mean_of_four_means(a):
     q = np.random.default_rng(3).normal(0, 5, (24, 3))
-    means = []
-    for states in FIVE_LINES.values():
-        found = []
-        for state in states:
-            x, y, theta, d = state.split(",")
-            bins = (int(x), int(y), ["0", "90", "-90"].index(theta), d == "T")
-            found.append(q[np.ravel_multi_index(bins, (2, 2, 3, 2)), a])
-        means.append(np.mean(found))
-    shown = [
-        float(numbers.rsplit("= ")[-1].replace("−", "-"))
-        for _, numbers in five_lines(q, PAPERS_STATE, a)
+    means = [
+        np.mean([q[STATES.number(bins), a] for bins in states])
+        for states in PAPERS_SETS.values()
     ]
-    assert shown == pytest.approx([*means, np.mean(means)], abs=0.00501)
-    assert shown[-1] == pytest.approx(bias_of(q, STATES.shape, PAPERS_STATE)[a], abs=0.00501)  # fmt: skip
-
-
-def test_the_figure_of_the_papers_state_writes_the_five_lines(new_there):
-    figure = plot_five_lines(new_there.q, PAPERS_STATE, 0)
-    room, lines = figure.axes
-    assert pose(room) == STATES.bins(PAPERS_STATE)
-    written = [text.get_text() for text in lines.texts]
-    for symbols, numbers in five_lines(new_there.q, PAPERS_STATE, 0):
-        assert symbols in written and numbers in written
-        assert symbols in figure.alt and numbers in figure.alt
-    assert figure.finding == "The similar states warn of advance: bias −0.29"
-
-
-def test_the_lesson_says_what_the_robot_knows_beside_the_papers_state(new_there):
-    sets = STATES.siblings(PAPERS_STATE)
-    similar = sorted({int(k) for states in sets.values() for k in states})
-    assert new_there.visits[PAPERS_STATE].sum() == 0
-    bumped = [k for k in similar if new_there.q[k, 0] < -0.5]
-    assert len(bumped) == 3
-
-
-def test_the_finding_says_whether_similar_states_recommend_or_warn():
-    assert "recommend spin left: bias 1.20" in advice("spin left", 1.2)
-    assert "warn of advance: bias −0.29" in advice("advance", -0.29)
-    assert "say nothing of advance" in advice("advance", -0.001)
+    found = bias_of(q, STATES.shape, PAPERS_STATE)[a]
+    assert found == pytest.approx(np.mean(means))
 
 
 def pose(ax) -> tuple:
@@ -129,20 +73,3 @@ def test_the_finding_counts_the_similar_states_without_the_state_itself():
 def test_a_state_that_does_not_exist_is_named():
     with pytest.raises(ValueError, match="there is no state 24"):
         plot_similar_states(24)
-
-
-def test_the_bars_of_the_advice_are_what_was_computed():
-    path = Path(__file__).parents[2] / "studies" / "lesson_numbers.csv"
-    with path.open(encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if row["lesson"] == "05"]
-    computed = [(float(row["value"]), float(row["half_interval"])) for row in rows]
-    assert list(FAVOURED.values()) == computed
-    figure = plot_advice()
-    widths = [bar.get_width() for bar in figure.axes[0].patches]
-    assert widths == [share for share, _ in computed] and figure.alt.count("±") == 4
-
-
-def test_the_title_of_the_advice_follows_the_numbers():
-    assert "in 65 % of new states with the way free, and in 32 %" in who_is_right(FAVOURED)  # fmt: skip
-    others = {name: (10.0 * i, 1.0) for i, name in enumerate(FAVOURED, start=1)}
-    assert "in 10 % of new states with the way free, and in 20 %" in who_is_right(others)  # fmt: skip
