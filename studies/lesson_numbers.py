@@ -1,8 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
-Each is a mean with half of its 95 % interval (Student's t), of robots, or a difference of two (Welch); in lesson 06
-exact steps and values and a number of agents, in lesson 08 the median error over a journey, in lessons 11 to 13 also a
-number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 exact steps, in lessons 11 to 13
+also a number of robots, in lesson 18 also what one robot lost. It takes some minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -19,13 +18,11 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_06.figures import way_of
 from rlrobot_course.lesson_12.worlds import OwnReward
 from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.widgets.kernels import bias_of
-from rlrobot_edu.widgets.playground.cliff import MOVES, cliff_model, greedy_path
+from rlrobot_edu.widgets.playground.cliff import cliff_model, greedy_path
 from rlrobot_ros import RobotLink, ServedRobot
 
 HERE = Path(__file__).parent
@@ -59,108 +56,8 @@ def lesson_07() -> list[Row]:
     return rows
 
 
-def lesson_07_geometry() -> list[Row]:
-    """What λ changes on a hundred ideal robots of geometry alone: differences, and half of Welch's interval."""
-    settings = {lam: {"method": "SL+SR", "lam": lam} for lam in (0, 0.5, 0.9)}
-    runs = rl.compare(
-        "wander_1k",
-        {f"λ = {lam}": method for lam, method in settings.items()},
-        100,
-        engine="kinematic",
-        loop_evasion=False,
-        progress=False,
-    )
-    rows: list[Row] = []
-    for ahead, behind, steps in ((0.9, 0, 1000), (0, 0.9, 3600), (0.5, 0, 3600)):
-        x = runs[f"λ = {ahead}"].curves[:, steps - 1]
-        y = runs[f"λ = {behind}"].curves[:, steps - 1]
-        ends = stats.ttest_ind(x, y, equal_var=False).confidence_interval()
-        of = f"λ = {ahead} less λ = {behind}, walls slide"
-        half = float(ends.high - ends.low) / 2
-        rows.append(("07, geometry", of, steps, float(x.mean() - y.mean()), half))
-    return rows
-
-
-def lesson_04() -> list[Row]:
-    """What forty robots in the four cells earn a step in the last 200 of 1000 steps, greedy and with softmax."""
-    rows: list[Row] = []
-    for method in ("Q+GREEDY", "Q+SR"):
-        ends = _in_the_cells(method, alpha=0.1, robots=40, steps=1000)[:, -200:].mean(
-            axis=1
-        )
-        rows.append(("04, four cells", method, 1000, *mean_and_half(ends)))
-    return rows
-
-
-def _in_the_cells(method: str, alpha: float, robots: int, steps: int) -> np.ndarray:
-    """The rewards of robots in the four cells, array (robots, steps)."""
-    cells = rl.load_task("worked_example")
-    agents = [
-        rl.Agent(cells, method, alpha=alpha, seed=seed, loop_evasion=False)
-        for seed in range(robots)
-    ]
-    envs = [rl.make_env(cells, seed=seed) for seed in range(robots)]
-    runs = [
-        rl.learn(agent, env, steps, progress=False)
-        for agent, env in zip(agents, envs, strict=True)
-    ]
-    return np.array([run.rewards for run in runs])
-
-
-def lesson_05() -> list[Row]:
-    """How often the bias favours the best action in a new state, or a bump (%): 400 robots in the four cells.
-
-    And what a hundred robots earn there without the bias and with it.
-    """
-    cells = rl.load_task("worked_example")
-    judge = rl.Agent(cells, "Q+RANDOM", alpha=0.02, seed=1)
-    rl.learn(judge, rl.make_env(cells, seed=1), 100_000, progress=False)
-    right = judge.q.argmax(axis=1)
-    bump = (
-        "a bump favoured, advance never tried",
-        "a bump favoured, advance tried",
-    )  # where the way is free
-    shares: dict[str, list[float]] = {
-        name: [] for name in ("the way free", "something ahead", *bump)
-    }
-    for seed in range(1000, 1400):
-        found: dict[str, list[float]] = {name: [] for name in shares}
-        robot = rl.Agent(cells, "Q+SR", alpha=0.3, seed=seed, loop_evasion=False)
-        for step in rl.steps(robot, rl.make_env(cells, seed=seed), 300):
-            bias = bias_of(robot.q, robot.shape, step.s_next)
-            if (
-                not step.truncated
-                and not robot.visits[step.s_next].any()
-                and bias.any()
-            ):
-                found[[*shares][step.s_next % 2]].append(
-                    bias.argmax() == right[step.s_next]
-                )
-                if step.s_next % 2:
-                    tried = robot.visits[
-                        step.s_next - 1, 0
-                    ]  # the same place, the way free
-                    found[bump[int(tried > 0)]].append(bias.argmax() == 0)
-        for name, each in found.items():
-            shares[name] += [100 * sum(each) / len(each)] if each else []
-    rows: list[Row] = [
-        ("05", name, 300, *mean_and_half(np.array(values)))
-        for name, values in shares.items()
-    ]
-    for alpha in (0.3, 0.1):
-        for method in ("Q+SR", "Q+QBIASSR"):
-            means = _in_the_cells(method, alpha, robots=100, steps=300).mean(axis=1)
-            rows.append(
-                ("05, four cells", f"{method}, α = {alpha}", 300, *mean_and_half(means))
-            )
-    return rows
-
-
 def lesson_06() -> list[Row]:
-    """The best ways at the cliff of agents that explore, γ = 0.9: steps to the goal, and two values where ways part.
-
-    And how many of thirty SARSA agents walk in row 0 when ε has fallen to 0, by the steps that this took.
-    """
+    """How many steps the best way along the cliff takes if an agent explores, γ = 0.9."""
     model = cliff_model()
     s_next, r, terminated = (
         x.reshape(-1, model.n_actions)
@@ -174,36 +71,9 @@ def lesson_06() -> list[Row]:
             q = r + 0.9 * np.where(terminated, 0, worth[s_next])
         return q
 
-    def walks_in_row_0(seed: int, stair: int) -> bool:
-        agent, env = (
-            rl.Agent(model, "SARSA+EG", alpha=0.1, seed=seed),
-            rl.make_env(model, seed=seed),
-        )
-        for epsilon in np.linspace(0.1, 0, 40):
-            agent.change(epsilon=epsilon)
-            history = rl.learn(agent, env, stair, progress=False)
-        return way_of(history) == "up to row 0"
-
-    row_1 = best(0.1)[12]  # the row of Q of row 1, column 0
     return [
-        *(
-            (
-                "06, in row 0",
-                "SARSA, ε to 0",
-                40 * n,
-                sum(walks_in_row_0(i, n) for i in range(30)),
-                0.0,
-            )
-            for n in (500, 1500)
-        ),
-        *(
-            ("06, best way", f"ε = {e}", 0, len(greedy_path(best(e))) - 1, 0.0)
-            for e in (0.11, 0.1, 0.004, 0.0035)
-        ),
-        *(
-            ("06, row 1 of column 0", f"{MOVES[a]}, ε = 0.1", 0, row_1[a], 0.0)
-            for a in (0, 1)
-        ),
+        ("06, best way", f"ε = {e}", 0, len(greedy_path(best(e))) - 1, 0.0)
+        for e in (0.11, 0.1, 0.004, 0.0035)
     ]
 
 
@@ -471,9 +341,6 @@ def lesson_18() -> list[Row]:
 if __name__ == "__main__":
     lessons = (
         lesson_07,
-        lesson_07_geometry,
-        lesson_04,
-        lesson_05,
         lesson_06,
         lesson_11,
         lesson_12,

@@ -1,4 +1,4 @@
-"""The figures of lesson 05: which states have a say in one state, and how often their advice is right."""
+"""The figures of lesson 05: which states have a say in one state, and what they say."""
 
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
@@ -11,13 +11,10 @@ from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
-    RED,
+    LIGHT,
     Picture,
-    chart,
-    name_rows,
 )
 from rlrobot_edu import load_task
-from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
@@ -28,15 +25,6 @@ from rlrobot_edu.widgets.bias_explorer.words import (
     value_words,
 )
 from rlrobot_edu.widgets.kernels import bias_of
-
-# Of states that are new to a robot, in how many per cent the bias favours so, and half of the 95 % interval:
-# studies/lesson_numbers.csv
-FAVOURED = {
-    "way free:\nit is the best action": (64.5032, 4.3557),
-    "something ahead:\nit is the best action": (32.1475, 1.8779),
-    "something ahead, never\nadvanced there: it is the bump": (23.1217, 2.1715),
-    "something ahead, has\nadvanced there: it is the bump": (87.3656, 3.3413),
-}
 
 
 def plot_five_lines(q: np.ndarray, s: int, a: int) -> Picture:
@@ -172,38 +160,3 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], colour: str) -> None:
         linestyle="-" if blocked else ":",
     )
     ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
-
-
-def plot_advice(shares: Mapping[str, tuple[float, float]] = FAVOURED) -> Picture:
-    """How often the bias favours the best action, or the bump, in states that are new to a robot.
-
-    shares: as `FAVOURED`
-    """
-    figure, ax = chart(
-        (7.2, 3.6),
-        "share of the new states (%)",
-        "",
-        who_is_right(shares),
-        grid="x",
-        note="400 robots, 300 steps each; black: 95 % intervals, dotted: a guess",
-    )
-    told = []
-    for row, (name, (share, half)) in enumerate(shares.items()):
-        ax.barh(row, share, 0.6, color=BLUE if "best" in name else RED)
-        ax.errorbar(share, row, xerr=half, color=BLACK)
-        ax.text(share + half + 1.5, row, f"{share:.0f} %", va="center", weight="bold")
-        told.append(f"{name}: {share:.1f} ± {half:.1f}".replace("\n", " "))
-    ax.axvline(100 / 3, color=BLACK, linestyle=":", linewidth=1.2)
-    ax.set_xlim(0, 100)
-    name_rows(ax, list(shares))
-    figure.alt = f"How often the bias favours an action, in per cent of the new states. {'; '.join(told)}."
-    return figure
-
-
-def who_is_right(shares: Mapping[str, tuple[float, float]]) -> str:
-    """In how many of the new states the favourite is the best action, as a sentence; shares: as `FAVOURED`."""
-    free, ahead, *_ = (share for share, _ in shares.values())
-    return (
-        f"The favourite is the best action in {free:.0f} % of new states with the way free, "
-        f"and in {ahead:.0f} % with something ahead"
-    )

@@ -67,7 +67,6 @@ check = with_pages(
     ),
     settles=Question(SETTLES),
     true_online_by_hand=Question(BY_HAND),
-    largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),
     true_online_update=Exercise(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},

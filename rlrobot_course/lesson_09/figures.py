@@ -177,7 +177,7 @@ def plot_worth(pairs: Mapping[str, tuple[Score, Score]]) -> Picture:
 
 
 def who_gains(pairs: Mapping[str, tuple[Score, Score]]) -> str:
-    """How many kinds of robots gain by loop evasion, by more than the interval of the difference, as a sentence."""
+    """Which kinds of robots gain by loop evasion, by more than the interval of the difference, as a sentence."""
     gains, others = [], []
     for name, (without, evading) in pairs.items():
         # of the rounded means, so that a reader who subtracts finds the same
@@ -186,9 +186,9 @@ def who_gains(pairs: Mapping[str, tuple[Score, Score]]) -> str:
         # without spaces round the sign, so that a line does not end there
         kind = name.replace("\n", ", ").replace(" = ", "=")
         if gain > half:
-            gains.append(f"{gain:.2f} ± {half:.2f} for {kind}")
+            gains.append(f"{gain:.2f} for {kind}")
         else:
-            others.append(f"{kind} ({with_minus(gain, 2)} ± {half:.2f})")
+            others.append(kind)
     text = "Loop evasion adds nothing that shows"
     if gains:
         text = f"Loop evasion adds {' and '.join(gains)}"

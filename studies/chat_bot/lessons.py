@@ -143,9 +143,6 @@ def l08_true_online_update(
     return later
 
 
-l08_largest_alpha = 1 - 0.9 * 0.9
-
-
 def l09_new_temperature(temperature, states, rewards, s, default):
     if states.count(s) > 1 and np.mean(rewards) < 0:
         return temperature + len(states) / len(set(states))

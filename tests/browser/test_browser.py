@@ -338,7 +338,6 @@ def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(
             page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path
         )
         looks_right(page)
-        drags_a_slider(page, "γ (gamma)")
         assert errors == []
 
 
@@ -518,34 +517,6 @@ def expect_bias(page, q, s):
     )
     page.wait_for_function(
         f"document.querySelector('.said').textContent.startsWith('State {s} (')"
-    )
-
-
-def drags_a_slider(page, label):
-    """Drag the slider with this label to the left: the curve beside it is drawn anew."""
-    box = page.locator(".widget-vbox", has=page.get_by_text(label, exact=True)).last
-    handle = box.locator(
-        ".widget-slider", has=page.get_by_text(label, exact=True)
-    ).locator(".noUi-handle")
-    handle.scroll_into_view_if_needed()
-    picture = box.locator("img[width]")
-    before = picture.get_attribute("src")
-    for i in range(PATIENCE // 200):
-        if (
-            i % 100 == 0
-        ):  # what is still being laid out may push the slider away from under the mouse
-            place = handle.bounding_box()
-            page.mouse.move(
-                place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
-            )
-            page.mouse.down()
-            page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
-            page.mouse.up()
-        page.wait_for_timeout(200)
-        if picture.get_attribute("src") != before:
-            return
-    raise AssertionError(
-        f"the slider {label} was dragged, and the picture stayed as it was"
     )
 
 

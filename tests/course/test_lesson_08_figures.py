@@ -8,7 +8,6 @@ from worlds import RandomWorld
 import rlrobot_edu as rl
 from rlrobot_course.lesson_08.figures import (
     plot_credit,
-    plot_over_alpha,
     weights,
 )
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
@@ -55,16 +54,6 @@ def test_only_true_online_sarsa_has_no_error(seed):
     worst = {trace: error(trace) for trace in TRACES}
     assert worst["dutch"] < 1e-12
     assert min(worst["accumulating"], worst["replacing"]) > 1e-3
-
-
-def test_the_finding_names_the_best_and_the_worst_traces():
-    rewards = {
-        "accumulating": np.array([[5.0, 6.0], [1.0, 2.0]]),
-        "dutch": np.array([[4.0, 5.0], [7.0, 8.0]]),
-    }
-    assert plot_over_alpha([0.1, 0.5], rewards).finding == (
-        "At α = 0.5, true online traces earn most, 7.50 a step; accumulating ones 1.50"
-    )
 
 
 @pytest.mark.parametrize("name", [*TRACES, "ideal"])

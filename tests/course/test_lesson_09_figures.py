@@ -63,7 +63,7 @@ def test_each_kind_of_robot_has_two_means():
     dots = [line for line in picture.axes[0].lines if line.get_marker() == "o"]
     assert [float(dot.get_xdata()[0]) for dot in dots] == [1, 4, 2, 3.9]
     assert picture.finding == (
-        "Loop evasion adds 1.00 ± 0.36 for cold; nothing that shows for warm (−0.10 ± 0.14)"
+        "Loop evasion adds 1.00 for cold; nothing that shows for warm"
     )
 
 
@@ -71,4 +71,4 @@ def test_a_reader_who_subtracts_the_means_finds_the_gain():
     pairs = {"cold": (Score(2.535, 0.1), Score(4.104, 0.1))}
     without, evading = (f"{score.mean:.2f}" for score in pairs["cold"])
     gain = float(evading) - float(without)
-    assert f"{gain:.2f} ± 0.14 for cold" in plot_worth(pairs).finding
+    assert f"{gain:.2f} for cold" in plot_worth(pairs).finding

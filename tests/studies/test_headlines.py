@@ -490,8 +490,6 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
 
 @pytest.mark.parametrize("lesson, name, form", [
     ("07", "07_eligibility_traces", "{value:.2f} ± {half:.2f}"),
-    ("07, geometry", "07_eligibility_traces", "{value:.2f} ± {half:.2f}"),
-    ("05", "05_qbiassr", "{value:.1f} ± {half:.1f}"),
     ("11", "11_wandering_robot", "{value:.2f} ± {half:.2f}"),
     ("11, waits", "11_wandering_robot", "{value:.1f} ± {half:.1f}"),
     ("16", "16_your_own_task", "{value:.2f} ± {half:.2f}"),

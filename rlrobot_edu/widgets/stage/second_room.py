@@ -8,7 +8,7 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.widgets.stage.page import SECOND_ROOM
 
-# The two robots of lesson 05, which stand in a state for the first time: their seed, and the steps before
+# Two robots that stand in a state for the first time: their seed, and the steps before
 NEW_IN = {
     "new in state 21, the paper's": (138, 71),
     "new in state 1, lesson 05's": (131, 158),
@@ -22,7 +22,7 @@ def second_room() -> BiasExplorer:
 
 
 def grown(seed: int, steps: int) -> Agent:
-    """A robot like lesson 05's, after so many steps."""
+    """A robot that learns as lesson 05's does, after so many steps."""
     robot = Agent(SECOND_ROOM, "Q+SR", alpha=0.3, seed=seed, loop_evasion=False)
     learn(robot, make_env(SECOND_ROOM, seed=seed), steps, progress=False)
     return robot
