@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots, or a difference of two (Welch); in lesson 06
-exact steps and values and a number of agents, in lesson 08 the median error over a journey, in lessons 11 to 13 also a
+exact steps and values and a number of agents, in lesson 08 the median error over a journey, in lessons 11 and 12 also a
 number of robots, in lesson 18 what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
@@ -21,7 +21,6 @@ from scipy.sparse.csgraph import dijkstra
 import rlrobot_edu as rl
 from rlrobot_course.lesson_06.figures import way_of
 from rlrobot_course.lesson_12.worlds import OwnReward
-from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of
@@ -375,17 +374,6 @@ def lesson_12() -> list[Row]:
     ]  # fmt: skip
 
 
-def lesson_13() -> list[Row]:
-    """How many of a hundred arms of geometry end below 3, by λ: not the lesson's own thirty, but the next ones."""
-    rows: list[Row] = []
-    for lam in (0, 0.7, 0.9):
-        means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(
-            ("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0)
-        )
-    return rows
-
-
 def _twenty_minutes(name: str, seed: int) -> rl.Agent:
     agent = rl.Agent(name, seed=seed)
     rl.learn(agent, rl.make_env(name, seed=seed), steps=1200, progress=False)
@@ -425,7 +413,6 @@ if __name__ == "__main__":
         lesson_06,
         lesson_11,
         lesson_12,
-        lesson_13,
         lesson_18,
     )
     found = [row for rows in lessons for row in rows()]

@@ -31,11 +31,11 @@ FOOT = 0.055  # radius of the arm's foot in a picture [m]
 
 
 def arm_finding(task: Task, angles: Angles) -> str:
-    """How far the gripper is from the object, and what the agent is told of that."""
+    """How far the gripper is from the object, and what the agent is told of the gripper."""
     x, y, z = link_poses(angles)["gripper"][:3, 3]
     distance = 100 * np.linalg.norm(np.array([x, y, z]) - OBJECT_PLACE)
     bins = [task.inputs[i].bin(value) for i, value in enumerate((x, y))]
-    told = f"the agent knows its bins alone, {bins[0]} of x and {bins[1]} of y"
+    told = f"the agent is told only two bins of it, x in {bins[0]} and y in {bins[1]}"
     return f"The gripper starts {distance:.0f} cm from the object; {told}"
 
 
