@@ -34,7 +34,8 @@ def my_rows(
 
     robot: the task, see `my_robot`
     given: a pad on which the learner has driven; or a CSV file, a data frame or rows, as `Recording.from_rows` takes
-        them; or the recording that it makes of them. These are kept in the folder. Without any, those kept before are taken, and without those a stand-in's.
+        them; or a recording. These are kept in the folder. Without any, those kept before are taken, and without
+        those a stand-in's.
 
     Raises ValueError in a sentence for rows that cannot be of this task; then what was kept stays as it is.
     """
