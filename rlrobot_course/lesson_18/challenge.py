@@ -55,7 +55,7 @@ challenge = Challenge(
     "18",
     "Write my_guard(readings, a): it returns a, or what is done in its place: 4 stops, 2 turns left, 6 turns right. "
     "A robot of wander_1k learns with it for 800 steps in the ideal simulator. Then it drives 100 steps where it "
-    "slips, measures badly, obeys late and is held by walls. What counts is how far it gets in steps of more than "
-    "0.07 m; each step that ends 0.05 m from a wall costs 0.1 m.",
+    "slips and walls hold it. What counts is how far it gets in steps of more than 0.07 m; each step that ends 0.05 m "
+    "from a wall costs 0.1 m.",
     "m in 100 steps", lambda guard: Watched(guard, "my_guard(readings, a)", number(0, 8)), metres,
 )  # fmt: skip
