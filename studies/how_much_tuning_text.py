@@ -1,6 +1,5 @@
 """What docs/studies/how_much_tuning.md says around its numbers. People wrote the verdicts, after looking."""
 
-# Three sentences, which lesson 15 has, too
 VERDICT = """\
 Tuned for each task, the paper's method with its bias, TOSL+QBIASSR, scores {tuned} more than without it, TOSL+SR;
 nearly all of this comes from wander_1k and wander_4k ({tuned_wander_1k} and {tuned_wander_4k}). The bias does not

@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
-Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 exact steps, in lessons 11 to 13
-also a number of robots, in lesson 18 also what one robot lost. It takes some minutes of two cores.
+Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 exact steps, in lessons 11 and 12
+also a number of robots, in lesson 18 what one robot lost. It takes some minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -19,7 +19,6 @@ from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_12.worlds import OwnReward
-from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.playground.cliff import cliff_model, greedy_path
@@ -89,7 +88,7 @@ def _waits(history: History, task: rl.Task) -> float:
 
 
 def lesson_11() -> list[Row]:
-    """Thirty robots where the cells have one or three: other walls, another arena, weaknesses; in lesson 16, cuts."""
+    """Thirty robots where the cells have one or three: other walls, another arena."""
     task = rl.load_task("wander_1k")
     arena = replace(task, scene="maze_4x4_goal")
     walls = {"ideal walls": None, "walls that hold": rl.Realism.vrep()}
@@ -143,33 +142,6 @@ def lesson_11() -> list[Row]:
     rows += [
         ("11, forward in state 15", name, 2400, n, 0.0) for name, n in forward.items()
     ]
-    weak = {"ideal": None, "wheels slip by 20 %": rl.Realism(wheel_slip=0.2),
-            "lasers err by 5 cm": rl.Realism(laser_noise=0.05), "as in V-REP": rl.Realism.vrep()}  # fmt: skip
-    cuts = {"5, 10, 15 cm": [0.05, 0.1, 0.15], "50, 100, 150 cm": [0.5, 1.0, 1.5]}
-    designs = {name: (task, realism) for name, realism in weak.items()} | {
-        f"{name}, {world}": (replace(task, inputs=[replace(x, cuts=c) for x in task.inputs]), weak[world])
-        for name, c in cuts.items() for world in ("ideal", "as in V-REP")
-    }  # fmt: skip
-    for name, (its, realism) in designs.items():
-        result = rl.compare(
-            its,
-            ["TOSL+QBIASSR"],
-            30,
-            steps=1800,
-            seed=0,
-            realism=realism,
-            progress=False,
-        )
-        group = result["TOSL+QBIASSR"]
-        rows.append(
-            ("11" if name in weak else "16", name, 1800, *mean_and_half(group.final))
-        )
-        if name.endswith(("ideal", "as in V-REP")):
-            bumps = np.array([100 * (run.rewards == -2).mean() for run in group])
-            rows.append(("16, bumps in 100 steps", name, 1800, *mean_and_half(bumps)))
-        if name.endswith("as in V-REP"):
-            met = np.array([(run.visits.sum(axis=1) > 0).sum() for run in group])
-            rows.append(("16, states met", name, 1800, *mean_and_half(met)))
     return rows
 
 
@@ -213,7 +185,7 @@ def _way_to_goal(
 
 
 def lesson_12() -> list[Row]:
-    """The shortest way; robots that may reverse, with a potential: how many of nine reach the goal in 3 hours.
+    """Robots that may reverse, with a potential: how many of nine reach the goal in 3 hours.
 
     And of four in their last 1000 steps, by the potential of their start: in how many states they are, at what pay.
     """
@@ -254,7 +226,6 @@ def lesson_12() -> list[Row]:
 
     kinds = {"straight distance": straight, "way round the walls": around}
     start = {"x": arena.start[0], "y": arena.start[1]}
-    shortest = around(start) - arena.goal[2]
     last: list[Row] = []
     for name, zero in {"start −61.8": 0.0, "start 0": around(start)}.items():
         ends = [drive(around, 10, seed, zero) for seed in range(4)]
@@ -266,35 +237,22 @@ def lesson_12() -> list[Row]:
         last.append(
             ("12, pay in the last 1000 steps", name, 10_800, *mean_and_half(pay))
         )
-    return [("12, shortest way", "from the start to the goal [m]", 0, shortest, 0.0), *last] + [
+    return last + [
         ("12", f"{factor} times the {name}: robots that arrived", 10_800,
          float(sum(drive(far, factor, seed).terminated.any() for seed in range(9))), 0.0)
         for factor in (10, 1) for name, far in kinds.items()
     ]  # fmt: skip
 
 
-def lesson_13() -> list[Row]:
-    """How many of a hundred arms of geometry end below 3, by λ: not the lesson's own thirty, but the next ones."""
-    rows: list[Row] = []
-    for lam in (0, 0.7, 0.9):
-        means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(
-            ("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0)
-        )
-    return rows
-
-
-def _twenty_minutes(name: str, realism: rl.Realism | None, seed: int) -> rl.Agent:
+def _twenty_minutes(name: str, seed: int) -> rl.Agent:
     agent = rl.Agent(name, seed=seed)
-    rl.learn(
-        agent, rl.make_env(name, seed=seed, realism=realism), steps=1200, progress=False
-    )
+    rl.learn(agent, rl.make_env(name, seed=seed), steps=1200, progress=False)
     return agent
 
 
 def _lost_over_a_link(name: str, seed: int) -> float:
     """What a robot earns a step in its simulator, less what it earns over a link, for 100 steps."""
-    agent = _twenty_minutes(name, None, seed)
+    agent = _twenty_minutes(name, seed)
     alone = rl.learn(
         copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False
     ).rewards.mean()
@@ -309,33 +267,11 @@ def _lost_over_a_link(name: str, seed: int) -> float:
 
 
 def lesson_18() -> list[Row]:
-    """What four robots lose over a link; what sixteen earn after three rehearsals that the lesson does not run."""
-    reality = rl.Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
-
-    def drives(
-        rehearsal: rl.Realism | None, world: rl.Realism | None
-    ) -> tuple[float, float]:
-        earned = [
-            rl.learn(_twenty_minutes("wander_1k", rehearsal, i), rl.make_env("wander_1k", seed=100 + i, realism=world),
-                     steps=300, progress=False).rewards.mean() for i in range(16)
-        ]  # fmt: skip
-        return mean_and_half(np.array(earned))
-
-    lost = [
+    """What four robots of each kind lose over a link."""
+    return [
         ("18, over a link", f"{name}, seed {seed}", 100, _lost_over_a_link(name, seed), 0.0)
         for name in ("giraff_wander_simple", "wander_1k") for seed in range(4)
     ]  # fmt: skip
-    return [
-        *lost,
-        ("18", "ideal, in its own simulator", 300, *drives(None, None)),
-        ("18", "rehearsed in reality itself", 300, *drives(reality, reality)),
-        (
-            "18",
-            "rehearsed with walls that hold half as well",
-            300,
-            *drives(rl.Realism(wall_friction=0.36), reality),
-        ),
-    ]
 
 
 if __name__ == "__main__":
@@ -344,7 +280,6 @@ if __name__ == "__main__":
         lesson_06,
         lesson_11,
         lesson_12,
-        lesson_13,
         lesson_18,
     )
     found = [row for rows in lessons for row in rows()]

@@ -5,7 +5,6 @@ import math
 
 import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
-from scipy.stats import f_oneway
 
 from rlrobot_edu.learning.selections.greedy import add_share
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
@@ -247,7 +246,6 @@ RIGHT = ASSIGNMENTS | {
         "p_value": lambda observed, shuffled: float(
             np.mean(np.asarray(shuffled) >= observed)
         ),
-        "f_ratio": lambda groups: f_oneway(*groups).statistic,
     },
     "lesson_16": {
         "follow_reward": follow_reward,

@@ -87,15 +87,12 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str = "") -> Picture:
     return figure
 
 
-def film_in_lane(q: np.ndarray, env: Env, steps: int) -> tuple[Film, list[float]]:
-    """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps.
-
-    Returns the film and the rewards of its steps.
-    """
+def film_in_lane(q: np.ndarray, env: Env, steps: int) -> Film:
+    """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps."""
     s, scenes, rewards, terminated = env.reset()[1]["state"], [], [], False
     while len(scenes) < steps and not terminated:
         _, reward, terminated, _, info = env.step(int(q[s].argmax()))
         s = info["state"]
         scenes.append(lane_scene(robot_of(env).scene()))
         rewards.append(float(reward))
-    return Film(scenes, rewards), rewards
+    return Film(scenes, rewards)

@@ -31,12 +31,12 @@ FOOT = 0.055  # radius of the arm's foot in a picture [m]
 
 
 def arm_finding(task: Task, angles: Angles) -> str:
-    """How far the gripper is from the object, and what the agent is told of that."""
+    """How far the gripper is from the object, and in which bins it is."""
     x, y, z = link_poses(angles)["gripper"][:3, 3]
     distance = 100 * np.linalg.norm(np.array([x, y, z]) - OBJECT_PLACE)
     bins = [task.inputs[i].bin(value) for i, value in enumerate((x, y))]
-    told = f"the agent knows its bins alone, {bins[0]} of x and {bins[1]} of y"
-    return f"The gripper starts {distance:.0f} cm from the object; {told}"
+    where = f"in bin {bins[0]} of x and bin {bins[1]} of y"
+    return f"The gripper starts {distance:.0f} cm from the object, {where}"
 
 
 def plot_arm(task: Task) -> Picture:

@@ -1,29 +1,19 @@
-"""Many arms: how many end badly, and which method is ahead with which reward."""
+"""Many arms: how many of them end badly."""
 
 import textwrap
 from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.patches import Rectangle
 
 from rlrobot_course.figures.plots import (
-    BLACK,
     BLUE,
     GREY,
     RED,
     Picture,
-    centred,
-    in_panels,
 )
-from rlrobot_course.figures.rows import ROBOTS, Rows, Values, heaped
-from rlrobot_course.figures.runs import mean_and_half
-from rlrobot_edu.experiments.statistics import Tukey
-from rlrobot_edu.show.palette import LIGHT
+from rlrobot_course.figures.rows import ROBOTS, Rows, Values
 
-CHANCE = 0.05  # a smaller p is more than chance
-DOT = 0.034  # of the width of a panel
 COUNTS = ((0.89, RED), (1.0, BLUE))  # where the two counts stand, and their colours
 
 
@@ -109,69 +99,3 @@ def plot_many(
         rows.mark(mark, text)
     rows.picture.alt = f"{finding}. One dot an arm. {'. '.join(told)}."
     return rows.picture
-
-
-def leads(groups: Mapping[str, np.ndarray], method: str) -> bool:
-    """Whether a method earns more than each of the others, and more than chance explains: Tukey's test."""
-    ahead = 0
-    for pair in Tukey.of(groups).pairs:
-        if method not in (pair.first, pair.second) or pair.p >= CHANCE:
-            continue
-        better = pair.first if pair.difference > 0 else pair.second
-        ahead += better == method
-    return ahead == len(groups) - 1
-
-
-def leader_finding(groups: Mapping[str, Mapping[str, np.ndarray]]) -> str:
-    """Who is ahead of all others in the first set-up, and in which others that method is not."""
-    first, *others = groups
-    means = {method: values.mean() for method, values in groups[first].items()}
-    best = max(means, key=means.__getitem__)
-    if not leads(groups[first], best):
-        return f"In “{first}” no method clearly earns most"
-    gone = [name for name in others if not leads(groups[name], best)]
-    if gone:
-        return f"{best} is ahead of all others in “{first}”, not in “{'” and “'.join(gone)}”"
-    return f"{best} is ahead of all others in “{'” and “'.join(groups)}”"
-
-
-def plot_means(
-    groups: Mapping[str, Mapping[str, np.ndarray]],
-    what: str,
-    limits: tuple[float, float],
-) -> Picture:
-    """A panel for each set-up, in it a row for each method. groups: values of arms by method, by set-up
-
-    what: the values, with their unit; limits: the least and the most that they can be
-    """
-    figure = Picture(figsize=(8.4, 4.3))
-    note = f"{what}; {ROBOTS.replace('robot', 'arm')}"
-    figure.headline(leader_finding(groups), note)
-    told: dict[str, list[str]] = {}
-    for ax, name, methods in in_panels(figure, groups, sharey=True):
-        ax.set_title(name, weight="bold")
-        for row, (method, values) in enumerate(methods.items()):
-            said = _row(ax, row, np.sort(values), DOT * (limits[1] - limits[0]))
-            told.setdefault(method, []).append(f"{name} {said}")
-        ax.set(xlim=limits, ylim=(len(methods) - 0.85, -0.95))
-        ax.set_yticks(range(len(methods)), list(methods))
-        ax.spines["bottom"].set_visible(False)
-    each = [f"{method}: {', '.join(said)}" for method, said in told.items()]
-    figure.alt = f"{figure.finding}. {'. '.join(each)}."
-    return figure
-
-
-def _row(ax: Axes, row: int, values: np.ndarray, width: float) -> str:
-    """Arms as dots above a line, their mean and its interval; returns the mean in words. width: of a dot"""
-    heights = heaped(values, width)
-    step = min(0.07, 0.6 / (heights.max() + 1))
-    mean, half = mean_and_half(values)
-    ax.axhline(row, color=LIGHT["line"], linewidth=0.8, zorder=0)
-    corner = (mean - half, row - 0.66)
-    ax.add_patch(Rectangle(corner, 2 * half, 0.66, color=BLUE, alpha=0.16, linewidth=0))
-    ax.scatter(
-        values, row - 0.05 - step * heights, s=12, c=BLUE, linewidths=0, zorder=3
-    )
-    ax.plot([mean, mean], [row, row - 0.66], color=BLACK, linewidth=2, zorder=4)
-    centred(ax, mean, row - 0.76, f"{mean:.1f}", weight="bold")
-    return f"{mean:.2f} ± {half:.2f}"

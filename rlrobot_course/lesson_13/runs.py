@@ -27,11 +27,10 @@ def last_episodes(
     arms: int = 30,
     episodes: int = 10,
     seed: int = 0,
-    **settings: float,
 ) -> Ends:
     """Let `arms` agents learn for some episodes in the arm of geometry; how their last episodes went.
 
-    seed: the first agent's; the next ones have the next numbers; settings: further ones of each agent
+    seed: the first agent's; the next ones have the next numbers
     """
     world = ArmWorld(task)
     n, contact, rewards, touched = (
@@ -41,7 +40,7 @@ def last_episodes(
         [],
     )
     for i in range(arms):
-        agent = Agent(world, method, seed=seed + i, **settings)
+        agent = Agent(world, method, seed=seed + i)
         history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
         where, _ = last_path(world, history.a[-n:])
         rewards.append(history.rewards[-n:])

@@ -1,4 +1,4 @@
-"""The figures of lesson 14: how sure an estimate is, what a recording covers, what the unknown does, and the gap."""
+"""The figures of lesson 14: what a recording covers, what the unknown does, and the gap."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -13,7 +13,6 @@ from rlrobot_course.figures.plots import (
     RED,
     Picture,
     centred,
-    chart,
     in_panels,
     name_rows,
     plain,
@@ -29,53 +28,6 @@ NEVER = {
     "hatch": "///",
     "linewidth": 0.0,
 }  # what was never tried
-
-
-def estimates_finding(found: Mapping[int, np.ndarray]) -> str:
-    """How far the estimates reach from the fewest rows and from the most. found: estimates by the number of rows"""
-    said = []
-    for size in (min(found), max(found)):
-        rows = "1 row" if size == 1 else f"{size} rows"
-        said.append(f"{found[size].min():.2f} to {found[size].max():.2f} from {rows}")
-    return f"The estimates reach from {', '.join(said)}"
-
-
-def plot_estimates(
-    happened: np.ndarray, sizes: Sequence[int], estimates: int
-) -> Picture:
-    """How far estimates of a probability scatter, for several numbers of rows.
-
-    happened: array (n,) of bool, whether it happened in each of many rows; sizes: how many are drawn of them for one
-    estimate; estimates: how many estimates of each size
-    """
-    rng, p = np.random.default_rng(0), happened.mean()
-    beside, found = {}, {}
-    for size in sizes:
-        rows = rng.integers(len(happened), size=(estimates, size))
-        found[size] = happened[rows].mean(axis=1)
-        beside[size] = size * np.exp(rng.uniform(-0.09, 0.09, estimates))
-    note = f"estimated probability, by the number of rows; a dot: one estimate of {estimates}"
-    figure, ax = chart((7.6, 4.0), "rows", "", estimates_finding(found), "y", note)
-    n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
-    width = 2 * np.sqrt(p * (1 - p) / n)
-    low, high = (p - width).clip(0), (p + width).clip(max=1)
-    ax.fill_between(n, low, high, color=BLUE, alpha=0.15, linewidth=0)
-    ax.axhline(p, color=GREY, linestyle=":")
-    for size in sizes:
-        ax.plot(beside[size], found[size], "o", color=BLACK, alpha=0.5, markersize=4)
-    ax.text(14, 0.9, "blue: within two\nstandard errors", color=BLUE, weight="bold")
-    every = f"all {len(happened):,}\nrows: {p:.2f}"
-    ax.annotate(every, (1, p), (6, 0), xycoords=("axes fraction", "data"), textcoords="offset points",
-                va="center", color=LIGHT["faint"], annotation_clip=False)  # fmt: skip
-    ax.set_xscale("log")
-    ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
-    ax.minorticks_off()
-    ax.set(xlim=(n[0], n[-1]), ylim=(-0.03, 1.03))
-    shares = [
-        f"{size}: {its.min():.2f} to {its.max():.2f}" for size, its in found.items()
-    ]
-    figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of rows: {'; '.join(shares)}."
-    return figure
 
 
 def counts_finding(counts: np.ndarray) -> str:

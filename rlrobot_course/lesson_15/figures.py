@@ -14,23 +14,28 @@ from rlrobot_course.figures.plots import (
     RED,
     Picture,
     chart,
-    name_rows,
 )
 from rlrobot_course.play.challenge import Score
-from rlrobot_edu.experiments.statistics import Anova, Tukey
 from rlrobot_edu.show.palette import LIGHT
 
 
-def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000) -> np.ndarray:
-    """F of these groups after their numbers were dealt anew at random, array (times,).
+def distance(a: np.ndarray, b: np.ndarray) -> float:
+    """How far apart the means of two groups are; arrays (n,)."""
+    return abs(float(a.mean() - b.mean()))
 
-    groups: numbers of each method, by its name. Source: Fisher's permutation test.
+
+def shuffled_distances(a: np.ndarray, b: np.ndarray, times: int = 2000) -> np.ndarray:
+    """`distance` after the numbers of both groups were dealt anew at random, array (times,).
+
+    Source: Fisher's permutation test.
     """
-    rng, sizes = np.random.default_rng(0), [len(group) for group in groups.values()]
-    everything, ends = np.concatenate(list(groups.values())), np.cumsum(sizes)[:-1]
-    return np.array(
-        [Anova.of(np.split(rng.permutation(everything), ends)).f for _ in range(times)]
-    )
+    rng = np.random.default_rng(0)
+    everything = np.concatenate([a, b])
+    found = []
+    for _ in range(times):
+        dealt = rng.permutation(everything)
+        found.append(distance(dealt[: len(a)], dealt[len(a) :]))
+    return np.array(found)
 
 
 def shuffled_finding(shuffled: np.ndarray, observed: float) -> str:
@@ -42,29 +47,29 @@ def shuffled_finding(shuffled: np.ndarray, observed: float) -> str:
 
 
 def plot_shuffled(groups: Mapping[str, np.ndarray], *, times: int = 2000) -> Picture:
-    """Histogram of `shuffled_f`, and the F that was observed as a line."""
-    shuffled = shuffled_f(groups, times)
-    observed = Anova.of(list(groups.values())).f
+    """Histogram of `shuffled_distances` of two groups, and the distance that was observed as a line."""
+    a, b = groups.values()
+    shuffled, observed = shuffled_distances(a, b, times), distance(a, b)
     names = " and ".join(groups)
-    note = f"{names}: F, spread between / within, of {times} shuffled labels; last bar: all larger ones"
+    note = f"{names}: how far apart the means are after a shuffle (reward a step); {times} shuffles"
     finding = shuffled_finding(shuffled, observed)
     figure, ax = chart((7.2, 3.1), "", "", finding, None, note)
-    last = max(float(np.quantile(shuffled, 0.99)), 1.5 * observed)
-    bins = np.arange(0, 41) * observed / round(40 * observed / last)
+    width = observed / max(1, round(20 * observed / shuffled.max()))
+    bins = np.arange(0, max(shuffled.max(), observed) + width, width)
     for part, colour in ((shuffled < observed, GREY), (shuffled >= observed, BLUE)):
         weights = np.full(part.sum(), 1 / times)
-        ax.hist(shuffled[part].clip(max=bins[-1]), bins, weights=weights, color=colour)
+        ax.hist(shuffled[part], bins, weights=weights, color=colour)
     ax.axvline(observed, color=BLACK, linewidth=2)
     top = ax.get_ylim()[1]
-    ax.text(observed, top, f"  ours: F = {observed:.1f}", weight="bold", va="top")
+    ax.text(observed, top, f"  ours: {observed:.2f}", weight="bold", va="top")
     share = np.mean(shuffled >= observed)
-    told = f"  {share:.1%} of the shuffles: as large, or larger"
+    told = f"  {share:.1%} of the shuffles: as far apart, or further"
     ax.text(observed, 0.86 * top, told, color=BLUE, va="top")
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
     ax.set_xlim(0, bins[-1])
     figure.alt = (
-        f"Histogram of F for shuffled labels, from 0 to {shuffled.max():.1f}, and a line at the observed F of "
-        f"{observed:.1f}: {np.mean(shuffled >= observed):.1%} of the shuffles lie at or above it."
+        f"Histogram of the distance of two means for shuffled labels, from 0 to {shuffled.max():.2f}, and a line at "
+        f"the observed {observed:.2f}: {share:.1%} of the shuffles lie at or above it."
     )
     return figure
 
@@ -122,76 +127,6 @@ def plot_few(
         for n, d in found.items()
     )
     return figure
-
-
-def two_intervals(
-    groups: Mapping[str, np.ndarray], first: str, second: str
-) -> dict[str, tuple[float, float]]:
-    """The simultaneous 95 % interval of first less second by each of the two tests, low and high."""
-    labels = list(groups)
-    i, j = labels.index(first), labels.index(second)
-    found = {}
-    for test, alike in (("Tukey", True), ("Games and Howell", False)):
-        outcome = stats.tukey_hsd(*groups.values(), equal_var=alike)
-        ends = outcome.confidence_interval(0.95)
-        found[test] = float(ends.low[i, j]), float(ends.high[i, j])
-    return found
-
-
-def plot_two_tests(groups: Mapping[str, np.ndarray]) -> Picture:
-    """Each robot as a dot, and the difference of each pair with its interval by both tests. groups: arrays (n,)"""
-    picture = Picture(figsize=(8.4, 3.7))
-    left, right = picture.subplots(1, 2)
-    rng = np.random.default_rng(0)
-    for row, x in enumerate(groups.values()):
-        beside = row + rng.uniform(-0.25, 0.25, len(x))
-        left.plot(x, beside, ".", color=GREY, markersize=4)
-        left.plot([x.mean()] * 2, [row - 0.35, row + 0.35], color=BLUE, linewidth=2)
-    name_rows(left, list(groups))
-    left.set_title("final average reward", weight="bold")
-    left.spines["bottom"].set_visible(False)
-    looks = {"Tukey": (RED, "s", -0.14), "Games and Howell": (BLUE, "o", 0.14)}
-    names, apart, told = [], [], []
-    for row, pair in enumerate(Tukey.of(groups).pairs):
-        names.append(f"{pair.first} less\n{pair.second}")
-        if pair.tests_disagree:
-            apart.append(f"{pair.first} and {pair.second}")
-        ends = two_intervals(groups, pair.first, pair.second)
-        for test, (low, high) in ends.items():
-            colour, marker, shift = looks[test]
-            right.errorbar(
-                pair.difference,
-                row + shift,
-                xerr=(high - low) / 2,
-                fmt=marker,
-                color=colour,
-            )
-            if row == len(groups) - 1:
-                right.text(high, row + shift, f" {test}", color=colour, va="center")
-        tukey, games_howell = (
-            f"{low:.2f} to {high:.2f}" for low, high in ends.values()
-        )
-        told.append(
-            f"{pair.first} less {pair.second}: {tukey} by Tukey, {games_howell} by Games and Howell"
-        )
-    name_rows(right, names)
-    right.set_ylim(len(names) - 0.5, -0.5)
-    right.axvline(0, color=BLACK, linewidth=1)
-    right.set_title("difference, 95 % interval", weight="bold")
-    right.margins(x=0.2)
-    right.grid(axis="x")
-    title = "Both tests say the same of every pair"
-    if apart:
-        title = f"The two tests disagree on {' and on '.join(apart)}"
-    n = len(next(iter(groups.values())))
-    note = f"reward a step; left, a dot: one of {n} robots, line: their mean; right, two tests of each pair"
-    picture.headline(title, note)
-    spreads = [f"{method} {x.std(ddof=1):.2f}" for method, x in groups.items()]
-    picture.alt = (
-        f"Left, the final average rewards of each method's robots; SDs: {', '.join(spreads)}. "
-        f"Right, 95 % intervals of the differences. {'; '.join(told)}."
-    )
-    return picture
 
 
 def step_p(before: Score, after: Score, n: int) -> float:

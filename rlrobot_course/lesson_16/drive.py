@@ -13,7 +13,7 @@ from rlrobot_grading.answers.values import Function
 METHOD, SEED = "TOSL+QBIASSR", 3
 LEARNED, FILMED = 1500, 60  # steps
 
-# the task that the notebook writes into follow_wall.py
+# the task of the wall follower
 TASK = Task(
     robot="mobile_base",
     scene="square_2x2",

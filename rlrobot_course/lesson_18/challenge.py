@@ -1,4 +1,4 @@
-"""Open challenge of lesson 18: fast and safe in a robot's reality."""
+"""Open challenge of lesson 18: fast and safe where a robot slips and walls hold it."""
 
 from typing import Any
 
@@ -54,8 +54,8 @@ def metres(guard: Watched, seed: int) -> float:
 challenge = Challenge(
     "18",
     "Write my_guard(readings, a): it returns a, or what is done in its place: 4 stops, 2 turns left, 6 turns right. "
-    "A robot of wander_1k learns with it for 800 steps in the ideal simulator, and drives 100 steps in the reality of "
-    "this lesson. What counts is how far it gets in steps of more than 0.07 m; each step that ends 0.05 m from a wall "
-    "costs 0.1 m.",
+    "A robot of wander_1k learns with it for 800 steps in the ideal simulator. Then it drives 100 steps where it "
+    "slips and walls hold it. What counts is how far it gets in steps of more than 0.07 m; each step that ends 0.05 m "
+    "from a wall costs 0.1 m.",
     "m in 100 steps", lambda guard: Watched(guard, "my_guard(readings, a)", number(0, 8)), metres,
 )  # fmt: skip

@@ -34,7 +34,8 @@ def my_rows(
 
     robot: the task, see `my_robot`
     given: a pad on which the learner has driven; or a CSV file, a data frame or rows, as `Recording.from_rows` takes
-        them. These are kept in the folder. Without any, those kept before are taken, and without those a stand-in's.
+        them; or a recording. These are kept in the folder. Without any, those kept before are taken, and without
+        those a stand-in's.
 
     Raises ValueError in a sentence for rows that cannot be of this task; then what was kept stays as it is.
     """
@@ -85,6 +86,13 @@ def _recording(given: Any, task: Task) -> Recording:
         return given.recording
     if isinstance(given, str | Path):
         return read_recording(given, task=task)
+    if isinstance(given, Recording):
+        its, wanted = given.source, Source.of_task(task)
+        if (its.states, its.actions) != (wanted.states, wanted.actions):
+            raise ValueError(
+                f"this recording is of {its.task_name}, not of your task {task.name}: it has other states or actions"
+            )
+        return Recording(given.transitions, its, task)
     return Recording.from_rows(given, task)
 
 

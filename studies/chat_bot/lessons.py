@@ -235,14 +235,6 @@ def l14_sample(rows, s, a, u):
 l14_second_look = (5 - 0.01 + 0.45 * 40) / (1 - 0.45)
 
 
-def l15_f_ratio(groups):
-    every = np.concatenate(groups)
-    between = sum(len(x) * (x.mean() - every.mean()) ** 2 for x in groups)
-    within = sum(((x - x.mean()) ** 2).sum() for x in groups)
-    k = len(groups)
-    return (between / (k - 1)) / (within / (len(every) - k))
-
-
 def l15_p_value(observed, shuffled):
     return np.mean(shuffled >= observed)
 

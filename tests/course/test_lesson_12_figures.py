@@ -3,20 +3,13 @@
 import gymnasium
 import numpy as np
 import pytest
-from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
 from rlrobot_course.figures.paths import drive, length_of
 from rlrobot_course.lesson_12.episodes import drive_episodes
 from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
 from rlrobot_course.lesson_12.figures import corridor_finding, film_in_lane
-from rlrobot_course.lesson_12.room import (
-    HEADINGS,
-    place_values,
-    plot_values,
-    plot_ways,
-    values_finding,
-)
+from rlrobot_course.lesson_12.room import plot_ways
 from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, OwnReward, lane
 
 TASK = rl.load_task("navigation_1k")
@@ -83,15 +76,6 @@ def test_a_robot_is_paid_by_its_own_function_and_all_else_stays():
         x = info["readings"]["x"]
 
 
-def test_the_values_of_a_place_are_the_best_of_its_visited_states():
-    rng = np.random.default_rng(0)
-    q, visits = rng.normal(size=(1024, 9)), np.zeros((1024, 9), dtype=int)
-    here = [TASK.states.number((2, 1, 5, *lasers)) for lasers in ((0, 0, 1), (1, 1, 1))]
-    visits[here, 3] = 1
-    values = place_values(TASK, q, visits)
-    assert values[2, 1, 5] == q[here].max() and np.isfinite(values).sum() == 1
-
-
 def test_episodes_are_whole():
     short = rl.Agent(TASK, seed=0)
     env = gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25)
@@ -115,30 +99,8 @@ def test_a_path_is_where_the_commands_lead():
 def test_a_film_in_the_lane_ends_at_the_goal_or_after_so_many_steps():
     forward = np.tile([0.0, 1.0], (8, 1))
     for steps, shown in ((24, 6), (4, 4)):
-        film, rewards = film_in_lane(forward, rl.make_env(lane(), seed=0), steps)
+        film = film_in_lane(forward, rl.make_env(lane(), seed=0), steps)
         assert repr(film) == f"<Film of {shown} steps>"
-        assert len(rewards) == shown
-
-
-def test_a_rose_has_a_petal_for_each_heading_that_was_met():
-    q, visits = np.zeros((1024, 9)), np.zeros((1024, 9), dtype=int)
-    q[:] = np.arange(1024)[:, None]
-    visits[::16, 0] = 1
-    known = np.isfinite(place_values(TASK, q, visits)).sum()
-    way = np.array([(-1.5, -1.5), (0.0, 0.0)])
-    picture = plot_values(TASK, q, visits, way)
-    petals = [p for p in picture.axes[0].patches if isinstance(p, Wedge)]
-    assert len(petals) == known
-    assert picture.alt.count("places known") == len(HEADINGS)
-
-
-def test_the_title_of_the_roses_says_what_the_best_is_worth_and_how_many_are_worth_little():
-    values = np.zeros((2, 2, 8))
-    values[0, 0, :4], values[1] = 10.0, np.nan
-    said = values_finding(values)
-    assert said == (
-        "The best place and heading is worth 10 points; 75% are worth less than 1.0"
-    )
 
 
 def test_the_title_of_the_ways_tells_their_lengths():

@@ -4,7 +4,6 @@ from itertools import permutations
 
 import numpy as np
 import pytest
-from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_13 import check, exercises
@@ -18,9 +17,7 @@ from rlrobot_course.lesson_13.figures import (
 from rlrobot_course.lesson_13.loops import best_loop
 from rlrobot_course.lesson_13.many import (
     Bounds,
-    leader_finding,
     plot_many,
-    plot_means,
     stuck_finding,
     stuck_first,
 )
@@ -183,22 +180,3 @@ def test_the_titles_of_the_places_and_of_the_arm_are_measured(world):
     assert "in and out" in places_finding(world.places, [0, touching], "it")
     finding = plot_arm(rl.load_task("arm_1k")).finding
     assert f"starts {100 * world.places.distance[0]:.0f} cm from" in finding
-
-
-def test_the_leader_of_the_first_set_up_is_looked_for_in_the_others():
-    rng = np.random.default_rng(0)
-    apart = {"a": rng.normal(9, 1, 30), "b": rng.normal(2, 1, 30)}
-    alike = {"a": rng.normal(5, 1, 30), "b": rng.normal(5, 1, 30)}
-    said = leader_finding({"x": apart, "y": alike, "z": alike})
-    assert said == "a is ahead of all others in “x”, not in “y” and “z”"
-    both = leader_finding({"x": apart, "y": apart})
-    assert both == "a is ahead of all others in “x” and “y”"
-    assert "no method clearly" in leader_finding({"x": alike, "y": apart})
-
-
-def test_the_picture_of_the_means_tells_them_with_their_intervals():
-    values = np.random.default_rng(0).normal(5, 1, size=(2, 30))
-    both = {"Q+SR": values[0], "SARSA": values[1]}
-    picture = plot_means({"one": both, "other": both}, "reward", (0, 10))
-    half = stats.t.ppf(0.975, 29) * stats.sem(values[1])
-    assert f"SARSA: one {values[1].mean():.2f} ± {half:.2f}" in picture.alt

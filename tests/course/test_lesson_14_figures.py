@@ -9,7 +9,6 @@ from rlrobot_course.lesson_14.figures import (
     gaps_finding,
     plot_capture,
     plot_counts,
-    plot_estimates,
     plot_unknown,
 )
 from rlrobot_course.lesson_14.worlds import (
@@ -68,17 +67,6 @@ def test_a_world_of_rows_answers_with_rows_and_is_pessimistic_about_the_unknown(
         s_next, r, *_ = world.step(a)
         assert (s, a, r, s_next) in seen if tried else (s_next, r) == (s, -10)
         s = s_next
-
-
-def test_estimates_scatter_within_the_funnel_and_single_samples_are_all_or_nothing():
-    picture = plot_estimates(np.arange(1000) % 2 == 0, sizes=[1, 400], estimates=200)
-    one, many = (
-        line.get_ydata()
-        for line in picture.axes[0].lines
-        if len(line.get_ydata()) == 200
-    )
-    assert set(one) == {0.0, 1.0}
-    assert (abs(many - 0.5) <= 0.05).mean() > 0.9
 
 
 def test_a_part_of_a_recording_has_these_rows_and_no_loop_is_left_without_the_suspects():
@@ -145,12 +133,8 @@ def test_curves_and_gaps_are_those_that_were_measured():
     assert said == "The model promises 0.8 a step too much with “b”, 6.5 with “a”"
 
 
-def test_titles_of_counts_estimates_and_the_unknown_are_counted():
+def test_titles_of_counts_and_the_unknown_are_counted():
     never = np.count_nonzero(MODEL.pair_count == 0)
     assert plot_counts(MODEL, "ABCD", "wxyz").finding.startswith(f"{never} of 16 pairs")
-    picture = plot_estimates(np.arange(1000) % 2 == 0, sizes=[1, 400], estimates=50)
-    assert picture.finding.startswith(
-        "The estimates reach from 0.00 to 1.00 from 1 row"
-    )
     best = int(rl.value_iteration(MODEL).q[0].argmax())
     assert f"“{'wxyz'[best]}”" in plot_unknown({"m": MODEL}, 0, "wxyz", "here").finding

@@ -1,22 +1,11 @@
 """Lesson 16: its files are kept, its faults are refused or found."""
 
-import csv
-from pathlib import Path
-
 import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.exercises.design import paid_by
 from rlrobot_course.lesson_16 import check, exercises
 from rlrobot_course.lesson_16.exercises import CLUES
-from rlrobot_course.lesson_16.figures import (
-    CUTS,
-    FOUND,
-    HELD,
-    IDEAL,
-    cuts_finding,
-    plot_cuts,
-)
 from rlrobot_course.lesson_16.files import edit, fresh_folder, refusal
 from rlrobot_course.lesson_16.situations import PAIRS
 from rlrobot_edu.tools.new_task import new_task
@@ -70,41 +59,3 @@ def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
         clue = CLUES.index(mistake.hint)
         assert mistake.wrong[clue] != exercises.faults[clue]
         assert mistake.wrong[:clue] == exercises.faults[:clue]
-
-
-def test_the_figure_of_the_cuts_shows_what_was_computed():
-    path = Path(__file__).parents[2] / "studies" / "lesson_numbers.csv"
-    with path.open(encoding="utf-8") as file:
-        rows = {
-            (row["lesson"], row["of"]): row
-            for row in csv.DictReader(file)
-            if row["steps"] == "1800"
-        }
-    for what, worlds in FOUND.items():
-        for world, numbers in worlds.items():
-            robot = "as in V-REP" if world == HELD else world
-            for cuts, number in zip(CUTS, numbers, strict=True):
-                usual = cuts == "27, 53, 80 cm"
-                lesson = (
-                    ("11" if usual else "16")
-                    if what == "reward a step"
-                    else f"16, {what}"
-                )
-                row = rows[lesson, robot if usual else f"{cuts}, {robot}"]
-                assert number == pytest.approx(
-                    (float(row["value"]), float(row["half_interval"])), abs=6e-5
-                )
-    assert plot_cuts().alt.count("±") == 15
-
-
-def test_the_title_of_the_cuts_follows_the_numbers():
-    said = cuts_finding(FOUND)
-    assert (
-        said
-        == "Cuts at 5, 10, 15 cm earn most; where walls hold, 27, 53, 80 cm bump least"
-    )
-    turned = dict(FOUND)
-    turned["bumps in 100 steps"] = {HELD: ((1.0, 0.1), (2.0, 0.1), (3.0, 0.1))}
-    assert cuts_finding(turned).endswith("walls hold, 5, 10, 15 cm bump least")
-    turned["reward a step"] = {HELD: ((1.0, 0.1),) * 3, IDEAL: ((1.0, 0.1), (2.0, 0.1))}
-    assert cuts_finding(turned).startswith("Ideal or not, other cuts")

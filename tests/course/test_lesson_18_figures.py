@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from rlrobot_course.lesson_18 import exercises
-from rlrobot_course.lesson_18.figures import plot_rehearsals
 from rlrobot_course.lesson_18.scans import plot_scan, scan_finding
 from rlrobot_edu.robots.chassis import GIRAFF, PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import WHEELS
@@ -117,9 +116,3 @@ def test_a_laser_that_ends_before_the_ray_beside_it_is_named():
     met["laser_front_right"] = (0.7, -0.7)
     said = scan_finding(met, scan)
     assert said.startswith("1 of 3 lasers ends") and said.endswith("front right")
-
-
-def test_the_title_of_rehearsals_compares_two_groups():
-    picture = plot_rehearsals({"a": [1.0, 1.1, 0.9], "b": [3.0, 3.1, 2.9]}, "b", "a")
-    assert picture.finding == "“b” earns more than “a”: 3.0 a step against 1.0"
-    assert "b: 3.0 ± 0.2" in picture.alt

@@ -132,6 +132,16 @@ def test_a_csv_file_goes_all_the_way(robot, capsys):
     assert "Your rows are left aside" in capsys.readouterr().out
 
 
+def test_a_recording_of_ones_own_rows_is_taken_and_one_of_another_task_is_not(robot):
+    its = driven(robot).recording
+    columns = (its.s.tolist(), its.a.tolist(), its.r.tolist(), its.s_next.tolist())
+    own = rl.Recording.from_rows(list(zip(*columns, strict=True)), robot)
+    assert my_rows(robot, own).r.tolist() == columns[2]
+    with pytest.raises(ValueError, match="of wander_1k, not of your task my_robot"):
+        my_rows(robot, rl.read_recording("wander_1k"))
+    assert my_rows(robot).s.tolist() == columns[0]
+
+
 def test_rows_of_another_task_are_refused_and_what_was_kept_stays(robot):
     my_rows(robot, driven(robot))
     with pytest.raises(ValueError, match="my_robot"):

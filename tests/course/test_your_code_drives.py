@@ -6,7 +6,6 @@ import time
 from pathlib import Path
 
 import ipywidgets
-import nbformat
 import numpy as np
 import pytest
 
@@ -16,7 +15,6 @@ from rlrobot_course.drives.beside import ALIKE, NOTHING, are_alike, beside
 from rlrobot_course.drives.button import ASKS, FAILS, DriveButton
 from rlrobot_course.drives.by_your_code import FILMED, SECONDS, drive_of
 from rlrobot_course.exercises.parts import _offered
-from rlrobot_course.lesson_16 import drive as wall_follower
 from rlrobot_grading.exercises import exercise as exercises
 from rlrobot_grading.exercises.verdict import Verdict
 
@@ -377,19 +375,6 @@ def test_whatever_a_function_does_there_is_a_film_or_a_sentence(which, what, cap
 
 def test_only_functions_that_drive_a_robot_have_a_drive():
     assert drive_of(of("01", "reward")) and not drive_of(of("01", "bin_of"))
-
-
-def test_the_wall_follower_is_the_one_that_the_notebook_writes():
-    notebook = nbformat.read(NOTEBOOKS / "16_your_own_task.ipynb", as_version=4)
-    written_to = "%%writefile my_tasks/lesson_16/follow_wall.py"
-    texts = [cell.source for cell in notebook.cells]
-    (source,) = [text for text in texts if written_to in text]
-    written = {}
-    exec(source.partition(written_to)[2], written)
-    mine, its = wall_follower.TASK, written["task"]
-    assert (mine.robot, mine.scene) == (its.robot, its.scene)
-    assert (mine.inputs, mine.outputs) == (its.inputs, its.outputs)
-    assert mine.rewards == its.rewards
 
 
 def test_a_notebook_shows_the_card_and_then_the_button(monkeypatch):

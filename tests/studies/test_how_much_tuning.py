@@ -1,7 +1,6 @@
 """The registered study of tuning: a tiny one from nothing to its page, an interrupt, its statistics, and its page."""
 
 import itertools
-import json
 import re
 import subprocess
 
@@ -296,19 +295,6 @@ def test_what_people_wrote_is_what_the_tests_show():
     assert {name for name, low in by_name.items() if low < 0} == {"ten random mazes", "arm_4k, PyBullet"}  # fmt: skip
     common = [worlds.settings_of(PLAN)[int(its.common(method))] for method in study.METHODS]  # fmt: skip
     assert [setting["gamma"] < 0.52 for setting in common] == [False, True, True, True]
-
-
-@needs_data
-def test_lesson_15_says_what_the_page_says():
-    its = study.read(PLAN, study.DATA)
-    draws = tests.Draws(its)
-    found = page.numbers(draws, tests.findings(draws))
-    lesson = study.HERE.parent / "notebooks/15_reproduce_the_paper.ipynb"
-    cells = json.loads(lesson.read_text("utf-8"))["cells"]
-    text = " ".join("".join(cell["source"]) for cell in cells)
-    assert f"scores {found['tuned']} more with its bias than without it" in text
-    best = f"the best of {found['tries']} random settings {found['best_of_tries']}"
-    assert f"The paper's setting scores {found['paper']}, {best}." in text
 
 
 @needs_data
