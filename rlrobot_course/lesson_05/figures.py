@@ -11,10 +11,10 @@ from rlrobot_course.figures.plots import (
     BLACK,
     BLUE,
     GREY,
-    LIGHT,
     Picture,
 )
 from rlrobot_edu import load_task
+from rlrobot_edu.show.palette import LIGHT
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.marks import marks_of
 from rlrobot_edu.widgets.bias_explorer.words import (
