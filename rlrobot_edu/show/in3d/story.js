@@ -1,7 +1,7 @@
 // What became of the film's steps, as the title of the page; below it what the colours mean; and moments on the slider.
 const LIVE_KEY = [["green", "earned"], ["red", "lost much"], ["grey", "earned nothing or lost little"]];
 const SIGNS = {reached: "★", "longest stay": "★", bump: "✕", loss: "✕"};
-const ROOM_FOR_A_WORD = 0.3;  // of the slider
+const ROOM_FOR_A_WORD = 0.3;  // of the slider, on a phone
 let story = {headline: "", key: [], aim: "", moments: []};
 
 // element("b", {title: "…"}, child, …)
@@ -39,19 +39,22 @@ function keyOf(items, aim) {
   key.replaceChildren(...(words.length ? ["Rewards on its way: ", ...words] : []), aim);
 }
 
-// A sign for each moment, and its word where there is room: first what was reached, then the first of the losses
+// A sign and a word for each moment that has room: first what was reached, then losses. The strip below shows all.
 function markMoments() {
-  const place = step => step / last, worded = [];
+  const place = step => step / last, taken = [];
   const isReached = word => SIGNS[word] === "★";
   const order = [...story.moments].sort(([, a], [, b]) => isReached(b) - isReached(a));
-  marks.replaceChildren(...order.map(([step, word]) => {
-    const at = place(step), isFree = worded.every(other => Math.abs(other - at) > ROOM_FOR_A_WORD);
-    const text = isFree ? `${SIGNS[word]} ${word}` : SIGNS[word];
-    if (isFree) worded.push(at);
-    const mark = element("span", {title: `step ${step + 1 + before()}: ${word}`, onclick: () => go(step + 1 + before())}, text);
+  const free = order.filter(([step]) => {
+    const hasRoom = taken.every(other => Math.abs(other - place(step)) > ROOM_FOR_A_WORD);
+    if (hasRoom) taken.push(place(step));
+    return hasRoom;
+  });
+  marks.replaceChildren(...free.map(([step, word]) => {
+    const number = step + 1 + before();
+    const mark = element("span", {title: `step ${number}: ${word}`, onclick: () => go(number)}, `${SIGNS[word]} ${word}`);
     mark.className = isReached(word) ? "reached" : "lost";
-    mark.style.left = `${100 * at}%`;
-    if (at > 0.6) mark.classList.add("toLeft");
+    mark.style.left = `${100 * place(step)}%`;
+    if (place(step) > 0.6) mark.classList.add("toLeft");
     return mark;
   }));
 }
