@@ -10,7 +10,7 @@ Read `evidence` first, which says what a detector is given, then `detectors`, th
 - `calls`: the calls that a loop makes, noted. `events`: what they tell beside those of the right loop.
   `first_event`: the first of them that differs, as a small table. `first_change`: the same where no call differs, of a
   table that the loop changes or of its result.
-- `suspicions`: what the values of an answer have in common that shows no known mistake.
+- `suspicions`: what the values of an answer have in common that shows no known mistake; `relations`: its numbers.
 - `remainders`: which part of a result is wrong, or in which cases, where nothing else is known.
 - `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames.
 """

@@ -10,12 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_grading.answers.values import as_data, safely, same, show
+from rlrobot_grading.answers.values import as_data, is_large, safely, same, show
 from rlrobot_grading.hints.evidence import Evidence
 
 MOST_PARTS = 4  # of a result that has parts, such as x, y and z
 FEWEST = 3  # cases on either side of a limit, so that it is no coincidence
 ORDINALS = ("first", "second", "third", "fourth")
+
+PLAIN = (int, float, list, tuple, dict, np.ndarray, np.generic)
 
 Pair = tuple[Any, Any]  # what is asked, and the learner's
 
@@ -25,6 +27,11 @@ def what_is_left(seen: Evidence) -> str:
     if not seen.is_exact or any(outcome.failure for outcome in seen.got):
         return ""
     if len(seen.got) < len(seen.cases):
+        return ""
+    results = [value for outcome in seen.got for value in outcome.values.values()]
+    if not all(isinstance(result, PLAIN) for result in results):
+        return ""  # an iterator, for one, may never end
+    if any(safely(True, is_large, result) for result in results):
         return ""
     told = (
         safely("", look, seen)

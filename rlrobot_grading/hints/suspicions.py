@@ -6,7 +6,7 @@ Each suspicion is a property of the answer's values in every case, so what it te
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,10 +15,9 @@ from rlrobot_grading.answers.replay import Case, Outcome
 from rlrobot_grading.answers.source import names_from_outside, unused_arguments
 from rlrobot_grading.answers.values import Unkept, safely, same, show
 from rlrobot_grading.hints.evidence import Evidence, Hint
+from rlrobot_grading.hints.relations import relations
 
 NAN = "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
-FLOAT32 = 1e-6  # relative difference of a number that had seven digits
-DIGITS = range(5)  # after the point, to which an answer may have been rounded
 
 
 def about_the_values(seen: Evidence) -> str:
@@ -226,7 +225,7 @@ def _about_all(values: Sequence[tuple[Any, Any]]) -> str:
         [np.asarray(value, dtype=float) for value in side]
         for side in zip(*values, strict=True)
     )
-    return next(_relations(expected, mine), "")
+    return next(relations(expected, mine), "")
 
 
 def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:
@@ -242,51 +241,6 @@ def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case])
             ):
                 return f"your numbers are the right ones {told} {name}, in every case."
     return ""
-
-
-def _relations(
-    expected: Sequence[np.ndarray], got: Sequence[np.ndarray]
-) -> Iterator[str]:
-    """Relations between the right numbers and the learner's that hold in every case."""
-    pairs = list(zip(expected, got, strict=True))
-    if all(same(y, got[0]) for y in got):
-        yield f"your function always returns {show(got[0])}, whatever its arguments are."
-    if all(same(x, y, FLOAT32) for x, y in pairs):
-        yield (
-            "your numbers are right in their first digits only. Leave rounding and float32 out: Python's own numbers "
-            "have 16 digits."
-        )
-    for digits in DIGITS:
-        if all(same(np.round(x, digits), y) for x, y in pairs):
-            after = (
-                f"to {digits} digits after the point" if digits else "to whole numbers"
-            )
-            yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
-    if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
-        yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
-    if all(same(-x, y) for x, y in pairs):
-        yield "the sign is the wrong way round, in every case."
-    if all(x.ndim for x in expected) and all(same(x[::-1], y) for x, y in pairs):
-        yield "the right numbers, in reverse order."
-    if all(x.ndim for x in expected) and all(
-        same(np.sort(x), np.sort(y)) for x, y in pairs
-    ):
-        yield "the right numbers, in another order."
-    with np.errstate(invalid="ignore", over="ignore"):  # infinity − infinity
-        apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
-        times = {
-            round(float(t), 9)
-            for x, y in pairs
-            for t in np.ravel(y[x != 0] / x[x != 0])
-        }
-    if len(apart) == 1:
-        d = apart.pop()
-        yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
-    if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
-        t = times.pop()
-        if t == 0:
-            yield "your numbers are 0, always."
-        yield f"your numbers are {show(t)} times the right ones, always."
 
 
 def _about_sums(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:

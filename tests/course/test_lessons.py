@@ -138,7 +138,7 @@ def run(root: Path, *words: str) -> subprocess.CompletedProcess:
 
 
 @pytest.mark.parametrize(("words", "told"), [
-    (["check", "4"], "there is no lesson '4'"), (["chek", "06"], "write course check 04"),
+    (["check", "4"], "there is no lesson '4'"), (["chek", "06"], "Write course check 04"),
     (["new", "06", "x"], "there is a lesson 06 already"),
 ])  # fmt: skip
 def test_a_wrong_word_after_course_is_told_in_a_sentence(words, told):

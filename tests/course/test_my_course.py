@@ -127,7 +127,7 @@ def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypat
 
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
     with pytest.raises(
-        ValueError, match="there is no lesson '77'; the lessons are 00, 03"
+        ValueError, match=r"there is no lesson '77'\. The lessons are 00, 03"
     ):
         set_back("77", **course)
 

@@ -7,7 +7,7 @@ import re
 import textwrap
 from contextlib import suppress
 from pkgutil import resolve_name
-from typing import Any
+from typing import Any, get_type_hints
 
 from numpydoc.docscrape import NumpyDocString
 from numpydoc.validate import validate
@@ -88,7 +88,9 @@ def exceptions_of(
         ):  # a name that is local, or an attribute of an object
             value = eval(ast.unparse(called.func), names) if is_plain else None
             if isinstance(node, ast.Raise) and value is not None:
-                found.add(value)
+                is_kind = inspect.isclass(value)
+                # a function that makes the error says which
+                found.add(value if is_kind else get_type_hints(value)["return"])
             elif not is_called:
                 found |= exceptions_of(
                     value, value if inspect.isclass(value) else owner, is_called=True
