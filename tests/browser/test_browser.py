@@ -603,6 +603,7 @@ check.target(target)
 """
 
 
+@pytest.mark.nightly
 def test_the_button_below_a_red_card_shows_two_robots_that_drive(
     browser, lab, tmp_path
 ):
