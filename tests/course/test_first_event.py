@@ -273,4 +273,6 @@ def test_a_check_of_a_run_answers_in_time():
     wrong = learner(LOOP.format("update(q, s, a, -r, s_next, terminated)"))
     begun = time.process_time()
     check(wrong)
-    assert time.process_time() - begun < 2.0
+    assert (
+        time.process_time() - begun < 5.0
+    )  # a median of two is wanted, and none above five
