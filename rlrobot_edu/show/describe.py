@@ -148,6 +148,11 @@ def amounts_in(rule: str) -> set[str]:
     return {f"{float(number.replace('−', '-')):g}" for number in numbers}
 
 
+def amounts_told(rules: str) -> set[str]:
+    """The rewards that the rules name, parted by semicolons."""
+    return {amount for rule in rules.split("; ") for amount in amounts_in(rule)}
+
+
 def sought(scene: Scene) -> str:
     """What the robot is to reach, as it looks in a picture; empty if there is nothing."""
     roles = {solid.role for solid in scene.solids}
@@ -158,11 +163,17 @@ def sought(scene: Scene) -> str:
     return ""
 
 
-def key_words(scene: Scene, rules: str, rewards: Sequence[float]) -> str:
-    """What a picture's marks and rewards mean, beside the colours of the way; rules: what earns which reward."""
+def aim_of(scene: Scene) -> str:
+    """What the robot is to reach, and what looks like a thing and is none; empty if there is nothing of it."""
     words = [sought(scene)]
     if any(solid.name == "field" for solid in scene.solids):
         words.append("The pale field is only painted on the table.")
+    return " ".join(filter(None, words))
+
+
+def key_words(scene: Scene, rules: str, rewards: Sequence[float]) -> str:
+    """What a picture's marks and rewards mean, beside the colours of the way; rules: what earns which reward."""
+    words = [aim_of(scene)]
     if len(scene.beams):
         words.append(
             f"An orange line is a laser that finds something within {NEAR:g} m."

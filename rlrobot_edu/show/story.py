@@ -7,7 +7,7 @@ import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.describe import (
-    amounts_in,
+    amounts_told,
     counted,
     gap_of,
     is_fixed,
@@ -50,7 +50,7 @@ def stays_in(
     if is_fixed(scenes[0]) and gap_of(scenes[0]) is not None:
         is_there = [_is_at(scene) for scene in scenes]
     else:
-        amounts = {amount for rule in rules.split("; ") for amount in amounts_in(rule)}
+        amounts = amounts_told(rules)
         is_told = all(f"{r:g}" in amounts for r in rewards)
         if not sought(scenes[-1]) or not amounts or not is_told:
             return None

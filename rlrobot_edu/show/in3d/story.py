@@ -7,7 +7,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.describe import AMOUNTS, NEAR, amounts_in, loss_of, sought
+from rlrobot_edu.show.describe import (
+    AMOUNTS,
+    NEAR,
+    aim_of,
+    amounts_in,
+    amounts_told,
+    counted,
+    loss_of,
+)
 from rlrobot_edu.show.numerals import signed
 from rlrobot_edu.show.story import finding, moments_in
 
@@ -39,14 +47,11 @@ def story(
 
     rewards: one for each scene; task: what the robot is to do, or empty; rules: what earns which reward, or empty
     """
-    words = [sought(scenes[-1])]
-    if any(solid.name == "field" for solid in scenes[-1].solids):
-        words.append("The pale field is only painted on the table.")
-    aim = " ".join(filter(None, words))
     headline = finding(scenes, rewards, task, rules)
     moments = moments_in(scenes, rewards, rules)
     has_beams = any(len(scene.beams) for scene in scenes)
-    return Story(headline, moments, key(rules, rewards, has_beams), aim)
+    told = key(rules, rewards, has_beams)
+    return Story(headline, moments, told, aim_of(scenes[-1]))
 
 
 def key(rules: str, rewards: Sequence[float], has_beams: bool) -> Key:
@@ -68,12 +73,12 @@ def key(rules: str, rewards: Sequence[float], has_beams: bool) -> Key:
     if told:
         first_colour, first = told[0]
         told[0] = (first_colour, first.removeprefix("else, "))
-    explained = {amount for rule in rules.split("; ") for amount in amounts_in(rule)}
+    explained = amounts_told(rules)
     others = [item for item in paid.most_common() if item[0] not in explained]
     if len(others) <= AMOUNTS:
         for amount, times in others:
-            steps = "1 step" if times == 1 else f"{times} steps"
-            told.append((colour({amount}), f"{signed(float(amount))} in {steps}"))
+            words = f"{signed(float(amount))} in {counted(times, 'step')}"
+            told.append((colour({amount}), words))
     else:
         met = {colour({amount}) for amount, _ in others}
         told += [(name, word) for name, word in UNTOLD.items() if name in met]
